@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/ensemble.h"
+#include "sim/fidelity.h"
+
+namespace pendular::app {
+
+/// One subcommand. Its file declares its options once; parser, checks and help follow from that.
+struct Command {
+    std::string_view name;
+    std::string_view summary;
+    int (*run)(const std::vector<std::string>& arguments);
+};
+
+int import(const std::vector<std::string>& arguments);
+int simulate(const std::vector<std::string>& arguments);
+int calibrate(const std::vector<std::string>& arguments);
+int compare(const std::vector<std::string>& arguments);
+
+/// Exit codes of every command.
+enum ExitCode { done = 0, program_failed = 1, wrong_input = 2, not_converged = 3, interrupted = 130 };
+
+/// Runs `pendular` with the words after the program's name; reports every error on standard error.
+int run_program(const std::vector<std::string>& arguments);
+
+}  // namespace pendular::app

@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "app/console.h"
+#include "app/options.h"
+#include "app/study_input.h"
+#include "data/write_tables.h"
+#include "reports/json.h"
+#include "reports/tables.h"
+
+namespace pendular::app {
+
+int import(const std::vector<std::string>& arguments) {
+    Options options("import STUDY [options]",
+                    "Turns the recordings of a study into readings: shear stress and solid fraction of each steady\n"
+                    "step, with standard errors. Writes readings.csv and excluded.csv to the results folder; what\n"
+                    "was left out is listed with its lines and the reason.",
+                    "  pendular import examples/dry-recordings\n"
+                    "  pendular import my-study --json -\n",
+                    true);
+    const auto common = options.parse(arguments);
+    if (!common) {
+        return done;
+    }
+    Console console(*common);
+    const auto [study, measurements] = read_input(common->study);
+    const auto readings = common->out_folder() / "readings.csv";
+    write_readings(readings, measurements);
+    write_excluded(common->out_folder() / "excluded.csv", measurements);
+    console.line(fmt::format("{} readings, {} excluded ranges of rows: {}", measurements.readings.size(),
+                             measurements.excluded.size(), readings.string()));
+    for (const auto& line : readings_table(measurements)) {
+        console.line(line);
+    }
+    for (const auto& note : measurements.notes) {
+        console.note(note);
+    }
+    console.json(to_json(measurements));
+    return done;
+}
+
+}  // namespace pendular::app

@@ -1,0 +1,115 @@
+#include "app/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+#include "data/input_error.h"
+#include "data/nearest.h"
+
+namespace pendular::app {
+namespace {
+
+namespace po = boost::program_options;
+
+std::vector<std::string> option_names(const po::options_description& options) {
+    std::vector<std::string> names;
+    for (const auto& option : options.options()) {
+        names.push_back("--" + option->long_name());
+    }
+    return names;
+}
+
+std::filesystem::path study_folder(const std::filesystem::path& study) {
+    if (std::filesystem::is_directory(study)) {
+        return study;
+    }
+    return study.has_parent_path() ? study.parent_path() : std::filesystem::path(".");
+}
+
+}  // namespace
+
+std::filesystem::path CommonOptions::out_folder() const {
+    return out ? *out : study_folder(study) / "out";
+}
+
+Options::Options(std::string usage, std::string about, std::string examples, bool takes_study)
+    : usage_(std::move(usage)),
+      about_(std::move(about)),
+      examples_(std::move(examples)),
+      takes_study_(takes_study),
+      own_("Options", 100) {}
+
+void Options::add_switch(const char* name, bool* value, const std::string& description) {
+    own_.add_options()(name, po::bool_switch(value), description.c_str());
+}
+
+void Options::print_help(const po::options_description& common) const {
+    std::cout << "Usage: pendular " << usage_ << "\n\n" << about_ << "\n\n";
+    if (!own_.options().empty()) {
+        std::cout << own_ << '\n';
+    }
+    std::cout << common << "\nExamples:\n" << examples_;
+}
+
+std::optional<CommonOptions> Options::parse(const std::vector<std::string>& arguments) {
+    CommonOptions result;
+    std::string json, out, fidelity, study;
+    po::options_description common("Common options", 100);
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    common.add_options()("json", po::value(&json)->value_name("FILE"),
+                         "write the result as JSON; '-': alone on standard output")(
+        "out", po::value(&out)->value_name("DIR"), "folder for results (default: STUDY/out)")(
+        "fidelity", po::value(&fidelity)->default_value("standard")->value_name("NAME"),
+        "quick, standard or paper: beads / stiffness number / lowest inertial number / averaged strain "
+        "1000/1000/3e-3/5, 2000/1000/2e-3/10, 4000/8400/1e-3/20")(
+        "threads", po::value(&result.threads)->default_value(cores)->value_name("N"),
+        "runs carried out side by side")("quiet", po::bool_switch(&result.quiet), "no progress on standard error")(
+        "help", "this text");
+    po::options_description all, hidden;
+    hidden.add_options()("study", po::value(&study));
+    all.add(own_).add(common).add(hidden);
+    po::options_description visible;
+    visible.add(own_).add(common);
+    po::positional_options_description positional;
+    positional.add("study", takes_study_ ? 1 : 0);
+    try {
+        po::store(po::command_line_parser(arguments)
+                      .options(all)
+                      .positional(positional)
+                      .style(po::command_line_style::default_style & ~po::command_line_style::allow_guessing)
+                      .run(),
+                  variables_);
+        po::notify(variables_);
+    } catch (const po::unknown_option& error) {
+        const std::string name = error.get_option_name();
+        throw InputError(fmt::format("unknown option '{}'; {}", name, did_you_mean(name, option_names(visible))));
+    } catch (const po::too_many_positional_options_error&) {
+        throw InputError(fmt::format("too many arguments; usage: pendular {}", usage_));
+    } catch (const po::error& error) {
+        throw InputError(fmt::format("{}; see 'pendular {} --help'", error.what(), usage_.substr(0, usage_.find(' '))));
+    }
+    if (variables_.count("help") > 0) {
+        print_help(common);
+        return std::nullopt;
+    }
+    if (takes_study_ && study.empty()) {
+        throw InputError(fmt::format("no study given; usage: pendular {}", usage_));
+    }
+    if (result.threads < 1) {
+        throw InputError(fmt::format("--threads {}: at least one thread is needed", result.threads));
+    }
+    result.study = study;
+    result.fidelity = fidelity_named(fidelity);
+    if (!json.empty()) {
+        result.json = json;
+    }
+    if (!out.empty()) {
+        result.out = out;
+    }
+    return result;
+}
+
+}  // namespace pendular::app

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <exception>
+#include <string>
+
+#include "app/command.h"
+#include "data/input_error.h"
+#include "data/nearest.h"
+#include "sim/dem/run.h"
+
+namespace pendular::app {
+namespace {
+
+constexpr std::array<Command, 4> commands = {{
+    {"import", "recordings to readings: stresses and solid fractions with their errors", import},
+    {"simulate", "one discrete-element run of steady shear and its observables", simulate},
+    {"calibrate", "fit the intergranular friction to the dry readings of a study", calibrate},
+    {"compare", "model beside measurement: misfit by observable and condition, figures", compare},
+}};
+
+void print_overview() {
+    fmt::print("pendular puts rheometer recordings of beads beside a discrete-element model.\n\n"
+               "Usage: pendular COMMAND [options]\n\nCommands:\n");
+    for (const auto& command : commands) {
+        fmt::print("  {:<10} {}\n", command.name, command.summary);
+    }
+    fmt::print("\n'pendular COMMAND --help' describes one, with examples.\n"
+               "Exit codes: 0 done; 1 the program failed; 2 the input or the command line is wrong; "
+               "3 the fit did not converge; 130 interrupted.\n");
+}
+
+const Command& command_named(const std::string& name) {
+    std::vector<std::string> names;
+    for (const auto& command : commands) {
+        if (command.name == name) {
+            return command;
+        }
+        names.emplace_back(command.name);
+    }
+    throw InputError(fmt::format("unknown command '{}'; {}", name, did_you_mean(name, names)));
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments) {
+    try {
+        if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help") {
+            print_overview();
+            return arguments.empty() ? wrong_input : done;
+        }
+        if (arguments[0] == "--version") {
+            fmt::print("pendular {}\n", PENDULAR_VERSION);
+            return done;
+        }
+        return command_named(arguments[0]).run({arguments.begin() + 1, arguments.end()});
+    } catch (const InputError& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        return wrong_input;
+    } catch (const dem::Interrupted&) {
+        fmt::print(stderr, "\ninterrupted; nothing was written\n");
+        return interrupted;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "pendular failed: {}\n", error.what());
+        return program_failed;
+    }
+}
+
+}  // namespace pendular::app

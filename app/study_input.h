@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "data/study.h"
+
+namespace pendular::app {
+
+/// A study with everything measured in it.
+struct StudyInput {
+    Study study;
+    Measurements measurements;
+};
+StudyInput read_input(const std::filesystem::path& study);
+
+}  // namespace pendular::app

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "calib/model.h"
+#include "data/reading.h"
+
+namespace pendular {
+
+/// Readings stacked as the model predicts them: shear stress [Pa] and solid fraction [1] in turn.
+struct Measured {
+    Eigen::VectorXd value;
+    Eigen::MatrixXd covariance;
+};
+Measured stack(const std::vector<Reading>& readings);
+
+/// Outcome of one least-squares fit.
+struct Fit {
+    Eigen::VectorXd parameters;
+    Eigen::MatrixXd covariance;          ///< of the parameters, from ceres::Covariance, not scaled by chi2/dof
+    Eigen::MatrixXd measurement_part;    ///< what of it the measurement alone causes; the rest is simulation
+    double chi2 = 0;
+    int dof = 0;
+    bool converged = false;
+    std::vector<bool> at_bound;          ///< per parameter: it ended at a bound of its range
+    Prediction prediction;               ///< at the parameters
+    std::string message;                 ///< what Ceres said
+
+    double standard_error(Eigen::Index k) const;
+    double measurement_error(Eigen::Index k) const;
+    double simulation_error(Eigen::Index k) const;
+};
+
+/// Weighted least squares of a model's predictions to the readings by Ceres,
+///     minimise r'r,  r = L^-1 (y - f(theta)),  L L' = Sigma_measurement + Sigma_simulation(start),
+/// with the model's own derivatives. The weights are those at the start, so that the noise of the
+/// simulation cannot be traded for misfit; repeat from the answer until it stays.
+Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start);
+
+/// Interval of one parameter within which chi2, minimised over the others, stays within `rise` of
+/// its minimum; 1 gives the 68 % interval. An end beyond the supported range is reported there.
+std::pair<double, double> profile_interval(const Model& model, const Measured& measured, const Fit& best,
+                                           Eigen::Index which, double rise = 1);
+
+/// When a calibration is good enough, and when it gives up.
+struct CalibrationOptions {
+    double simulation_share = 0.2;   ///< of the variance of a parameter that simulation may cause
+    double settled = 0.3;            ///< largest last move, in standard errors
+    int fewest_rounds = 3;
+    int most_rounds = 12;
+};
+
+/// Called after each round with the fit so far.
+using CalibrationReport = std::function<void(int round, const Fit& fit)>;
+
+/// Fits, lets the model learn where the fit has arrived, and fits again, until the parameters stay
+/// where they are and the simulation's share of their variance is small. `converged` is false when
+/// the rounds run out first.
+Fit calibrate(Model& model, const Measured& measured, const CalibrationOptions& options,
+              const CalibrationReport& report = {});
+
+}  // namespace pendular

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace pendular {
+
+/// A parameter that a fit may change.
+struct Parameter {
+    std::string name;
+    std::string unit = "1";
+    double lower = 0;
+    double upper = 0;
+    double start = 0;
+};
+
+/// What a model says of n readings, and how sure it is. Entries 2 k and 2 k + 1 belong to reading k:
+/// its shear stress magnitude [Pa] and its solid fraction [1].
+struct Prediction {
+    Eigen::VectorXd value;       ///< 2 n
+    Eigen::MatrixXd jacobian;    ///< 2 n x parameters
+    Eigen::MatrixXd covariance;  ///< 2 n x 2 n, of `value`: simulation noise and every correction's error
+};
+
+/// The range of parameters over which a model's predictions are supported by simulation.
+struct Supported {
+    Eigen::VectorXd lower, upper;
+};
+
+/// Predicts the readings of a study as functions of its parameters. The derivatives are those of the
+/// value returned, so that a least-squares solver never differentiates noise.
+class Model {
+  public:
+    virtual ~Model() = default;
+
+    virtual const std::vector<Parameter>& parameters() const = 0;
+
+    /// Predictions at `parameters` (in the order of parameters()).
+    virtual Prediction predict(const Eigen::VectorXd& parameters) const = 0;
+
+    /// Learns more about the neighbourhood of `parameters`, where a fit has arrived; the next
+    /// predictions are centred there.
+    virtual void improve(const Eigen::VectorXd& parameters) = 0;
+
+    virtual Supported supported() const = 0;
+};
+
+}  // namespace pendular

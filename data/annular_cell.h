@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace pendular {
+
+/// Which form of a formula that the source misprints: the derived one or the printed one.
+enum class Form { derived, as_printed };
+
+/// Annular shear cell between radii inner < outer [m], holding beads of a total volume [m^3].
+struct AnnularCell {
+    double inner_radius = 0;
+    double outer_radius = 0;
+    double bead_volume = 0;
+    Form torque_formula = Form::derived;
+
+    /// Area of the annulus [m^2]: pi (Re^2 - Ri^2).
+    double area() const;
+};
+
+/// Normal stress of an annular cell from its normal force [Pa].
+///     s22 = F_N / (pi (Re^2 - Ri^2))
+/// The beads' own weight is left to the effect `grain-weight`.
+/// Source: Badetti et al. (2018), eq:exprheol.
+double normal_stress(double normal_force, const AnnularCell& cell);
+
+/// Magnitude of the shear stress of an annular cell from its torque, stress uniform over the
+/// annulus [Pa].
+///     s12 = 3 T / (2 pi (Re^3 - Ri^3))      from T = int_{Ri}^{Re} 2 pi r^2 s12 dr
+/// Source: direct integration; Badetti et al. (2018) print twice this value (Form::as_printed).
+double shear_stress(double torque, const AnnularCell& cell);
+
+/// Bead volume over sample volume [1]: V_S / (pi H (Re^2 - Ri^2)).
+/// Source: Badetti et al. (2018), eq:exprheol.
+double solid_fraction(double height, const AnnularCell& cell);
+
+/// Shear rate at the mean radius [1/s]: omega (Ri + Re)/(2 H).
+/// Source: Badetti et al. (2018), eq:exprheol.
+double shear_rate(double angular_velocity, double height, const AnnularCell& cell);
+
+/// First-order covariance of (shear stress [Pa], solid fraction [1]) from that of
+/// (torque [N m], height [m]): J C J^T with the derivatives of the two conversions.
+Eigen::Matrix2d covariance_of_reading(double height, const Eigen::Matrix2d& torque_height_covariance,
+                                      const AnnularCell& cell);
+
+}  // namespace pendular

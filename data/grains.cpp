@@ -1,0 +1,21 @@
+#include <cmath>
+#include <numbers>
+
+#include "data/study.h"
+
+namespace pendular {
+
+double Grains::mass() const { return density * std::numbers::pi * std::pow(diameter, 3) / 6; }
+
+double inertial_number(double shear_rate, double normal_stress, const Grains& grains) {
+    return shear_rate * std::sqrt(grains.mass() / (grains.diameter * normal_stress));
+}
+
+std::optional<double> stiffness_number(double normal_stress, const Grains& grains) {
+    if (!grains.youngs_modulus) return std::nullopt;
+    const double effective =
+        *grains.youngs_modulus / (1 - grains.poisson_ratio * grains.poisson_ratio);
+    return std::pow(effective / normal_stress, 2.0 / 3);
+}
+
+}  // namespace pendular

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace pendular {
+
+/// The text without blanks at either end.
+std::string_view trimmed(std::string_view text);
+
+/// The finite number the whole text spells, decimal point '.', whatever the locale; else empty.
+std::optional<double> parse_number(std::string_view text);
+
+/// Whether the text would be a number if its one ',' were a '.': "1,25".
+bool has_decimal_comma(std::string_view text);
+
+}  // namespace pendular

@@ -1,0 +1,159 @@
+#include "data/steady_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "data/step_series.h"
+#include "data/time_series.h"
+
+namespace pendular {
+namespace {
+
+constexpr double gravity = 9.80665;  // [m/s^2]
+
+/// What the steps of one recording have in common.
+struct Setting {
+    const Recording& recording;
+    const AnnularCell& cell;
+    const Grains& grains;
+    double liquid_content;
+};
+
+/// Means over the steady part of a step.
+struct Means {
+    Mean torque, normal_force, height, angular_velocity;
+    Eigen::Matrix2d covariance;  ///< of (torque at the mean normal force, height)
+};
+
+Means means_of(const StepSeries& steady) {
+    Means means{mean_of_correlated(steady.torque), mean_of_correlated(steady.normal_force),
+                mean_of_correlated(steady.height), mean_of_correlated(steady.angular_velocity),
+                Eigen::Matrix2d::Zero()};
+    std::vector<double> torque = steady.torque;  // at the mean normal force
+    const double slope = means.torque.value / means.normal_force.value;
+    for (std::size_t i = 0; i < torque.size(); ++i)
+        torque[i] -= slope * (steady.normal_force[i] - means.normal_force.value);
+    const double torque_error = mean_of_correlated(torque).standard_error;
+    const double shared = covariance_of_means(torque, steady.height);
+    means.covariance << torque_error * torque_error, shared, shared,
+        means.height.standard_error * means.height.standard_error;
+    return means;
+}
+
+/// Why the means of a step make no reading; empty if they do.
+std::string unusable(const Means& means) {
+    if (means.normal_force.value <= 0)
+        return fmt::format("the mean normal force is {:.3g} N, no compression; compression must be "
+                           "positive",
+                           means.normal_force.value);
+    if (!turns(means.angular_velocity)) return "the lid does not turn";
+    if (means.torque.value <= 2 * std::sqrt(means.covariance(0, 0)))
+        return "the mean torque is zero within twice its standard error";
+    return "";
+}
+
+Reading reading_of(const Means& means, const StepSeries& steady, int number,
+                   const Setting& setting) {
+    Reading reading;
+    reading.origin = {setting.recording.file, steady.line.front(), 0};
+    reading.step = number;
+    const double height = means.height.value;
+    reading.value = {shear_stress(means.torque.value, setting.cell),
+                     solid_fraction(height, setting.cell)};
+    if (reading.value(1) >= 1)
+        throw InputError(reading.origin,
+                         fmt::format("a solid fraction of {:.3g}; check bead_mass, density and the "
+                                     "gap",
+                                     reading.value(1)));
+    reading.covariance = covariance_of_reading(height, means.covariance, setting.cell);
+    reading.shear_rate = shear_rate(std::abs(means.angular_velocity.value), height, setting.cell);
+    const double stress = normal_stress(means.normal_force.value, setting.cell);
+    reading.condition = {stress, inertial_number(reading.shear_rate, stress, setting.grains),
+                         setting.liquid_content, height};
+    reading.sampled_seconds = steady.time.back() - steady.time.front();
+    return reading;
+}
+
+Excluded left_out(const StepSeries& series, std::size_t begin, std::size_t end,
+                  const Setting& setting, const std::string& reason) {
+    return {{setting.recording.file, series.line[begin], 0}, series.line[end - 1], reason};
+}
+
+/// Adds the reading of one step, or what was left out and why.
+void reduce_step(const StepSeries& series, int number, const Setting& setting,
+                 Measurements& result) {
+    const auto exclude = [&](std::size_t end, const std::string& reason) {
+        result.excluded.push_back(
+            left_out(series, 0, end, setting, fmt::format("step {}: {}", number, reason)));
+    };
+    if (series.size() < shortest_step)
+        return exclude(series.size(), fmt::format("has {} rows, {} are needed", series.size(),
+                                                  shortest_step));
+    std::string why;
+    const auto begin = end_of_transient(series, why);
+    if (!begin) return exclude(series.size(), why);
+    if (series.size() - *begin < shortest_step)
+        return exclude(series.size(), fmt::format("{} rows are steady, {} are needed",
+                                                  series.size() - *begin, shortest_step));
+    const StepSeries steady = series.from(*begin);
+    const Means means = means_of(steady);
+    if (const std::string reason = unusable(means); !reason.empty())
+        return exclude(series.size(), reason);
+    if (*begin > 0)
+        exclude(*begin, fmt::format("transient of {:.3g} s, until torque and gap are steady",
+                                    series.time[*begin] - series.time.front()));
+    result.readings.push_back(reading_of(means, steady, number, setting));
+}
+
+/// Steps as "1, 3".
+void note_steps(const std::vector<int>& steps, const std::string& file, const std::string& what,
+                Measurements& result) {
+    if (steps.empty()) return;
+    result.notes.push_back(
+        fmt::format("{}: step {}: {}", file, fmt::join(steps, ", "), what));
+}
+
+/// Shear gathers under the lid where the beads' weight is not small beside the load.
+void note_weight(const Setting& setting, Measurements& result) {
+    const double weight =
+        setting.cell.bead_volume * setting.grains.density * gravity / setting.cell.area();
+    std::vector<int> steps;
+    for (const Reading& reading : result.readings)
+        if (weight > 0.1 * reading.condition.normal_stress) steps.push_back(reading.step);
+    note_steps(steps, setting.recording.file,
+               fmt::format("the beads' weight adds {:.0f} Pa over the depth, more than 10 % of the "
+                           "normal stress: shear may gather under the lid, and the stress at "
+                           "mid-height is higher than shown (effect grain-weight)",
+                           weight),
+               result);
+}
+
+}  // namespace
+
+Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
+                              const Grains& grains, double liquid_content) {
+    const Setting setting{recording, cell, grains, liquid_content};
+    Measurements result;
+    std::vector<int> flipped, interpolated;
+    int number = 0;
+    for (const Step& step : split_steps(recording)) {
+        const StepSeries series = step_series(recording, step);
+        ++number;
+        if (series.flipped) flipped.push_back(number);
+        if (series.interpolated) interpolated.push_back(number);
+        reduce_step(series, number, setting, result);
+    }
+    note_steps(flipped, recording.file, "the torque was negative; its sign was flipped", result);
+    note_steps(interpolated, recording.file,
+               "samples are unevenly spaced in time; interpolated to even spacing", result);
+    note_weight(setting, result);
+    if (!recording.unused_columns.empty())
+        result.notes.push_back(fmt::format("{}: columns not used: '{}'", recording.file,
+                                           fmt::join(recording.unused_columns, "', '")));
+    return result;
+}
+
+}  // namespace pendular

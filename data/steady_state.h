@@ -1,0 +1,29 @@
+#pragma once
+
+#include "data/annular_cell.h"
+#include "data/reading.h"
+#include "data/recording.h"
+#include "data/study.h"
+
+namespace pendular {
+
+/// Turns each step of a recording into a reading of its steady part; beads of `liquid_content` [1].
+///
+/// The transient, up to where torque and gap are both steady, and steps that cannot be used are
+/// listed in `excluded`. A wholly negative torque is flipped and noted; so are heavy beads
+/// (M g/A > 0.1 s22), columns that were not read, and uneven sampling: such a step is first
+/// interpolated linearly to even spacing, since both the transient and the autocorrelation are
+/// those of evenly spaced samples.
+///
+/// The covariance is that of the means within the run, autocorrelation respected, correlation of
+/// torque and gap included. The error of the mean normal force is in it: the shear stress is
+/// compared with a model at the mean normal stress shown, so what counts is the scatter of
+/// T - (T/F) F_N, not of T alone. Forces that fluctuate and take the torque along cancel, forces
+/// that only read wrong add up. (T/F is the slope of a cohesionless material; with cohesion it is
+/// smaller, and this error a little too large.)
+/// @throws InputError where the torque has both signs within a step, and where the solid fraction
+///         is impossible
+Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
+                              const Grains& grains, double liquid_content);
+
+}  // namespace pendular

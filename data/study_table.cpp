@@ -1,0 +1,148 @@
+#include "data/study_table.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "data/nearest.h"
+#include "data/units.h"
+
+namespace pendular {
+namespace {
+
+Position position_in(const std::string& file, const toml::source_position& where) {
+    return {file, static_cast<int>(where.line), static_cast<int>(where.column)};
+}
+
+void check_keys(const toml::table& table, const std::string& file, const std::string& name,
+                const std::vector<std::string>& known) {
+    for (const auto& [key, node] : table) {
+        const std::string word(key.str());
+        if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+        const std::string where = name.empty() ? "" : " in " + name;
+        throw InputError(position_in(file, key.source().begin),
+                         fmt::format("unknown key '{}'{}; {}", word, where,
+                                     did_you_mean(word, known)));
+    }
+}
+
+}  // namespace
+
+StudyTable StudyTable::parse(const std::string& file, const std::string& text,
+                             const std::vector<std::string>& keys) {
+    try {
+        const auto root = std::make_shared<const toml::table>(toml::parse(text, file));
+        return StudyTable(root, *root, file, "", keys);
+    } catch (const toml::parse_error& error) {
+        throw InputError(position_in(file, error.source().begin),
+                         fmt::format("{}; correct the syntax here", error.description()));
+    }
+}
+
+StudyTable::StudyTable(std::shared_ptr<const toml::table> root, const toml::table& table,
+                       std::string file, std::string name, const std::vector<std::string>& keys)
+    : root_(std::move(root)), table_(&table), name_(std::move(name)) {
+    position_ = position_in(file, table.source().begin);
+    check_keys(table, file, name_, keys);
+}
+
+bool StudyTable::has(std::string_view key) const { return table_->contains(key); }
+
+Position StudyTable::at(std::string_view key) const {
+    const toml::node* const node = table_->get(key);
+    return node ? position_of(*node) : position_;
+}
+
+Position StudyTable::position_of(const toml::node& node) const {
+    return position_in(position_.file, node.source().begin);
+}
+
+void StudyTable::refuse(std::string_view key, const std::string& message) const {
+    throw InputError(at(key), fmt::format("'{}': {}", key, message));
+}
+
+std::optional<StudyTable> StudyTable::table(std::string_view key,
+                                            const std::vector<std::string>& keys) const {
+    const toml::node* const node = table_->get(key);
+    if (!node) return std::nullopt;
+    if (!node->is_table()) refuse(key, fmt::format("must be a table; write [{}]", key));
+    return StudyTable(root_, *node->as_table(), position_.file, fmt::format("[{}]", key), keys);
+}
+
+std::vector<StudyTable> StudyTable::tables(std::string_view key,
+                                           const std::vector<std::string>& keys) const {
+    std::vector<StudyTable> result;
+    const toml::node* const node = table_->get(key);
+    if (!node) return result;
+    if (!node->is_array_of_tables())
+        refuse(key, fmt::format("must be a list of tables; write [[{}]]", key));
+    for (const toml::node& element : *node->as_array())
+        result.push_back(StudyTable(root_, *element.as_table(), position_.file,
+                                    fmt::format("[[{}]]", key), keys));
+    return result;
+}
+
+std::optional<double> StudyTable::quantity(std::string_view key, std::string_view unit) const {
+    const toml::node* const node = table_->get(key);
+    if (!node) return std::nullopt;
+    const Unit expected(unit);
+    if (node->is_number()) {
+        const double value = *node->value<double>();
+        if (!expected.same_dimension(Unit("1")))
+            refuse(key, fmt::format("needs its unit; write {} = \"{} {}\"", key, value, unit));
+        if (!std::isfinite(value)) refuse(key, "must be finite");
+        return value;
+    }
+    if (!node->is_string())
+        refuse(key, fmt::format("must be a quantity; write a string like \"1 {}\"", unit));
+    try {
+        return quantity_in_si(*node->value<std::string>(), expected);
+    } catch (const std::invalid_argument& error) {
+        refuse(key, error.what());
+    }
+}
+
+double StudyTable::required_quantity(std::string_view key, std::string_view unit) const {
+    if (const auto value = quantity(key, unit)) return *value;
+    throw InputError(position_, fmt::format("{} lacks '{}'; add {} = {}", name_, key, key,
+                                            unit == "1" ? "a number" : fmt::format("\"... {}\"", unit)));
+}
+
+double StudyTable::positive_quantity(std::string_view key, std::string_view unit) const {
+    const double value = required_quantity(key, unit);
+    if (value <= 0) refuse(key, "must be positive");
+    return value;
+}
+
+std::optional<std::string> StudyTable::text(std::string_view key) const {
+    const toml::node* const node = table_->get(key);
+    if (!node) return std::nullopt;
+    if (!node->is_string()) refuse(key, "must be a string; put it in quotes");
+    return node->value<std::string>();
+}
+
+std::string StudyTable::choice(std::string_view key, const std::vector<std::string>& words) const {
+    const std::string word = text(key).value_or(words.front());
+    if (std::find(words.begin(), words.end(), word) == words.end())
+        refuse(key, fmt::format("unknown \"{}\"; {}", word, did_you_mean(word, words)));
+    return word;
+}
+
+std::vector<std::string> StudyTable::words(std::string_view key,
+                                           const std::vector<std::string>& missing) const {
+    const toml::node* const node = table_->get(key);
+    if (!node) return missing;
+    if (!node->is_array())
+        refuse(key, fmt::format("must be a list of names; write {} = [\"...\"]", key));
+    std::vector<std::string> result;
+    for (const toml::node& element : *node->as_array()) {
+        if (!element.is_string())
+            throw InputError(position_of(element), "must be a name; put it in quotes");
+        result.push_back(*element.value<std::string>());
+    }
+    return result;
+}
+
+}  // namespace pendular

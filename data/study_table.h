@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "data/input_error.h"
+
+namespace toml {
+inline namespace v3 {
+class table;
+class node;
+}  // namespace v3
+}  // namespace toml
+
+namespace pendular {
+
+/// A table of a study file with the keys it may have. Whatever is asked of it is checked, and
+/// what is wrong ends in an InputError at the key's or value's line and column.
+class StudyTable {
+  public:
+    /// Parses a whole study file; `keys` are those of its top level.
+    /// @throws InputError for a syntax error and for an unknown key, with the nearest known one
+    static StudyTable parse(const std::string& file, const std::string& text,
+                            const std::vector<std::string>& keys);
+
+    bool has(std::string_view key) const;
+    /// Of a key's value, or of the table where the key is not there.
+    Position at(std::string_view key) const;
+    const Position& position() const { return position_; }
+
+    /// The table under a key, [key]; empty if there is none.
+    std::optional<StudyTable> table(std::string_view key,
+                                    const std::vector<std::string>& keys) const;
+    /// The tables under a key, [[key]], in their order.
+    std::vector<StudyTable> tables(std::string_view key, const std::vector<std::string>& keys) const;
+
+    /// Value in SI units of a string with its unit, or of a plain number where `unit` is "1".
+    std::optional<double> quantity(std::string_view key, std::string_view unit) const;
+    /// The same where the key must be there.
+    double required_quantity(std::string_view key, std::string_view unit) const;
+    /// The same where the value must be positive too.
+    double positive_quantity(std::string_view key, std::string_view unit) const;
+
+    std::optional<std::string> text(std::string_view key) const;
+    /// One of several words; `words.front()` where the key is not there.
+    std::string choice(std::string_view key, const std::vector<std::string>& words) const;
+    /// An array of words; `missing` where the key is not there.
+    std::vector<std::string> words(std::string_view key,
+                                   const std::vector<std::string>& missing) const;
+
+    /// @throws InputError at the key
+    [[noreturn]] void refuse(std::string_view key, const std::string& message) const;
+
+  private:
+    StudyTable(std::shared_ptr<const toml::table> root, const toml::table& table, std::string file,
+               std::string name, const std::vector<std::string>& keys);
+
+    Position position_of(const toml::node& node) const;
+
+    std::shared_ptr<const toml::table> root_;  ///< keeps the nodes alive
+    const toml::table* table_;
+    std::string name_;  ///< as the file has it: "[grains]"
+    Position position_;
+};
+
+}  // namespace pendular

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pendular {
+
+/// The lines of a text file as UTF-8, without line ends (LF, CRLF or CR) and byte-order mark. Files
+/// in UTF-16 are decoded; what is neither that nor valid UTF-8 is read as Windows-1252.
+/// @throws InputError if the file cannot be read or is no text (a spreadsheet, say)
+std::vector<std::string> read_lines(const std::filesystem::path& path);
+
+/// Writes a file so that it is there whole or not at all: to a temporary file beside it, then
+/// renamed. Folders on the way are made.
+/// @throws std::runtime_error naming the file and the system's reason, a full disk for example
+void write_whole(const std::filesystem::path& path, const std::string& content);
+
+}  // namespace pendular

@@ -1,0 +1,237 @@
+#include "reports/comparison_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pendular {
+namespace {
+
+const std::string stress_ratio_label = "stress ratio μ* = |σ_{12}|/σ_{22}";
+const std::string solid_fraction_label = "solid fraction Φ_S";
+const std::string friction_label = "intergranular friction μ";
+const std::string inertial_label = "inertial number I = γ̇ (m/aσ_{22})^{1/2}";
+const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4", calibrated_colour = "#c0392b",
+                  run_colour = "#5b9bd5";
+
+double calibrated(const Calibration& c) { return c.fit.parameters(0); }
+
+/// (stress ratio, solid fraction) of a reading with their standard errors.
+struct Shown {
+    std::array<double, 2> value, error;
+};
+Shown shown(const Reading& r) {
+    const double s = r.condition.normal_stress;
+    return {{r.value(0) / s, r.value(1)}, {std::sqrt(r.covariance(0, 0)) / s, std::sqrt(r.covariance(1, 1))}};
+}
+
+/// Weighted mean of readings, for a band that stands for all of them.
+Shown mean_of(const std::vector<Reading>& readings) {
+    Shown mean{};
+    for (std::size_t o = 0; o < 2; ++o) {
+        double weights = 0;
+        for (const auto& reading : readings) {
+            const Shown one = shown(reading);
+            const double weight = 1 / (one.error[o] * one.error[o]);
+            mean.value[o] += weight * one.value[o];
+            weights += weight;
+        }
+        mean.value[o] /= weights;
+        mean.error[o] = 1 / std::sqrt(weights);
+    }
+    return mean;
+}
+
+/// Readings at the lowest inertial number, within 5 %: those of the calibration figure.
+std::vector<Reading> slowest(const std::vector<Reading>& readings) {
+    const double least = std::ranges::min(readings, {}, [](const Reading& r) { return r.condition.inertial_number; })
+                             .condition.inertial_number;
+    std::vector<Reading> result;
+    std::ranges::copy_if(readings, std::back_inserter(result),
+                         [&](const Reading& r) { return r.condition.inertial_number <= 1.05 * least; });
+    return result;
+}
+
+/// Model with its standard error along a curve of conditions or frictions.
+struct ModelCurve {
+    std::vector<double> x;
+    std::array<std::vector<double>, 2> value, error;
+
+    void add(double at, const DirectSimulation::Point& point) {
+        x.push_back(at);
+        for (Eigen::Index o = 0; o < 2; ++o) {
+            value[static_cast<std::size_t>(o)].push_back(point.value(o));
+            error[static_cast<std::size_t>(o)].push_back(std::sqrt(point.covariance(o, o)));
+        }
+    }
+    void draw_in(Panel& panel, std::size_t o, const std::string& label) const {
+        panel.curves.push_back({"", Curve::Style::band, x, value[o], error[o], model_colour});
+        panel.curves.push_back({label, Curve::Style::line, x, value[o], {}, model_colour});
+    }
+};
+
+/// Solid fraction of a run at the study's stiffness, stress ratio as it is.
+Shown at_study_stiffness(const dem::RunResult& run, double share) {
+    const Mean &ratio = run[dem::Observable::stress_ratio], &fraction = run[dem::Observable::solid_fraction];
+    const double shift = share * dem::rigidity_shift(fraction.value, run[dem::Observable::mean_overlap].value);
+    return {{ratio.value, fraction.value - shift}, {ratio.standard_error, fraction.standard_error}};
+}
+
+Curve runs_curve(const Calibration& c, const DirectSimulation& model, const Condition& condition, std::size_t o,
+                 double inertial_number) {
+    Curve curve{.label = fmt::format("simulations, I = {:.3g}", inertial_number), .colour = run_colour, .symbol = 6};
+    for (const auto& run : c.runs) {
+        if (!run.crystallised && std::abs(run.parameters.inertial_number / inertial_number - 1) < 0.01) {
+            const Shown one = at_study_stiffness(run, model.stiffness_share(condition));
+            curve.x.push_back(run.parameters.friction);
+            curve.y.push_back(one.value[o]);
+            curve.y_error.push_back(one.error[o]);
+        }
+    }
+    return curve;
+}
+
+Figure calibration_figure(const Calibration& c, const DirectSimulation& model) {
+    const std::vector<Reading> used = slowest(c.readings);
+    const Shown measured = mean_of(used);
+    const Condition condition = used.front().condition;
+    const Supported range = model.supported();
+    ModelCurve curve;
+    for (int k = 0; k <= 60; ++k) {
+        const double friction = range.lower(0) + (range.upper(0) - range.lower(0)) * k / 60;
+        curve.add(friction, model.predict_at(friction, condition));
+    }
+    Figure figure{.name = "calibration",
+                  .title = fmt::format("Calibrated friction μ = {:.3f} ± {:.3f}", calibrated(c),
+                                       c.fit.standard_error(0)),
+                  .panels = {},
+                  .stacked = true};
+    const double slow = model.inertial_numbers().front();
+    const bool limit = condition.inertial_number == 0;
+    for (std::size_t o = 0; o < 2; ++o) {
+        Panel panel{.x_label = friction_label, .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
+        panel.references.push_back({"measured, ± standard error", measured.value[o], measured.error[o], false,
+                                    measured_colour});
+        panel.references.push_back({"calibrated, ± standard error", calibrated(c), c.fit.standard_error(0), true,
+                                    calibrated_colour});
+        panel.curves.push_back(runs_curve(c, model, condition, o, slow));
+        curve.draw_in(panel, o, limit ? "model, I → 0" : fmt::format("model, I = {:.3g}", condition.inertial_number));
+        panel.key = o == 0 ? "bottom right" : "top right";
+        figure.panels.push_back(panel);
+    }
+    return figure;
+}
+
+Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
+    const auto& levels = model.inertial_numbers();
+    Condition condition = c.readings.front().condition;
+    const double low = levels.front() / 2, high = std::max(levels.back() * 2, 1e-2);
+    ModelCurve curve;
+    // Beyond the inertial numbers simulated there is no model to show.
+    for (int k = 0; k <= 60 && levels.size() > 1; ++k) {
+        condition.inertial_number = levels.front() * std::pow(levels.back() / levels.front(), k / 60.0);
+        curve.add(condition.inertial_number, model.predict_at(calibrated(c), condition));
+    }
+    Figure figure{.name = "inertial_number", .title = "Against the inertial number, at the calibrated friction",
+                  .panels = {}, .stacked = true};
+    for (std::size_t o = 0; o < 2; ++o) {
+        Panel panel{.x_label = inertial_label, .y_label = o == 0 ? stress_ratio_label : solid_fraction_label, .log_x = true};
+        Curve points{.label = "measured", .colour = measured_colour, .symbol = 7};
+        std::vector<Reading> quasi_static;
+        for (const auto& reading : c.readings) {
+            if (reading.condition.inertial_number <= 0) {
+                quasi_static.push_back(reading);
+                continue;
+            }
+            const Shown one = shown(reading);
+            points.x.push_back(reading.condition.inertial_number);
+            points.y.push_back(one.value[o]);
+            points.y_error.push_back(one.error[o]);
+        }
+        if (!quasi_static.empty()) {
+            const Shown one = mean_of(quasi_static);
+            panel.references.push_back({"measured, quasi-static", one.value[o], one.error[o], false, measured_colour});
+            condition.inertial_number = 0;
+            const auto limit = model.predict_at(calibrated(c), condition);
+            const auto i = static_cast<Eigen::Index>(o);
+            panel.references.push_back({"model, extrapolated to I → 0", limit.value(i),
+                                        std::sqrt(limit.covariance(i, i)), false, calibrated_colour});
+        }
+        if (!points.x.empty()) {
+            panel.curves.push_back(points);
+        }
+        if (levels.size() > 1) {
+            curve.draw_in(panel, o, "model");
+        } else {
+            condition.inertial_number = levels.front();
+            const auto only = model.predict_at(calibrated(c), condition);
+            const auto i = static_cast<Eigen::Index>(o);
+            panel.curves.push_back({"model", Curve::Style::points, {levels.front()}, {only.value(i)},
+                                    {std::sqrt(only.covariance(i, i))}, model_colour, 5});
+        }
+        panel.x_range = {low, high};
+        figure.panels.push_back(panel);
+    }
+    figure.panels[1].key = "bottom left";
+    return figure;
+}
+
+Figure parity_figure(const Comparison& comparison) {
+    Figure figure{.name = "parity", .title = "Model against measurement", .panels = {}};
+    for (std::size_t o = 0; o < 2; ++o) {
+        Panel panel{.x_label = o == 0 ? "measured shear stress |σ_{12}| [Pa]" : "measured solid fraction Φ_S",
+                    .y_label = o == 0 ? "predicted shear stress |σ_{12}| [Pa]" : "predicted solid fraction Φ_S"};
+        Curve points{.label = "reading, ± standard error of the difference", .colour = model_colour};
+        for (const auto& misfit : comparison.readings) {
+            const auto i = static_cast<Eigen::Index>(o);
+            points.x.push_back(misfit.reading.value(i));
+            points.y.push_back(misfit.predicted(i));
+            points.y_error.push_back(std::sqrt(misfit.reading.covariance(i, i) + misfit.predicted_covariance(i, i)));
+        }
+        panel.curves.push_back(points);
+        panel.diagonal = true;
+        figure.panels.push_back(panel);
+    }
+    return figure;
+}
+
+Figure residual_figure(const Comparison& comparison) {
+    Figure figure{.name = "residuals",
+                  .title = fmt::format("Residuals: χ^2 = {:.2f} for {} degrees of freedom", comparison.chi2,
+                                       comparison.dof),
+                  .panels = {}};
+    const auto by_stress = [](const ReadingMisfit& m) { return m.reading.condition.normal_stress; };
+    const auto by_inertia = [](const ReadingMisfit& m) { return m.reading.condition.inertial_number; };
+    const auto panel_against = [&](const std::string& label, auto covariate, bool log_x) {
+        Panel panel{.x_label = label, .y_label = "(measured − predicted)/standard error", .log_x = log_x};
+        for (std::size_t o = 0; o < 2; ++o) {
+            Curve points{.label = o == 0 ? "shear stress" : "solid fraction",
+                         .colour = o == 0 ? model_colour : calibrated_colour,
+                         .symbol = o == 0 ? 7 : 4};
+            for (const auto& misfit : comparison.readings) {
+                points.x.push_back(covariate(misfit));
+                points.y.push_back(misfit.normalised(static_cast<Eigen::Index>(o)));
+            }
+            panel.curves.push_back(points);
+        }
+        panel.zero_line = true;
+        panel.y_least = 2.5;
+        return panel;
+    };
+    figure.panels.push_back(panel_against("normal stress σ_{22} [Pa]", by_stress, true));
+    figure.panels.push_back(panel_against(inertial_label, by_inertia, false));
+    return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> comparison_figures(const Study& study, const Calibration& calibration,
+                                       const Comparison& comparison) {
+    const DirectSimulation model = model_of(study, calibration);
+    return {calibration_figure(calibration, model), inertial_figure(calibration, model), parity_figure(comparison),
+            residual_figure(comparison)};
+}
+
+}  // namespace pendular

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/compare.h"
+#include "calib/calibration.h"
+#include "reports/figure.h"
+
+namespace pendular {
+
+/// The figures of `compare`: stress ratio and solid fraction against friction with the measured
+/// band and the calibrated value (the source's calibration figure), both against the inertial
+/// number, parity, and residuals.
+std::vector<Figure> comparison_figures(const Study& study, const Calibration& calibration,
+                                       const Comparison& comparison);
+
+}  // namespace pendular

@@ -1,0 +1,272 @@
+#include "reports/json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "data/input_error.h"
+#include "data/text_file.h"
+
+namespace pendular {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json uncertain(double value, double error) { return {{"value", value}, {"stderr", error}}; }
+
+constexpr std::string_view bridge_observables[] = {
+    "distant_coordination", "liquid_content", "distant_force", "capillary_stress_22", "capillary_shear_stress",
+    "capillary_shear_stress_contact", "capillary_shear_stress_distant", "fabric_12_distant"};
+
+Json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance) {
+    return {{"shear_stress", uncertain(value(0), std::sqrt(covariance(0, 0)))},
+            {"solid_fraction", uncertain(value(1), std::sqrt(covariance(1, 1)))}};
+}
+
+Json prediction_json(const ReadingMisfit& misfit) {
+    const Reading& reading = misfit.reading;
+    return {{"file", reading.origin.file},
+            {"step", reading.step},
+            {"normal_stress", reading.condition.normal_stress},
+            {"inertial_number", reading.condition.inertial_number},
+            {"liquid_content", reading.condition.liquid_content},
+            {"measured", pair_of(reading.value, reading.covariance)},
+            {"predicted", pair_of(misfit.predicted, misfit.predicted_covariance)},
+            {"chi2", misfit.chi2.sum()}};
+}
+
+Json fidelity_json(const Fidelity& f) {
+    return {{"name", f.name},
+            {"beads", f.beads},
+            {"stiffness_number", f.stiffness_number},
+            {"lowest_inertial_number", f.lowest_inertial_number},
+            {"strain", f.strain}};
+}
+
+}  // namespace
+
+Json to_json(const dem::RunResult& run) {
+    Json json;
+    for (std::size_t k = 0; k < dem::observable_count; ++k) {
+        json[std::string(dem::observable_names[k])] =
+            uncertain(run.means[k].value, run.means[k].standard_error);
+    }
+    for (const auto name : bridge_observables) {
+        json[std::string(name)] = uncertain(0, 0);
+    }
+    const auto& p = run.parameters;
+    json["covariance_stress_ratio_solid_fraction"] = run.covariance;
+    json["friction"] = p.friction;
+    json["inertial_number"] = p.inertial_number;
+    json["stiffness_number"] = p.stiffness_number;
+    json["poisson_ratio"] = p.poisson_ratio;
+    json["damping"] = p.damping;
+    json["beads"] = p.beads;
+    json["strain"] = p.strain;
+    json["seed"] = p.seed;
+    json["strain_averaged"] = run.strain_averaged;
+    json["strain_transient"] = run.strain_transient;
+    json["time_step"] = run.time_step;
+    json["steps"] = run.steps;
+    json["wall_seconds"] = run.wall_seconds;
+    json["particle_steps_per_second"] = run.particle_steps_per_second();
+    json["crystallised"] = run.crystallised;
+    json["steady"] = run.steady;
+    return json;
+}
+
+dem::RunResult run_from_json(const Json& json) {
+    dem::RunResult run;
+    for (std::size_t k = 0; k < dem::observable_count; ++k) {
+        const Json& observable = json.at(std::string(dem::observable_names[k]));
+        run.means[k].value = observable.at("value");
+        run.means[k].standard_error = observable.at("stderr");
+    }
+    auto& p = run.parameters;
+    run.covariance = json.at("covariance_stress_ratio_solid_fraction");
+    p.friction = json.at("friction");
+    p.inertial_number = json.at("inertial_number");
+    p.stiffness_number = json.at("stiffness_number");
+    p.poisson_ratio = json.at("poisson_ratio");
+    p.damping = json.at("damping");
+    p.beads = json.at("beads");
+    p.strain = json.at("strain");
+    p.seed = json.at("seed");
+    run.strain_averaged = json.at("strain_averaged");
+    run.strain_transient = json.at("strain_transient");
+    run.time_step = json.at("time_step");
+    run.steps = json.at("steps");
+    run.wall_seconds = json.at("wall_seconds");
+    run.crystallised = json.at("crystallised");
+    run.steady = json.at("steady");
+    return run;
+}
+
+Json to_json(const Measurements& measurements) {
+    Json json;
+    json["readings"] = Json::array();
+    for (const auto& r : measurements.readings) {
+        Json entry = {{"file", r.origin.file},
+                      {"line", r.origin.line},
+                      {"step", r.step},
+                      {"normal_stress", r.condition.normal_stress},
+                      {"shear_rate", r.shear_rate},
+                      {"inertial_number", r.condition.inertial_number},
+                      {"liquid_content", r.condition.liquid_content},
+                      {"height", nullptr},
+                      {"replicates", r.replicates},
+                      {"error_assumed", r.error_assumed}};
+        if (r.condition.height) {
+            entry["height"] = *r.condition.height;
+        }
+        entry.update(pair_of(r.value, r.covariance));
+        entry["covariance"] = r.covariance(0, 1);
+        json["readings"].push_back(entry);
+    }
+    json["excluded"] = Json::array();
+    for (const auto& e : measurements.excluded) {
+        json["excluded"].push_back({{"file", e.origin.file},
+                                    {"first_line", e.origin.line},
+                                    {"last_line", e.last_line},
+                                    {"reason", e.reason}});
+    }
+    json["notes"] = measurements.notes;
+    return json;
+}
+
+Json to_json(const Calibration& c, const Comparison& comparison) {
+    Json json;
+    for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        Json& parameter = json["parameters"][c.parameters[k].name];
+        parameter = uncertain(c.fit.parameters(i), c.fit.standard_error(i));
+        parameter["unit"] = c.parameters[k].unit;
+        parameter["stderr_measurement"] = c.fit.measurement_error(i);
+        parameter["stderr_simulation"] = c.fit.simulation_error(i);
+        parameter["at_bound"] = static_cast<bool>(c.fit.at_bound[k]);
+        if (c.profile && k == 0) {
+            parameter["profile_68_percent"] = {c.profile->first, c.profile->second};
+        }
+    }
+    json["chi2"] = comparison.chi2;
+    json["dof"] = comparison.dof;
+    json["converged"] = c.fit.converged;
+    json["covariance_scaled_by_chi2"] = false;
+    json["cohesion_lines"] = Json::array();
+    json["predictions"] = Json::array();
+    for (const auto& misfit : comparison.readings) {
+        json["predictions"].push_back(prediction_json(misfit));
+    }
+    json["fidelity"] = fidelity_json(c.fidelity);
+    json["seed"] = c.seed;
+    json["rounds"] = c.rounds;
+    json["surface_centre"] = c.surface_centre;
+    json["notes"] = c.notes;
+    json["runs"] = Json::array();
+    for (const auto& run : c.runs) {
+        json["runs"].push_back(to_json(run));
+    }
+    return json;
+}
+
+namespace {
+
+/// Whether a prediction entry was made from this reading, up to rounding in the file.
+bool made_from(const Json& entry, const Reading& reading) {
+    const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); };
+    const Json& measured = entry.at("measured");
+    return same(entry.at("normal_stress"), reading.condition.normal_stress) &&
+           same(entry.at("inertial_number"), reading.condition.inertial_number) &&
+           same(measured.at("shear_stress").at("value"), reading.value(0)) &&
+           same(measured.at("solid_fraction").at("value"), reading.value(1)) &&
+           same(measured.at("shear_stress").at("stderr"), std::sqrt(reading.covariance(0, 0))) &&
+           same(measured.at("solid_fraction").at("stderr"), std::sqrt(reading.covariance(1, 1)));
+}
+
+Calibration parse_calibration(const Json& json, const std::vector<Reading>& readings, const Position& where) {
+    const Json& entries = json.at("predictions");
+    const bool same_readings =
+        entries.size() == readings.size() &&
+        std::ranges::equal(entries, readings, [](const Json& e, const Reading& r) { return made_from(e, r); });
+    if (!same_readings) {
+        throw InputError(where, "this fit was made from other readings than the study holds now; run "
+                                "'pendular calibrate' again");
+    }
+    Calibration c;
+    c.readings = readings;
+    const Json& f = json.at("fidelity");
+    c.fidelity = {f.at("name"), f.at("beads"), f.at("stiffness_number"), f.at("lowest_inertial_number"),
+                  f.at("strain")};
+    c.seed = json.at("seed");
+    c.rounds = json.at("rounds");
+    c.surface_centre = json.at("surface_centre");
+    c.notes = json.at("notes").get<std::vector<std::string>>();
+    const Json& friction = json.at("parameters").at("friction");
+    c.parameters = {{.name = "friction"}};
+    c.fit.parameters = Eigen::VectorXd::Constant(1, friction.at("value").get<double>());
+    const double error = friction.at("stderr"), measurement = friction.at("stderr_measurement");
+    c.fit.covariance = Eigen::MatrixXd::Constant(1, 1, error * error);
+    c.fit.measurement_part = Eigen::MatrixXd::Constant(1, 1, measurement * measurement);
+    c.fit.chi2 = json.at("chi2");
+    c.fit.dof = json.at("dof");
+    c.fit.converged = json.at("converged");
+    c.fit.at_bound = {friction.at("at_bound").get<bool>()};
+    for (const auto& run : json.at("runs")) {
+        c.runs.push_back(run_from_json(run));
+    }
+    return c;
+}
+
+}  // namespace
+
+Calibration read_calibration(const std::filesystem::path& file, const std::vector<Reading>& readings) {
+    std::ifstream stream(file);
+    if (!stream) {
+        throw InputError({file.string()}, "there is no calibration yet; run 'pendular calibrate' first");
+    }
+    try {
+        return parse_calibration(Json::parse(stream), readings, {file.string()});
+    } catch (const Json::exception& error) {
+        throw InputError({file.string()},
+                         fmt::format("not a calibration of this version ({}); run 'pendular calibrate' again",
+                                     error.what()));
+    }
+}
+
+Json to_json(const Comparison& comparison) {
+    Json json;
+    json["chi2"] = comparison.chi2;
+    json["dof"] = comparison.dof;
+    json["p"] = comparison.p();
+    json["rms_percent"] = {{"shear_stress", comparison.rms_percent[0]},
+                           {"solid_fraction", comparison.rms_percent[1]}};
+    json["by_observable"] = {{"shear_stress", comparison.by_observable[0]},
+                             {"solid_fraction", comparison.by_observable[1]}};
+    json["by_condition"] = Json::array();
+    for (const auto& group : comparison.by_condition) {
+        Json entry = {{"normal_stress", group.condition.normal_stress},
+                      {"inertial_number", group.condition.inertial_number},
+                      {"liquid_content", group.condition.liquid_content},
+                      {"readings", Json::array()},
+                      {"chi2", group.chi2}};
+        for (const std::size_t k : group.readings) {
+            entry["readings"].push_back(prediction_json(comparison.readings[k]));
+        }
+        json["by_condition"].push_back(entry);
+    }
+    json["trends"] = Json::array();
+    for (const auto& trend : comparison.trends) {
+        json["trends"].push_back({{"covariate", trend.covariate},
+                                  {"correlation", {{"shear_stress", trend.correlation[0]},
+                                                   {"solid_fraction", trend.correlation[1]}}},
+                                  {"p", {{"shear_stress", trend.p[0]}, {"solid_fraction", trend.p[1]}}}});
+    }
+    return json;
+}
+
+void write_json(const std::filesystem::path& file, const Json& json) { write_whole(file, json.dump(2) + "\n"); }
+
+}  // namespace pendular

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+#include "analysis/compare.h"
+#include "calib/calibration.h"
+#include "sim/dem/run.h"
+
+namespace pendular {
+
+/// One run with its observables, each {"value", "stderr"}, and all that is needed to repeat it.
+/// Observables of liquid bridges are zero: the sample is dry.
+nlohmann::ordered_json to_json(const dem::RunResult& run);
+
+/// The same back.
+dem::RunResult run_from_json(const nlohmann::ordered_json& json);
+
+/// What `import` prints: every reading, what was excluded and why, notes.
+nlohmann::ordered_json to_json(const Measurements& measurements);
+
+/// What `calibrate` prints and `out/fit.json` holds.
+nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
+
+/// A calibration back from `out/fit.json`; its readings come from the study and must be those that
+/// were fitted.
+/// @throws InputError where the file is missing, malformed, or was made from other readings
+Calibration read_calibration(const std::filesystem::path& file, const std::vector<Reading>& readings);
+
+/// What `compare` prints and `out/compare.json` holds.
+nlohmann::ordered_json to_json(const Comparison& comparison);
+
+/// Writes through a temporary file and a rename, so that an earlier file survives a full disk.
+/// @throws std::runtime_error where it cannot be written
+void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
+
+}  // namespace pendular

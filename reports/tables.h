@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/compare.h"
+#include "data/reading.h"
+
+namespace pendular {
+
+/// Text tables, one string a line, units in the header.
+
+/// What was measured, one line a reading.
+std::vector<std::string> readings_table(const Measurements& measurements);
+
+/// Measured and predicted values of each reading.
+std::vector<std::string> predictions_table(const Comparison& comparison);
+
+/// Misfit by observable, by condition and by covariate; the parts of chi2 add up to the total.
+std::vector<std::string> comparison_table(const Comparison& comparison);
+
+}  // namespace pendular

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sim/dem/beads.h"
+#include "sim/dem/cell.h"
+
+namespace pendular::dem {
+
+/// Pairs of beads with what a contact remembers, structure of arrays. The separation points from
+/// `first` to the image of `second`.
+struct Pairs {
+    std::vector<std::int32_t> first, second;
+    std::vector<std::uint8_t> image;         ///< image_code of the second bead
+    std::vector<double> sx, sy, sz;          ///< tangential force on the second bead
+    std::vector<double> root;                ///< sqrt(overlap) of the last step, 0 without contact
+
+    std::size_t size() const { return first.size(); }
+    void clear();
+    void add(std::int32_t i, std::int32_t j, std::uint8_t code);
+    /// Copies what pair `from` of another list remembers to pair `to` of this one.
+    void remember(std::size_t to, const Pairs& other, std::size_t from);
+};
+
+/// Neighbours at two ranges. The wide list holds the pairs that may come close; the narrow list
+/// those that touch or may touch soon, so that the force loop sees hardly anything else.
+///
+/// Both stay valid while no missing pair can have come too close. Two beads that were further
+/// apart than 1 + skin remain further apart than a distance d while
+///     (1 + skin - 2 u (1 + g)) (1 - g) > d,
+/// u the largest peculiar displacement of any bead and g the affine strain (shear plus height
+/// change) since then: the moving image offset is part of the criterion, not a special case.
+class PairList {
+  public:
+    static constexpr std::size_t batch = 64;   ///< the narrow list is filled up to whole batches
+    static constexpr double wide_skin = 0.15;
+    static constexpr double narrow_skin = 0.02;
+
+    /// Notes the displacement and affine strain of a step just made, and renews what they make
+    /// invalid. Wraps the beads into the cell when the wide list is renewed.
+    void update(Beads& beads, Cell& cell, double affine_strain);
+
+    /// Renews both lists now, keeping what contacts remember.
+    void rebuild(Beads& beads, Cell& cell);
+
+    Pairs& narrow() { return narrow_; }
+    const Pairs& narrow() const { return narrow_; }
+    /// Pairs of the narrow list that are real; the rest only fills up the last batch.
+    std::size_t live() const { return wide_index_.size(); }
+    std::size_t wide_rebuilds() const { return wide_rebuilds_; }
+    std::size_t narrow_rebuilds() const { return narrow_rebuilds_; }
+
+  private:
+    void select_narrow(Beads& beads, const Cell& cell);
+    void write_back();
+
+    Pairs wide_, narrow_;
+    std::vector<std::size_t> wide_index_;   ///< of each live pair of the narrow list
+    std::vector<double> moved_x_, moved_y_, moved_z_;   ///< peculiar displacements, wide to narrow list
+    double wide_strain_ = 0, narrow_strain_ = 0;
+    std::size_t wide_rebuilds_ = 0, narrow_rebuilds_ = 0;
+};
+
+/// All pairs closer than `range`, each once and ordered by first bead. Cells are sheared with the
+/// lattice, so that the image offset needs no special case; small samples are searched whole.
+Pairs find_pairs(const Beads& beads, const Cell& cell, double range);
+
+/// The same by looking at every pair of beads: slow, and the truth the other is tested against.
+Pairs find_pairs_by_brute_force(const Beads& beads, const Cell& cell, double range);
+
+}  // namespace pendular::dem

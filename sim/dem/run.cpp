@@ -1,0 +1,230 @@
+#include "sim/dem/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "sim/dem/shear_cell.h"
+#include "sim/dem/structure.h"
+
+namespace pendular::dem {
+namespace {
+
+constexpr double block_strain = 0.02;
+constexpr double first_look_strain = 1.0;    // before that no state is called steady
+constexpr double look_every_strain = 0.25;
+constexpr int structures_per_block = 4;
+constexpr int steps_between_profiles = 16;
+/// Global Q6 of sheared random samples stays below 0.05 from 500 beads on, sampling noise included.
+constexpr double crystal_bond_order = 0.2;
+
+void check(const RunParameters& p) {
+    const auto demand = [](bool holds, const std::string& what) {
+        if (!holds) {
+            throw std::invalid_argument(what);
+        }
+    };
+    demand(p.friction >= 0 && p.friction <= 2, fmt::format("friction {} is not between 0 and 2", p.friction));
+    demand(p.inertial_number >= 1e-5 && p.inertial_number <= 0.5,
+           fmt::format("inertial number {} is not between 1e-5 and 0.5", p.inertial_number));
+    demand(p.stiffness_number >= 100 && p.stiffness_number <= 1e6,
+           fmt::format("stiffness number {} is not between 100 and 1e6", p.stiffness_number));
+    demand(p.poisson_ratio > -1 && p.poisson_ratio <= 0.5,
+           fmt::format("Poisson ratio {} is not between -1 and 0.5", p.poisson_ratio));
+    demand(p.damping >= 0 && p.damping <= 2, fmt::format("damping {} is not between 0 and 2", p.damping));
+    demand(p.beads >= ShearCell::fewest_beads && p.beads <= 10'000'000,
+           fmt::format("{} beads: a sample needs {} to 10000000", p.beads, ShearCell::fewest_beads));
+    demand(p.strain >= 0.5 && p.strain <= 1e4,
+           fmt::format("averaged strain {} is not between 0.5 and 10000; solid fractions decorrelate over a "
+                       "strain of 0.1 to 0.2",
+                       p.strain));
+}
+
+/// Averages over one block of strain.
+struct Block {
+    double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
+    Structure structure;
+};
+
+/// Shears by one block and averages over it.
+Block shear_block(ShearCell& sample) {
+    Block block;
+    VelocityProfile profile;
+    const double begin = sample.strain();
+    double steps = 0;
+    int structures = 0;
+    while (sample.strain() < begin + block_strain) {
+        sample.step();
+        const Stress& stress = sample.stress();
+        block.s11 += stress.s11, block.s22 += stress.s22, block.s33 += stress.s33, block.s12 += stress.s12;
+        block.solid_fraction += sample.solid_fraction();
+        if (sample.steps() % steps_between_profiles == 0) {
+            profile.add(sample);
+        }
+        if (sample.strain() - begin >= block_strain * (structures + 1) / structures_per_block) {
+            const Structure now = structure_of(sample);
+            block.structure.contact_coordination += now.contact_coordination / structures_per_block;
+            block.structure.fabric_12 += now.fabric_12 / structures_per_block;
+            block.structure.mean_overlap += now.mean_overlap / structures_per_block;
+            block.structure.bond_order += now.bond_order / structures_per_block;
+            ++structures;
+        }
+        steps += 1;
+    }
+    for (double* sum : {&block.s11, &block.s22, &block.s33, &block.s12, &block.solid_fraction}) {
+        *sum /= steps;
+    }
+    block.localization = profile.localization(sample);
+    return block;
+}
+
+/// A run in progress: its blocks so far and what they say.
+class Series {
+  public:
+    void add(const Block& block) { blocks_.push_back(block); }
+    std::size_t size() const { return blocks_.size(); }
+
+    template <typename Value>
+    std::vector<double> values(std::size_t from, Value value) const {
+        std::vector<double> result;
+        for (std::size_t k = from; k < blocks_.size(); ++k) {
+            result.push_back(value(blocks_[k]));
+        }
+        return result;
+    }
+    /// Linearised series of a ratio of means: its mean is the ratio, its scatter the ratio's.
+    template <typename Numerator, typename Denominator>
+    std::vector<double> ratio(std::size_t from, Numerator numerator, Denominator denominator) const {
+        double top = 0, bottom = 0;
+        for (std::size_t k = from; k < blocks_.size(); ++k) {
+            top += numerator(blocks_[k]);
+            bottom += denominator(blocks_[k]);
+        }
+        const double value = top / bottom, mean = bottom / static_cast<double>(blocks_.size() - from);
+        return values(from, [&](const Block& b) {
+            return value + (numerator(b) - value * denominator(b)) / mean;
+        });
+    }
+    std::vector<double> stress_ratio(std::size_t from) const {
+        return ratio(from, [](const Block& b) { return -b.s12; }, [](const Block& b) { return b.s22; });
+    }
+    std::vector<double> solid_fraction(std::size_t from) const {
+        return values(from, [](const Block& b) { return b.solid_fraction; });
+    }
+    /// Blocks to leave out as transient, judged on stress ratio and solid fraction; empty: not
+    /// steady yet.
+    std::optional<std::size_t> transient() const {
+        const auto by_stress = end_of_transient(stress_ratio(0));
+        const auto by_density = end_of_transient(solid_fraction(0));
+        if (!by_stress || !by_density) {
+            return std::nullopt;
+        }
+        return std::max(*by_stress, *by_density);
+    }
+
+  private:
+    std::vector<Block> blocks_;
+};
+
+void average(const Series& series, std::size_t from, RunResult& result) {
+    const auto set = [&](Observable which, const std::vector<double>& samples) {
+        result.means[static_cast<std::size_t>(which)] = mean_of_correlated(samples);
+    };
+    const auto s22 = [](const Block& b) { return b.s22; };
+    const auto stress_ratio = series.stress_ratio(from);
+    const auto solid_fraction = series.solid_fraction(from);
+    set(Observable::stress_ratio, stress_ratio);
+    set(Observable::solid_fraction, solid_fraction);
+    set(Observable::contact_coordination,
+        series.values(from, [](const Block& b) { return b.structure.contact_coordination; }));
+    set(Observable::fabric_12_contact, series.values(from, [](const Block& b) { return b.structure.fabric_12; }));
+    set(Observable::first_normal_stress_difference,
+        series.ratio(from, [](const Block& b) { return b.s11 - b.s22; }, s22));
+    set(Observable::second_normal_stress_difference,
+        series.ratio(from, [](const Block& b) { return b.s22 - b.s33; }, s22));
+    set(Observable::localization, series.values(from, [](const Block& b) { return b.localization; }));
+    set(Observable::mean_overlap, series.values(from, [](const Block& b) { return b.structure.mean_overlap; }));
+    set(Observable::bond_order, series.values(from, [](const Block& b) { return b.structure.bond_order; }));
+    set(Observable::normal_stress, series.values(from, s22));
+    result.covariance = covariance_of_means(stress_ratio, solid_fraction);
+    result.strain_transient = static_cast<double>(from) * block_strain;
+    result.strain_averaged = static_cast<double>(series.size() - from) * block_strain;
+}
+
+void check_state(const ShearCell& sample) {
+    if (!std::isfinite(sample.stress().s22) || sample.largest_overlap() > 0.5) {
+        throw SimulationError(fmt::format("the simulation blew up at strain {:.3g} (largest overlap {:.2g} "
+                                          "diameters); raise the stiffness number or lower the inertial number",
+                                          sample.strain(), sample.largest_overlap()));
+    }
+}
+
+}  // namespace
+
+double rigidity_shift(double solid_fraction, double mean_overlap) {
+    return rigidity_factor * 3 * solid_fraction * mean_overlap;
+}
+
+RunResult run(const RunParameters& parameters, std::stop_token stop, const Progress& progress) {
+    check(parameters);
+    const auto started = std::chrono::steady_clock::now();
+    const Material material{.modulus = std::pow(parameters.stiffness_number, 1.5),
+                            .poisson_ratio = parameters.poisson_ratio,
+                            .friction = parameters.friction,
+                            .damping = parameters.damping};
+    ShearCell sample(parameters.beads, material, parameters.inertial_number, parameters.seed);
+    if (!sample.compress()) {
+        throw SimulationError("the sample never reached its normal stress; use more beads or another seed");
+    }
+    const double begin = sample.strain();
+    const auto first_step = sample.steps();
+
+    const auto blocks_in = [](double strain) { return static_cast<std::size_t>(std::lround(strain / block_strain)); };
+    const std::size_t wanted = blocks_in(parameters.strain);
+    const std::size_t most = 2 * wanted + blocks_in(4);
+    Series series;
+    RunResult result;
+    result.parameters = parameters;
+    std::size_t transient = blocks_in(first_look_strain);
+    while (series.size() < most) {
+        if (stop.stop_requested()) {
+            throw Interrupted();
+        }
+        series.add(shear_block(sample));
+        check_state(sample);
+        if (progress) {
+            progress(sample.strain() - begin, static_cast<double>(transient + wanted) * block_strain);
+        }
+        const bool look = series.size() % blocks_in(look_every_strain) == 0;
+        if (look && series.size() >= wanted + blocks_in(first_look_strain)) {
+            const auto found = series.transient();
+            transient = found ? *found : series.size() - wanted + blocks_in(look_every_strain);
+            if (found && series.size() - transient >= wanted) {
+                result.steady = true;
+                break;
+            }
+        }
+    }
+    average(series, result.steady ? transient : series.size() - wanted, result);
+
+    result.steps = sample.steps();
+    result.time_step = (sample.strain() - begin) / parameters.inertial_number /
+                       static_cast<double>(sample.steps() - first_step);
+    result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    const double rigid = result[Observable::solid_fraction].value -
+                         rigidity_shift(result[Observable::solid_fraction].value,
+                                        result[Observable::mean_overlap].value);
+    result.crystallised = rigid > crystal_solid_fraction ||
+                          result[Observable::bond_order].value > crystal_bond_order;
+    const double held = result[Observable::normal_stress].value;
+    if (std::abs(held - 1) > 0.02) {
+        throw SimulationError(fmt::format("the sample did not hold its normal stress: {:.3f} of the imposed one "
+                                          "over a strain of {:.3g}; use more beads or a longer strain",
+                                          held, result.strain_averaged));
+    }
+    return result;
+}
+
+}  // namespace pendular::dem

@@ -1,0 +1,113 @@
+#include "sim/ensemble.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+namespace pendular {
+
+double expected_cost(const dem::RunParameters& run) {
+    // Steps per strain: 1/(I dt) with dt proportional to kappa^(-1/2); about 1.2 of strain is transient.
+    return run.beads * (run.strain + 1.2) / run.inertial_number * std::sqrt(run.stiffness_number);
+}
+
+namespace {
+
+/// Work shared by the threads of one ensemble.
+class Ensemble {
+  public:
+    Ensemble(const std::vector<dem::RunParameters>& runs, const Workers& workers)
+        : runs_(runs), workers_(workers), results_(runs.size()), done_(runs.size(), 0.0), order_(runs.size()) {
+        std::iota(order_.begin(), order_.end(), std::size_t{0});
+        std::ranges::stable_sort(order_, std::greater{}, [&](std::size_t k) { return expected_cost(runs_[k]); });
+        for (const auto& run : runs_) {
+            total_ += expected_cost(run);
+        }
+    }
+
+    std::vector<dem::RunResult> carry_out() {
+        {
+            const std::stop_callback forward(workers_.stop, [this] { stop_.request_stop(); });
+            std::vector<std::jthread> threads;
+            const auto count = std::min<std::size_t>(std::max(1, workers_.threads), runs_.size());
+            for (std::size_t k = 0; k < count; ++k) {
+                threads.emplace_back([this] { work(); });
+            }
+        }
+        if (failure_) {
+            std::rethrow_exception(failure_);
+        }
+        if (stop_.stop_requested()) {
+            throw dem::Interrupted();
+        }
+        return std::move(results_);
+    }
+
+  private:
+    void work() {
+        for (;;) {
+            const std::size_t turn = next_.fetch_add(1);
+            if (turn >= runs_.size() || stop_.stop_requested()) {
+                return;
+            }
+            const std::size_t k = order_[turn];
+            try {
+                results_[k] = dem::run(runs_[k], stop_.get_token(), [&](double strain, double expected) {
+                    note(k, std::min(0.999, strain / expected));
+                });
+                note(k, 1.0);
+            } catch (...) {
+                const std::lock_guard lock(mutex_);
+                if (!failure_) {
+                    failure_ = std::current_exception();
+                }
+                stop_.request_stop();
+            }
+        }
+    }
+
+    void note(std::size_t k, double fraction) {
+        const std::lock_guard lock(mutex_);
+        done_[k] = fraction;
+        if (!workers_.report) {
+            return;
+        }
+        EnsembleProgress progress{.runs = runs_.size()};
+        double cost = 0;
+        for (std::size_t run = 0; run < runs_.size(); ++run) {
+            cost += done_[run] * expected_cost(runs_[run]);
+            progress.runs_done += done_[run] >= 1;
+        }
+        progress.fraction = cost / total_;
+        const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+        if (progress.fraction > 0.01) {
+            progress.seconds_left = spent * (1 / progress.fraction - 1);
+        }
+        workers_.report(progress);
+    }
+
+    const std::vector<dem::RunParameters>& runs_;
+    const Workers& workers_;
+    std::vector<dem::RunResult> results_;
+    std::vector<double> done_;
+    std::vector<std::size_t> order_;
+    double total_ = 0;
+    std::atomic<std::size_t> next_{0};
+    std::stop_source stop_;
+    std::mutex mutex_;
+    std::exception_ptr failure_;
+    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs, const Workers& workers) {
+    return runs.empty() ? std::vector<dem::RunResult>{} : Ensemble(runs, workers).carry_out();
+}
+
+}  // namespace pendular

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "sim/dem/run.h"
+
+namespace pendular {
+
+/// How far a group of runs has come.
+struct EnsembleProgress {
+    std::size_t runs_done = 0;
+    std::size_t runs = 0;
+    double fraction = 0;      ///< of the work, by bead-steps expected
+    double seconds_left = 0;  ///< estimated from the speed so far; 0 while not known
+};
+using EnsembleReport = std::function<void(const EnsembleProgress&)>;
+
+/// How runs are carried out: threads, the way to stop them, and whom to tell.
+struct Workers {
+    int threads = 1;
+    std::stop_token stop;
+    EnsembleReport report;   ///< called from one thread at a time
+};
+
+/// Carries out independent runs side by side, one core each, the longest first. The results come in
+/// the order asked for and do not depend on the number of threads.
+/// @throws whatever the first run to fail threw, after the others have stopped
+std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs, const Workers& workers);
+
+/// Bead-steps that a run will take, transient included; relative cost only.
+double expected_cost(const dem::RunParameters& run);
+
+}  // namespace pendular

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pendular {
+
+/// How large, stiff, slow and long the simulations of a study are.
+struct Fidelity {
+    std::string name;
+    int beads = 0;
+    double stiffness_number = 0;        ///< kappa [1]
+    double lowest_inertial_number = 0;  ///< I [1]; slower readings are extrapolated from here up
+    double strain = 0;                  ///< averaged strain of one run [1]
+};
+
+/// quick, standard or paper.
+/// @throws InputError naming the nearest known one
+Fidelity fidelity_named(std::string_view name);
+
+/// All of them, the cheapest first.
+const std::vector<Fidelity>& fidelities();
+
+}  // namespace pendular

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "data/study.h"
+#include "data/write_tables.h"
+#include "tests/unit/data_support.h"
+
+namespace pendular {
+namespace {
+
+using testing::HasSubstr;
+
+/// A recording of 200 rows at 5 N, its torque scaled, with 1 % noise.
+std::string recording(double scale, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    std::string text =
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    for (int i = 0; i < 200; ++i)
+        text += fmt::format("{},{},5,{},0.1\n", 0.1 * i, 30 * scale * (1 + 0.01 * normal(random)),
+                            4 * (1 + 0.001 * normal(random)));
+    return text;
+}
+
+const std::string study_text = R"([grains]
+diameter = "500 um"
+density = "1050 kg/m^3"
+[liquid]
+surface_tension = "20.6 mN/m"
+contact_angle = "0 deg"
+[cell]
+inner_radius = "21 mm"
+outer_radius = "45 mm"
+bead_mass = "10 g"
+[[recording]]
+file = "wet_*.csv"
+liquid_content = 0.03
+bead_mass = "11 g"
+[[recording]]
+file = "dry_*.csv"
+liquid_content = 0
+)";
+
+class ReadMeasurements : public testing::Test {
+  protected:
+    ReadMeasurements() {
+        folder_.write("study.toml", study_text);
+        folder_.write("dry_1.csv", recording(1, 1));
+        folder_.write("dry_2.csv", recording(1.04, 2));
+        folder_.write("wet_1.csv", recording(1.5, 3));
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(ReadMeasurements, GoesThroughTheSourcesInRunOrder) {
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    ASSERT_EQ(all.readings.size(), 3u);
+    std::vector<std::string> names;
+    for (const Reading& reading : all.readings)
+        names.push_back(std::filesystem::path(reading.origin.file).filename());
+    EXPECT_THAT(names, testing::ElementsAre("wet_1.csv", "dry_1.csv", "dry_2.csv"));
+    EXPECT_EQ(all.readings[0].condition.liquid_content, 0.03);
+    // The entry's 11 g go before the cell's 10 g.
+    EXPECT_NEAR(all.readings[0].value(1) / all.readings[1].value(1), 1.1, 1e-3);
+}
+
+TEST_F(ReadMeasurements, AddsTheScatterBetweenReplicatesToAll) {
+    // Two replicates 4 % apart: s_rep = 2.8 %, where the means are known to 0.1 %.
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    EXPECT_EQ(all.readings[1].replicates, 2);
+    for (const Reading& reading : all.readings)
+        EXPECT_NEAR(std::sqrt(reading.covariance(0, 0)) / reading.value(0), 0.028, 0.003);
+}
+
+TEST_F(ReadMeasurements, AreTheSameAfterWritingAndReadingThem) {
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    write_readings(folder_.path() / "readings.csv", all);
+    folder_.write("study.toml", study_text.substr(0, study_text.find("[[recording]]")) +
+                                    "[[readings]]\nfile = \"readings.csv\"\n");
+    const Measurements back = read_measurements(read_study(folder_.path()));
+    ASSERT_EQ(back.readings.size(), all.readings.size());
+    for (std::size_t i = 0; i < all.readings.size(); ++i) {
+        EXPECT_EQ(back.readings[i].value, all.readings[i].value);
+        EXPECT_LT((back.readings[i].covariance - all.readings[i].covariance).norm(),
+                  1e-9 * all.readings[i].covariance.norm());
+        EXPECT_EQ(back.readings[i].replicates, all.readings[i].replicates);
+    }
+}
+
+TEST_F(ReadMeasurements, ListsWhatItLeftOut) {
+    folder_.write("dry_3.csv",
+                  "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n"
+                  "0,30,5,4,0.1\n");
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    const Excluded& last = all.excluded.back();
+    EXPECT_THAT(to_string(last.origin), HasSubstr("dry_3.csv:2"));
+    EXPECT_EQ(last.last_line, 2);
+    EXPECT_THAT(last.reason, HasSubstr("1 rows"));
+}
+
+TEST(Examples, PolystyreneHoldsThePublishedDryReading) {
+    const Study study =
+        read_study(std::filesystem::path(PENDULAR_SOURCE_DIR) / "examples" / "polystyrene");
+    const Measurements all = read_measurements(study);
+    ASSERT_EQ(all.readings.size(), 1u);
+    const Reading& reading = all.readings[0];
+    EXPECT_DOUBLE_EQ(reading.stress_ratio(), 0.25);
+    EXPECT_DOUBLE_EQ(reading.value(1), 0.615);
+    EXPECT_NEAR(std::sqrt(reading.covariance(0, 0)) / reading.condition.normal_stress, 0.02, 1e-12);
+    EXPECT_NEAR(std::sqrt(reading.covariance(1, 1)), 0.002, 1e-12);
+    EXPECT_TRUE(reading.condition.dry());
+    EXPECT_EQ(reading.condition.inertial_number, 0);
+    EXPECT_FALSE(reading.error_assumed);
+    EXPECT_DOUBLE_EQ(study.liquid->viscosity, 50e-3);
+}
+
+}  // namespace
+}  // namespace pendular
