@@ -29,7 +29,8 @@ double shear_rate(double angular_velocity, double height, const AnnularCell& cel
     return angular_velocity * (cell.inner_radius + cell.outer_radius) / (2 * height);
 }
 
-Eigen::Matrix2d covariance_of_reading(double height, const Eigen::Matrix2d& torque_height_covariance,
+Eigen::Matrix2d covariance_of_reading(double height,
+                                      const Eigen::Matrix2d& torque_height_covariance,
                                       const AnnularCell& cell) {
     const Eigen::DiagonalMatrix<double, 2> derivatives(shear_stress(1, cell),
                                                        -solid_fraction(height, cell) / height);

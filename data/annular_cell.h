@@ -40,7 +40,8 @@ double shear_rate(double angular_velocity, double height, const AnnularCell& cel
 
 /// First-order covariance of (shear stress [Pa], solid fraction [1]) from that of
 /// (torque [N m], height [m]): J C J^T with the derivatives of the two conversions.
-Eigen::Matrix2d covariance_of_reading(double height, const Eigen::Matrix2d& torque_height_covariance,
+Eigen::Matrix2d covariance_of_reading(double height,
+                                      const Eigen::Matrix2d& torque_height_covariance,
                                       const AnnularCell& cell);
 
 }  // namespace pendular

@@ -21,9 +21,9 @@ const double diameter_density_convention = std::sqrt(6 / std::numbers::pi);
 double angle_left_out(const Quantity& quantity, const Unit& unit) {
     if (quantity.name == "rotational_speed") return 2 * std::numbers::pi;
     if (unit.to_si(1) == 1) return 1;
-    throw std::invalid_argument(fmt::format(
-        "'{}' leaves open whether it counts turns or radians; write 'rpm' or 'rad/min'",
-        unit.spelling()));
+    throw std::invalid_argument(
+        fmt::format("'{}' leaves open whether it counts turns or radians; write 'rpm' or 'rad/min'",
+                    unit.spelling()));
 }
 
 /// Factor besides the unit's own from a column's numbers to the quantity it is read as.
@@ -32,7 +32,8 @@ double further_factor(const Quantity& quantity, const Unit& unit) {
     const bool angular = quantity.unit == "rad/s" || quantity.unit == "turn/s";
     if (angular && unit.same_dimension(Unit("1/s"))) return angle_left_out(quantity, unit);
     const Unit expected(quantity.unit);
-    if (!unit.same_dimension(expected)) throw std::invalid_argument(wrong_dimension(unit, expected));
+    if (!unit.same_dimension(expected))
+        throw std::invalid_argument(wrong_dimension(unit, expected));
     return quantity.name == "inertial_number_diameter_density" ? 1 / diameter_density_convention
                                                                : 1;
 }
@@ -47,7 +48,8 @@ std::string_view read_as(const Quantity& quantity) {
 }  // namespace
 
 Columns::Columns(const Table& table) : table_(table) {
-    for (std::size_t i = 0; i < table.header.cells.size(); ++i) add(i);
+    for (std::size_t i = 0; i < table.header.cells.size(); ++i)
+        add(i);
     for (const Column& column : columns_) {
         const auto same = [&](const Column& other) {
             return other.name == column.name && other.deviation == column.deviation;
@@ -76,9 +78,9 @@ void Columns::add(std::size_t index) {
             column.offset = cell.deviation ? 0 : further * unit.to_si(0);
             column.factor = further * (unit.to_si(1) - unit.to_si(0));
         } catch (const std::invalid_argument& wrong) {
-            throw InputError(table_.at_header(index),
-                             fmt::format("column '{}': {}", table_.header.cells[index].text,
-                                         wrong.what()));
+            throw InputError(
+                table_.at_header(index),
+                fmt::format("column '{}': {}", table_.header.cells[index].text, wrong.what()));
         }
     }
     columns_.push_back(column);
@@ -118,27 +120,28 @@ std::string_view Columns::require_one_of(std::string_view first, std::string_vie
 
 void Columns::refuse_missing(std::string_view wanted) const {
     std::vector<std::string> found;
-    for (const Cell& cell : table_.header.cells) found.push_back(cell.text);
-    throw InputError({table_.file, table_.header.line},
-                     fmt::format("column {} is missing; the header has '{}'", wanted,
-                                 fmt::join(found, "', '")));
+    for (const Cell& cell : table_.header.cells)
+        found.push_back(cell.text);
+    throw InputError(
+        {table_.file, table_.header.line},
+        fmt::format("column {} is missing; the header has '{}'", wanted, fmt::join(found, "', '")));
 }
 
 double Columns::number(const Row& row, const Column& column) const {
     const std::string& text = row.cells[column.index].text;
     if (const auto value = parse_number(text)) return column.factor * *value + column.offset;
-    std::string wrong = fmt::format("\"{}\" is not a finite number; correct it or remove the line",
-                                    text);
+    std::string wrong =
+        fmt::format("\"{}\" is not a finite number; correct it or remove the line", text);
     if (text.empty()) wrong = "the cell is empty; fill it in or remove the line";
     if (has_decimal_comma(text)) {
         std::ptrdiff_t others = -1;
         for (const Row& each : table_.rows)
-            others += std::count_if(each.cells.begin(), each.cells.end(), [](const Cell& cell) {
-                return has_decimal_comma(cell.text);
-            });
-        wrong = fmt::format("\"{}\" is not a number with decimal point '.'; this file uses ',' in "
-                            "{} other cells: export it with decimal points",
-                            text, others);
+            others += std::count_if(each.cells.begin(), each.cells.end(),
+                                    [](const Cell& cell) { return has_decimal_comma(cell.text); });
+        wrong = fmt::format(
+            "\"{}\" is not a number with decimal point '.'; this file uses ',' in "
+            "{} other cells: export it with decimal points",
+            text, others);
     }
     throw InputError(table_.at(row, column.index),
                      fmt::format("column '{}': {}", table_.header.cells[column.index].text, wrong));
@@ -176,8 +179,8 @@ std::vector<std::string> Columns::others(const std::vector<std::string_view>& us
     for (std::size_t i = 0; i < table_.header.cells.size(); ++i) {
         const std::string& text = table_.header.cells[i].text;
         const bool known = std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
-            const std::string name = fmt::format("{}{}", column.name,
-                                                 column.deviation ? "_sd" : "");
+            const std::string name =
+                fmt::format("{}{}", column.name, column.deviation ? "_sd" : "");
             return column.index == i && std::find(used.begin(), used.end(), name) != used.end();
         });
         if (!known && !text.empty()) result.push_back(text);

@@ -15,12 +15,12 @@ namespace {
 
 /// Number of characters in UTF-8 text: bytes that do not continue another.
 int characters(std::string_view text) {
-    return static_cast<int>(std::count_if(text.begin(), text.end(),
-                                          [](char c) { return (c & 0xC0) != 0x80; }));
+    return static_cast<int>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// libcsv, fed a line at a time: an unclosed quote then ends with its line instead of swallowing the
-/// file, and a byte at a time: the parser reports no positions.
+/// libcsv, fed a line at a time: an unclosed quote then ends with its line instead of swallowing
+/// the file, and a byte at a time: the parser reports no positions.
 class LineParser {
   public:
     LineParser(std::string file, char delimiter) : file_(std::move(file)) {
@@ -84,7 +84,8 @@ char detect_delimiter(std::string_view header) {
         if (c == '[' || c == '(') ++brackets;
         if (c == ']' || c == ')') --brackets;
         if (quoted || brackets > 0) continue;
-        for (std::size_t i = 0; i < candidates.size(); ++i) counts[i] += c == candidates[i];
+        for (std::size_t i = 0; i < candidates.size(); ++i)
+            counts[i] += c == candidates[i];
     }
     const auto most = std::max_element(counts.begin(), counts.end());
     return *most == 0 ? ',' : candidates[static_cast<std::size_t>(most - counts.begin())];
@@ -101,9 +102,9 @@ void check_header(const Table& table) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (cells[i].text.empty() || cells[i].text != cells[j].text) continue;
-            throw InputError(table.at_header(i),
-                             fmt::format("column '{}' stands twice; rename or remove one",
-                                         cells[i].text));
+            throw InputError(
+                table.at_header(i),
+                fmt::format("column '{}' stands twice; rename or remove one", cells[i].text));
         }
     }
     const bool numbers = std::all_of(cells.begin(), cells.end(), [](const Cell& cell) {
@@ -132,7 +133,8 @@ Table read_table(const std::filesystem::path& path) {
     const std::vector<std::string> lines = read_lines(path);
     Table table{.file = path.string(), .header = {}, .rows = {}};
     std::size_t first = 0;
-    while (first < lines.size() && passed_over(lines[first])) ++first;
+    while (first < lines.size() && passed_over(lines[first]))
+        ++first;
     if (first == lines.size())
         throw InputError({table.file}, "is empty; a header and rows of numbers are needed");
 

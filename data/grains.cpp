@@ -5,7 +5,9 @@
 
 namespace pendular {
 
-double Grains::mass() const { return density * std::numbers::pi * std::pow(diameter, 3) / 6; }
+double Grains::mass() const {
+    return density * std::numbers::pi * std::pow(diameter, 3) / 6;
+}
 
 double inertial_number(double shear_rate, double normal_stress, const Grains& grains) {
     return shear_rate * std::sqrt(grains.mass() / (grains.diameter * normal_stress));

@@ -21,8 +21,10 @@ int edit_distance(std::string_view first, std::string_view second) {
     const std::size_t columns = second.size() + 1;
     std::vector<int> table(rows * columns);
     const auto at = [&](std::size_t i, std::size_t j) -> int& { return table[i * columns + j]; };
-    for (std::size_t i = 0; i < rows; ++i) at(i, 0) = static_cast<int>(i);
-    for (std::size_t j = 0; j < columns; ++j) at(0, j) = static_cast<int>(j);
+    for (std::size_t i = 0; i < rows; ++i)
+        at(i, 0) = static_cast<int>(i);
+    for (std::size_t j = 0; j < columns; ++j)
+        at(0, j) = static_cast<int>(j);
     for (std::size_t i = 1; i < rows; ++i) {
         for (std::size_t j = 1; j < columns; ++j) {
             const int replace = same_letter(first[i - 1], second[j - 1]) ? 0 : 1;

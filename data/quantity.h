@@ -9,10 +9,10 @@ namespace pendular {
 /// A number this program reads, computes or shows. JSON keys, CSV headers, axis labels and manual
 /// all take their words from here.
 struct Quantity {
-    std::string_view name;     ///< JSON key and CSV header
-    std::string_view symbol;   ///< on axes
-    std::string_view unit;     ///< SI; "1": dimensionless
-    std::string_view meaning;  ///< one line
+    std::string_view name;                    ///< JSON key and CSV header
+    std::string_view symbol;                  ///< on axes
+    std::string_view unit;                    ///< SI; "1": dimensionless
+    std::string_view meaning;                 ///< one line
     std::vector<std::string_view> also = {};  ///< other names in the headers of tables
 };
 

@@ -16,11 +16,25 @@ namespace {
 
 /// Columns a table of readings may have; those after `error_assumed` say where a reading comes from
 /// and are not needed.
-const std::vector<std::string_view> used = {
-    "normal_stress",   "normal_stress_sd",  "shear_stress",    "shear_stress_sd", "stress_ratio",
-    "stress_ratio_sd", "solid_fraction",    "solid_fraction_sd", "shear_rate",    "inertial_number",
-    "liquid_content",  "height",            "error_correlation", "error_assumed", "sampled_seconds",
-    "interval",        "replicates",        "file",              "line"};
+const std::vector<std::string_view> used = {"normal_stress",
+                                            "normal_stress_sd",
+                                            "shear_stress",
+                                            "shear_stress_sd",
+                                            "stress_ratio",
+                                            "stress_ratio_sd",
+                                            "solid_fraction",
+                                            "solid_fraction_sd",
+                                            "shear_rate",
+                                            "inertial_number",
+                                            "liquid_content",
+                                            "height",
+                                            "error_correlation",
+                                            "error_assumed",
+                                            "sampled_seconds",
+                                            "interval",
+                                            "replicates",
+                                            "file",
+                                            "line"};
 
 /// A table of readings with what its rows are read by.
 struct Points {
@@ -33,7 +47,8 @@ struct Points {
 
 void refuse_misspelt(const Table& table, const Columns& columns) {
     std::vector<std::string> known;
-    for (const std::string_view name : used) known.emplace_back(name);
+    for (const std::string_view name : used)
+        known.emplace_back(name);
     for (const std::size_t index : columns.unknown()) {
         const std::string name = parse_header_cell(table.header.cells[index].text).name;
         if (name.empty()) continue;
@@ -52,9 +67,8 @@ double positive(const Points& points, const Row& row, std::string_view name) {
 }
 
 double liquid_content(const Points& points, const Row& row) {
-    const double value =
-        points.columns.value_if_any(row, "liquid_content")
-            .value_or(points.source.liquid_content.value_or(0));
+    const double value = points.columns.value_if_any(row, "liquid_content")
+                             .value_or(points.source.liquid_content.value_or(0));
     const Position where = points.columns.at(row, "liquid_content");
     if (value < 0) throw InputError(where, "a liquid content must not be negative");
     if (value > 0 && !points.study.liquid)
@@ -77,8 +91,8 @@ void set_rate(const Points& points, const Row& row, Reading& reading) {
         throw InputError(points.columns.at(row, "inertial_number"),
                          "an inertial number must not be negative");
     reading.shear_rate = rate.value_or(0);
-    const double from_rate = inertial_number(reading.shear_rate, reading.condition.normal_stress,
-                                             points.study.grains);
+    const double from_rate =
+        inertial_number(reading.shear_rate, reading.condition.normal_stress, points.study.grains);
     reading.condition.inertial_number = number.value_or(from_rate);
     if (rate && number && std::abs(*number - from_rate) > 0.01 * from_rate)
         throw InputError(points.columns.at(row, "inertial_number"),
@@ -163,7 +177,8 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
     check_liquid_content(table, columns, source, study);
 
     Measurements result;
-    for (const Row& row : table.rows) result.readings.push_back(reading_of(points, row));
+    for (const Row& row : table.rows)
+        result.readings.push_back(reading_of(points, row));
     if (const auto unused = columns.others(used); !unused.empty())
         result.notes.push_back(
             fmt::format("{}: columns not used: '{}'", table.file, fmt::join(unused, "', '")));

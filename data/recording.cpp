@@ -18,13 +18,13 @@ void check_time(const Recording& recording, const Table& table, const Columns& c
         if (recording.time[i] >= recording.time[i - 1]) continue;
         const bool has_intervals = !recording.interval.empty();
         if (has_intervals && recording.interval[i] != recording.interval[i - 1]) continue;
-        throw InputError(columns.at(table.rows[i], "time"),
-                         fmt::format("time goes back from {:.6g} to {:.6g} s; {}",
-                                     recording.time[i - 1], recording.time[i],
-                                     has_intervals
-                                         ? "it may do so only where the interval changes"
-                                         : "add a column 'Interval [1]' that changes here, or "
-                                           "split the file"));
+        throw InputError(
+            columns.at(table.rows[i], "time"),
+            fmt::format("time goes back from {:.6g} to {:.6g} s; {}", recording.time[i - 1],
+                        recording.time[i],
+                        has_intervals ? "it may do so only where the interval changes"
+                                      : "add a column 'Interval [1]' that changes here, or "
+                                        "split the file"));
     }
 }
 

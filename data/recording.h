@@ -17,7 +17,7 @@ struct Recording {
     std::vector<double> normal_force;
     std::vector<double> height;
     std::vector<double> angular_velocity;
-    std::vector<double> interval;           ///< empty where the file has no such column
+    std::vector<double> interval;             ///< empty where the file has no such column
     std::vector<std::string> unused_columns;  ///< header cells that were not read
 
     std::size_t size() const { return time.size(); }

@@ -60,8 +60,7 @@ void add(const Group& group, Pooled& pooled) {
         within += relative(*reading) / size;
     }
     for (const Reading* reading : group) {
-        const Eigen::Vector2d deviation =
-            (compared(*reading).array() / mean.array() - 1).matrix();
+        const Eigen::Vector2d deviation = (compared(*reading).array() / mean.array() - 1).matrix();
         pooled.between += deviation * deviation.transpose();
     }
     pooled.within += (size - 1) * within;
@@ -73,7 +72,8 @@ Eigen::Matrix2d excess(const Pooled& pooled) {
     Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
     if (pooled.freedom == 0) return result;
     const Eigen::Matrix2d difference = (pooled.between - pooled.within) / pooled.freedom;
-    for (int i = 0; i < 2; ++i) result(i, i) = std::max(0.0, difference(i, i));
+    for (int i = 0; i < 2; ++i)
+        result(i, i) = std::max(0.0, difference(i, i));
     const double shrunk = difference(0, 1) * (pooled.freedom - 1) / (pooled.freedom + 1);
     const double bound = 0.99 * std::sqrt(result(0, 0) * result(1, 1));
     result(0, 1) = result(1, 0) = std::clamp(shrunk, -bound, bound);
@@ -100,7 +100,8 @@ bool are_replicates(const Reading& a, const Reading& b) {
 void pool_replicates(Measurements& measurements) {
     Pooled pooled;
     for (const Group& group : grouped(measurements.readings)) {
-        for (Reading* reading : group) reading->replicates = static_cast<int>(group.size());
+        for (Reading* reading : group)
+            reading->replicates = static_cast<int>(group.size());
         add(group, pooled);
     }
     const Eigen::Matrix2d added = excess(pooled);

@@ -18,7 +18,8 @@ double robust_deviation(std::span<const double> values) {
     constexpr double normal = 1.4826;
     std::vector<double> distances(values.begin(), values.end());
     const double centre = median(distances);
-    for (double& value : distances) value = std::abs(value - centre);
+    for (double& value : distances)
+        value = std::abs(value - centre);
     return normal * median(std::move(distances));
 }
 

@@ -46,9 +46,10 @@ Means means_of(const StepSeries& steady) {
 /// Why the means of a step make no reading; empty if they do.
 std::string unusable(const Means& means) {
     if (means.normal_force.value <= 0)
-        return fmt::format("the mean normal force is {:.3g} N, no compression; compression must be "
-                           "positive",
-                           means.normal_force.value);
+        return fmt::format(
+            "the mean normal force is {:.3g} N, no compression; compression must be "
+            "positive",
+            means.normal_force.value);
     if (!turns(means.angular_velocity)) return "the lid does not turn";
     if (means.torque.value <= 2 * std::sqrt(means.covariance(0, 0)))
         return "the mean torque is zero within twice its standard error";
@@ -90,8 +91,8 @@ void reduce_step(const StepSeries& series, int number, const Setting& setting,
             left_out(series, 0, end, setting, fmt::format("step {}: {}", number, reason)));
     };
     if (series.size() < shortest_step)
-        return exclude(series.size(), fmt::format("has {} rows, {} are needed", series.size(),
-                                                  shortest_step));
+        return exclude(series.size(),
+                       fmt::format("has {} rows, {} are needed", series.size(), shortest_step));
     std::string why;
     const auto begin = end_of_transient(series, why);
     if (!begin) return exclude(series.size(), why);
@@ -112,8 +113,7 @@ void reduce_step(const StepSeries& series, int number, const Setting& setting,
 void note_steps(const std::vector<int>& steps, const std::string& file, const std::string& what,
                 Measurements& result) {
     if (steps.empty()) return;
-    result.notes.push_back(
-        fmt::format("{}: step {}: {}", file, fmt::join(steps, ", "), what));
+    result.notes.push_back(fmt::format("{}: step {}: {}", file, fmt::join(steps, ", "), what));
 }
 
 /// Shear gathers under the lid where the beads' weight is not small beside the load.

@@ -21,7 +21,8 @@ std::vector<double> part(const std::vector<double>& values, std::size_t begin, s
 /// tell (most neighbours equal) are taken to be.
 bool evenly_spaced(const std::vector<double>& time) {
     std::vector<double> spacings;
-    for (std::size_t i = 1; i < time.size(); ++i) spacings.push_back(time[i] - time[i - 1]);
+    for (std::size_t i = 1; i < time.size(); ++i)
+        spacings.push_back(time[i] - time[i - 1]);
     const double usual = median(spacings);
     const auto [least, most] = std::minmax_element(spacings.begin(), spacings.end());
     return usual == 0 || (*least >= 0.5 * usual && *most <= 1.5 * usual);
@@ -42,7 +43,8 @@ Grid even_grid(const std::vector<double>& time) {
     for (std::size_t i = 0; i < n; ++i) {
         const double t = time.front() + (time.back() - time.front()) * static_cast<double>(i) /
                                             static_cast<double>(n - 1);
-        while (row + 2 < n && time[row + 1] <= t) ++row;
+        while (row + 2 < n && time[row + 1] <= t)
+            ++row;
         const double spacing = time[row + 1] - time[row];
         grid.time.push_back(t);
         grid.row.push_back(row);
@@ -66,7 +68,9 @@ void space_evenly(StepSeries& series) {
          {&series.torque, &series.normal_force, &series.height, &series.angular_velocity})
         interpolate(*values, grid);
     std::vector<int> line;
-    for (const std::size_t row : grid.row) line.push_back(series.line[row]);
+    for (const std::size_t row : grid.row)
+        line.push_back(series.line[row]);
+    line.back() = series.line.back();
     series.line = std::move(line);
     series.time = grid.time;
     series.interpolated = true;
@@ -92,14 +96,16 @@ void check_torque_sign(StepSeries& series, const Recording& recording, const Ste
     const bool mostly_negative = negative.size() > positive.size();
     if (significant(mostly_negative ? positive : negative, series.torque)) {
         std::size_t row = step.begin;
-        while (mostly_negative ? recording.torque[row] <= 0 : recording.torque[row] >= 0) ++row;
+        while (mostly_negative ? recording.torque[row] <= 0 : recording.torque[row] >= 0)
+            ++row;
         throw InputError({recording.file, recording.line[row]},
                          "the torque changes its sign within a step of constant set points; split "
                          "the step here, by a column 'Interval [1]', or correct the sign");
     }
     series.flipped = mostly_negative;
     if (mostly_negative)
-        for (double& torque : series.torque) torque = -torque;
+        for (double& torque : series.torque)
+            torque = -torque;
 }
 
 /// Whether a series changes by less than 0.1 % between its last two quarters.

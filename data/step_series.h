@@ -16,7 +16,7 @@ struct StepSeries {
     std::vector<double> normal_force;
     std::vector<double> height;
     std::vector<double> angular_velocity;
-    std::vector<int> line;       ///< of the file, of the row at or before each sample
+    std::vector<int> line;      ///< of the file, of the row at or before each sample
     bool interpolated = false;  ///< whether the rows were not evenly spaced
     bool flipped = false;       ///< whether the torque was negative
 

@@ -13,7 +13,9 @@ constexpr double tolerance = 0.05;
 
 using Series = std::span<const double>;
 
-double level(Series series) { return median({series.begin(), series.end()}); }
+double level(Series series) {
+    return median({series.begin(), series.end()});
+}
 
 /// Levels of a series around a possible boundary, and the noise they are known through.
 struct Sides {
@@ -59,8 +61,8 @@ std::vector<std::size_t> without_excursions(std::vector<std::size_t> boundaries,
     for (std::size_t i = 0; i + 1 < boundaries.size();) {
         const std::size_t begin = boundaries[i], end = boundaries[i + 1];
         const std::size_t rows = std::min({shortest_step, begin, series.size() - end});
-        const bool back = !differ(sides(series.subspan(begin - rows, rows), series.subspan(end, rows)),
-                                  scale);
+        const bool back =
+            !differ(sides(series.subspan(begin - rows, rows), series.subspan(end, rows)), scale);
         const auto at = boundaries.begin() + static_cast<std::ptrdiff_t>(i);
         if (end - begin < shortest_step && back)
             boundaries.erase(at, at + 2);
@@ -85,7 +87,8 @@ std::vector<std::size_t> jumps(Series series) {
     for (std::size_t i = window; i <= last; ++i) {
         if (!jumps_at(i)) continue;
         std::size_t end = i;  // of the run of places the jump is seen from
-        while (end < last && jumps_at(end + 1)) ++end;
+        while (end < last && jumps_at(end + 1))
+            ++end;
         const Sides s = sides(series.subspan(i - window, window), series.subspan(end, window));
         if (differ(s, scale)) result.push_back(best_split(series, i - window, end + window, s));
         i = end;

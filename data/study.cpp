@@ -96,14 +96,17 @@ std::optional<AnnularCell> read_cell(const StudyTable& root, const Grains& grain
 }
 
 Source read_source(const StudyTable& table, Source::Kind kind, const Study& study) {
-    Source source{.kind = kind, .files = {}, .liquid_content = {}, .bead_volume = {},
+    Source source{.kind = kind,
+                  .files = {},
+                  .liquid_content = {},
+                  .bead_volume = {},
                   .position = table.position()};
     const auto pattern = table.text("file");
     if (!pattern) throw InputError(table.position(), "lacks 'file'; add file = \"....csv\"");
     source.files = matching_files(study.folder, *pattern);
     if (source.files.empty())
-        table.refuse("file", fmt::format("no file matches \"{}\" in {}", *pattern,
-                                         study.folder.string()));
+        table.refuse("file",
+                     fmt::format("no file matches \"{}\" in {}", *pattern, study.folder.string()));
     source.liquid_content = table.quantity("liquid_content", "1");
     if (source.liquid_content.value_or(0) < 0)
         table.refuse("liquid_content", "must not be negative");

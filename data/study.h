@@ -13,11 +13,11 @@ namespace pendular {
 
 /// The beads, in SI units.
 struct Grains {
-    double diameter = 0;                   ///< a [m]
-    double density = 0;                    ///< [kg/m^3]
+    double diameter = 0;  ///< a [m]
+    double density = 0;   ///< [kg/m^3]
     /// E [Pa]; without it results stand at the fidelity's stiffness number
     std::optional<double> youngs_modulus = {};
-    double poisson_ratio = 0.3;            ///< nu [1]
+    double poisson_ratio = 0.3;  ///< nu [1]
 
     /// Mass of one bead [kg]: rho pi a^3/6.
     double mass() const;
@@ -42,17 +42,17 @@ std::optional<double> stiffness_number(double normal_stress, const Grains& grain
 struct Source {
     enum class Kind { recording, readings };
     Kind kind = Kind::recording;
-    std::vector<std::filesystem::path> files;   ///< matches of the glob, by name
-    std::optional<double> liquid_content;       ///< Phi_L/Phi_S [1]
-    std::optional<double> bead_volume;          ///< [m^3], where the entry overrides the cell's
-    Position position;                          ///< of the entry in the study file
+    std::vector<std::filesystem::path> files;  ///< matches of the glob, by name
+    std::optional<double> liquid_content;      ///< Phi_L/Phi_S [1]
+    std::optional<double> bead_volume;         ///< [m^3], where the entry overrides the cell's
+    Position position;                         ///< of the entry in the study file
 };
 
 /// What to do with the model.
 struct ModelChoice {
     std::string base = "dem";
     std::vector<std::string> calibrate = {"friction"};
-    std::string fit_to = "dry";   ///< "dry" or "all"
+    std::string fit_to = "dry";  ///< "dry" or "all"
     std::vector<std::string> effects;
     Form bridge_force = Form::derived;
 };
@@ -63,8 +63,8 @@ struct Study {
     std::filesystem::path file;
     Grains grains;
     std::optional<Liquid> liquid;
-    std::optional<AnnularCell> cell;   ///< needed by recordings
-    std::vector<Source> sources;       ///< in run order
+    std::optional<AnnularCell> cell;  ///< needed by recordings
+    std::vector<Source> sources;      ///< in run order
     ModelChoice model;
 };
 

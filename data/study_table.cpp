@@ -22,9 +22,9 @@ void check_keys(const toml::table& table, const std::string& file, const std::st
         const std::string word(key.str());
         if (std::find(known.begin(), known.end(), word) != known.end()) continue;
         const std::string where = name.empty() ? "" : " in " + name;
-        throw InputError(position_in(file, key.source().begin),
-                         fmt::format("unknown key '{}'{}; {}", word, where,
-                                     did_you_mean(word, known)));
+        throw InputError(
+            position_in(file, key.source().begin),
+            fmt::format("unknown key '{}'{}; {}", word, where, did_you_mean(word, known)));
     }
 }
 
@@ -48,7 +48,9 @@ StudyTable::StudyTable(std::shared_ptr<const toml::table> root, const toml::tabl
     check_keys(table, file, name_, keys);
 }
 
-bool StudyTable::has(std::string_view key) const { return table_->contains(key); }
+bool StudyTable::has(std::string_view key) const {
+    return table_->contains(key);
+}
 
 Position StudyTable::at(std::string_view key) const {
     const toml::node* const node = table_->get(key);
@@ -91,7 +93,8 @@ std::optional<double> StudyTable::quantity(std::string_view key, std::string_vie
     if (node->is_number()) {
         const double value = *node->value<double>();
         if (!expected.same_dimension(Unit("1")))
-            refuse(key, fmt::format("needs its unit; write {} = \"{} {}\"", key, value, unit));
+            refuse(key, fmt::format("has no unit; write \"{} {}\" or another unit of the same kind",
+                                    value, unit));
         if (!std::isfinite(value)) refuse(key, "must be finite");
         return value;
     }
@@ -106,8 +109,9 @@ std::optional<double> StudyTable::quantity(std::string_view key, std::string_vie
 
 double StudyTable::required_quantity(std::string_view key, std::string_view unit) const {
     if (const auto value = quantity(key, unit)) return *value;
-    throw InputError(position_, fmt::format("{} lacks '{}'; add {} = {}", name_, key, key,
-                                            unit == "1" ? "a number" : fmt::format("\"... {}\"", unit)));
+    throw InputError(position_,
+                     fmt::format("{} lacks '{}'; add {} = {}", name_, key, key,
+                                 unit == "1" ? "a number" : fmt::format("\"... {}\"", unit)));
 }
 
 double StudyTable::positive_quantity(std::string_view key, std::string_view unit) const {

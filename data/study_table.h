@@ -35,7 +35,8 @@ class StudyTable {
     std::optional<StudyTable> table(std::string_view key,
                                     const std::vector<std::string>& keys) const;
     /// The tables under a key, [[key]], in their order.
-    std::vector<StudyTable> tables(std::string_view key, const std::vector<std::string>& keys) const;
+    std::vector<StudyTable> tables(std::string_view key,
+                                   const std::vector<std::string>& keys) const;
 
     /// Value in SI units of a string with its unit, or of a plain number where `unit` is "1".
     std::optional<double> quantity(std::string_view key, std::string_view unit) const;

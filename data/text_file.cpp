@@ -37,7 +37,8 @@ const char* encoding_of(std::string_view bytes) {
     return "UTF-8";
 }
 
-/// The text as UTF-8 with ill-formed input reported, not replaced; false if it is not in `encoding`.
+/// The text as UTF-8 with ill-formed input reported, not replaced; false if it is not in
+/// `encoding`.
 bool convert(std::string_view bytes, const char* encoding, std::string& utf8) {
     UErrorCode error = U_ZERO_ERROR;
     UConverter* const from = ucnv_open(encoding, &error);
@@ -59,8 +60,8 @@ std::string decoded(const std::string& bytes, const std::filesystem::path& path)
         throw InputError({path.string()},
                          "is a spreadsheet, not text; save it as CSV and name that file");
     std::string text;
-    const bool well_formed = convert(bytes, encoding_of(bytes), text) ||
-                             convert(bytes, "windows-1252", text);
+    const bool well_formed =
+        convert(bytes, encoding_of(bytes), text) || convert(bytes, "windows-1252", text);
     if (!well_formed || text.find('\0') != std::string::npos)
         throw InputError({path.string()}, "is not text; export it as CSV in UTF-8");
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);

@@ -11,7 +11,8 @@ namespace {
 
 double plain_mean(std::span<const double> samples) {
     double sum = 0;
-    for (double sample : samples) sum += sample;
+    for (double sample : samples)
+        sum += sample;
     return sum / static_cast<double>(samples.size());
 }
 
@@ -24,14 +25,16 @@ class Covariances {
 
     /// C(lag) averaged over both directions of the lag.
     double operator()(std::size_t lag) {
-        while (known_.size() <= lag) known_.push_back(at(known_.size()));
+        while (known_.size() <= lag)
+            known_.push_back(at(known_.size()));
         return known_[lag];
     }
 
     /// C(0) + 2 sum_{t=1}^{window} C(t).
     double summed(std::size_t window) {
         double sum = (*this)(0);
-        for (std::size_t lag = 1; lag <= window; ++lag) sum += 2 * (*this)(lag);
+        for (std::size_t lag = 1; lag <= window; ++lag)
+            sum += 2 * (*this)(lag);
         return sum;
     }
 
@@ -39,7 +42,8 @@ class Covariances {
     static std::vector<double> centred(std::span<const double> samples) {
         std::vector<double> result(samples.begin(), samples.end());
         const double mean = plain_mean(samples);
-        for (double& sample : result) sample -= mean;
+        for (double& sample : result)
+            sample -= mean;
         return result;
     }
 
@@ -83,41 +87,60 @@ Correlation windowed_correlation(Covariances& covariance, std::size_t n) {
     return {two_tau, window};
 }
 
-/// 2 tau from the autoregression that fits best by the Bayesian criterion, at most order 10
-/// (Levinson-Durbin). The coefficients' sum a is biased low by (1 + 3 a)/n (Marriott and Pope
-/// 1954, for order 1) and kept below 1 - 2/n.
+/// An autoregression x_t = sum_j a_j x_(t-j) + innovation, grown order by order (Levinson-Durbin).
+struct Autoregression {
+    std::vector<double> coefficients;
+    double innovation = 0;  ///< its variance
+
+    double order() const { return static_cast<double>(coefficients.size()); }
+
+    /// One order more. `biased` gives lagged covariances divided by n throughout, which keeps the
+    /// recursion stable.
+    template <typename Lagged>
+    void grow(const Lagged& biased) {
+        const std::size_t next_order = coefficients.size() + 1;
+        double reflection = biased(next_order);
+        for (std::size_t j = 1; j < next_order; ++j)
+            reflection -= coefficients[j - 1] * biased(next_order - j);
+        reflection /= innovation;
+        std::vector<double> next(next_order, reflection);
+        for (std::size_t j = 1; j < next_order; ++j)
+            next[j - 1] = coefficients[j - 1] - reflection * coefficients[next_order - j - 1];
+        coefficients = std::move(next);
+        innovation *= 1 - reflection * reflection;
+    }
+
+    /// n times the variance of the mean of n samples. The sum a of the coefficients comes out low
+    /// by (1 + 3 a)/n (Marriott and Pope 1954, for order 1) and is kept below 1 - 2/n.
+    double spectrum_at_zero(double count) const {
+        double sum = 0;
+        for (const double a : coefficients)
+            sum += a;
+        if (!coefficients.empty()) sum = std::min(sum + (1 + 3 * sum) / count, 1 - 2 / count);
+        return innovation * count / (count - 1 - order()) / ((1 - sum) * (1 - sum));
+    }
+};
+
+/// 2 tau from the autoregression that fits best by the Bayesian criterion, at most order 10.
 double autoregressive_correlation(Covariances& covariance, std::size_t n) {
     const double count = static_cast<double>(n);
     const std::size_t highest = std::min<std::size_t>(10, n / 10);
-    const auto biased = [&](std::size_t lag) {  // keeps the recursion stable
+    const auto biased = [&](std::size_t lag) {
         return covariance(lag) * (count - static_cast<double>(lag)) / count;
     };
-    std::vector<double> coefficient;
-    double innovation = biased(0);
-    double best = count * std::log(innovation);
-    double two_tau = count / (count - 1);
-    for (std::size_t order = 1; order <= highest; ++order) {
-        double reflection = biased(order);
-        for (std::size_t j = 1; j < order; ++j)
-            reflection -= coefficient[j - 1] * biased(order - j);
-        reflection /= innovation;
-        std::vector<double> next(order, reflection);
-        for (std::size_t j = 1; j < order; ++j)
-            next[j - 1] = coefficient[j - 1] - reflection * coefficient[order - j - 1];
-        coefficient = std::move(next);
-        innovation *= 1 - reflection * reflection;
-        if (innovation <= 0) break;  // a deterministic series: nothing left to explain
-        const double free = static_cast<double>(order);
-        const double criterion = count * std::log(innovation) + std::log(count) * free;
+    Autoregression model{{}, biased(0)};
+    double best = count * std::log(model.innovation);
+    double spectrum = model.spectrum_at_zero(count);
+    while (model.coefficients.size() < highest) {
+        model.grow(biased);
+        if (model.innovation <= 0) break;  // a deterministic series: nothing left to explain
+        const double criterion =
+            count * std::log(model.innovation) + std::log(count) * model.order();
         if (criterion >= best) continue;
         best = criterion;
-        double sum = 0;
-        for (double a : coefficient) sum += a;
-        sum = std::min(sum + (1 + 3 * sum) / count, 1 - 2 / count);
-        const double variance = innovation * count / (count - 1 - free);
-        two_tau = variance / ((1 - sum) * (1 - sum)) / covariance(0);
+        spectrum = model.spectrum_at_zero(count);
     }
-    return two_tau;
+    return spectrum / covariance(0);
 }
 
 /// Samples less the straight line that fits them best.
@@ -210,7 +233,8 @@ std::optional<std::size_t> end_of_transient(std::span<const double> samples) {
         const double left = static_cast<double>(rest.size());
         const double mean = plain_mean(rest);
         double squares = 0;
-        for (double value : rest) squares += (value - mean) * (value - mean);
+        for (double value : rest)
+            squares += (value - mean) * (value - mean);
         if (constant(squares / left, mean)) squares = 0;
         const double marginal = squares / (left * left);
         if (marginal < lowest) {

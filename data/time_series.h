@@ -11,7 +11,8 @@ namespace pendular {
 struct Mean {
     double value = 0;
     double standard_error = 0;
-    double correlation_samples = 1;  ///< integrated autocorrelation time, in samples; 1: independent
+    double correlation_samples =
+        1;  ///< integrated autocorrelation time, in samples; 1: independent
 };
 
 /// Mean and standard error of evenly spaced, correlated samples, in their own unit.

@@ -36,24 +36,26 @@ ut_system* unit_system() {
 
 /// Characters instruments write, and what UDUNITS reads. The two micro signs differ in Unicode.
 constexpr std::pair<std::string_view, std::string_view> characters[] = {
-    {"·", "."},  {"⋅", "."},  {"×", "."},  {"•", "."},  {"*", "."},  {"−", "-"},
-    {"⁻", "^-"}, {"¹", "1"},  {"²", "2"},  {"³", "3"},  {"⁴", "4"},  {"µ", "u"},
+    {"·", "."},  {"⋅", "."},     {"×", "."},   {"•", "."},   {"*", "."},      {"−", "-"},
+    {"⁻", "^-"}, {"¹", "1"},     {"²", "2"},   {"³", "3"},   {"⁴", "4"},      {"µ", "u"},
     {"μ", "u"},  {"°C", "degC"}, {"°", "deg"}, {"½", "0.5"}, {"\u00a0", " "}, {"\u202f", " "}};
 
 /// Words UDUNITS does not know or takes for something else.
 const std::map<std::string, std::string, std::less<>> words = {
-    {"deg", "arc_degree"}, {"rev", "turn"},      {"revs", "turn"},     {"tr", "turn"},
-    {"RPM", "rpm"},        {"rps", "turn/s"},    {"U", "turn"},        {"gf", "gram_force"},
-    {"dyn", "dyne"},       {"cP", "cpoise"},     {"mcm", "um"},        {"pct", "%"},
-    {"percent", "%"},      {"Pas", "Pa.s"},      {"mPas", "mPa.s"},    {"cc", "cm3"},
+    {"deg", "arc_degree"}, {"rev", "turn"},       {"revs", "turn"},    {"tr", "turn"},
+    {"RPM", "rpm"},        {"rps", "turn/s"},     {"U", "turn"},       {"gf", "gram_force"},
+    {"dyn", "dyne"},       {"cP", "cpoise"},      {"mcm", "um"},       {"pct", "%"},
+    {"percent", "%"},      {"Pas", "Pa.s"},       {"mPas", "mPa.s"},   {"cc", "cm3"},
     {"ccm", "cm3"},        {"radians", "radian"}, {"kgfcm", "kgf.cm"}, {"gfcm", "gram_force.cm"}};
 
 /// Words that are another unit than the one surely meant, and the right one.
 const std::map<std::string, std::string, std::less<>> case_traps = {
-    {"pa", "Pa"}, {"kpa", "kPa"}, {"mpa", "MPa' or 'mPa"}, {"Mpa", "MPa"}, {"MPA", "MPa"},
-    {"hpa", "hPa"}, {"KPa", "kPa"}, {"PA", "Pa"}, {"gpa", "GPa"}, {"Gpa", "GPa"},
-    {"kn", "kN"}, {"mn", "mN"}, {"KG", "kg"}, {"Kg", "kg"}, {"MM", "mm"}, {"Mm", "mm"},
-    {"NM", "N m"}, {"MNm", "mN m"}};
+    {"pa", "Pa"},   {"kpa", "kPa"}, {"mpa", "MPa' or 'mPa"},
+    {"Mpa", "MPa"}, {"MPA", "MPa"}, {"hpa", "hPa"},
+    {"KPa", "kPa"}, {"PA", "Pa"},   {"gpa", "GPa"},
+    {"Gpa", "GPa"}, {"kn", "kN"},   {"mn", "mN"},
+    {"KG", "kg"},   {"Kg", "kg"},   {"MM", "mm"},
+    {"Mm", "mm"},   {"NM", "N m"},  {"MNm", "mN m"}};
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos;
@@ -87,12 +89,14 @@ std::string normalised_word(const std::string& word, std::string_view spelling) 
 
 std::string normalised(std::string_view spelling) {
     std::string text(trimmed(spelling));
-    for (const auto& [from, to] : characters) replace_all(text, from, to);
+    for (const auto& [from, to] : characters)
+        replace_all(text, from, to);
     if (text.empty() || text == "-") return "1";
     std::string result;
     for (std::size_t i = 0; i < text.size();) {
         std::size_t end = i;
-        while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end]))) ++end;
+        while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])))
+            ++end;
         if (end > i) {
             result += normalised_word(text.substr(i, end - i), spelling);
             i = end;
@@ -119,7 +123,8 @@ ut_status visit_basic(const ut_unit* unit, void* parts) {
 ut_status visit_product(const ut_unit* unit, int count, const ut_unit* const* basic,
                         const int* powers, void* parts) {
     std::map<std::string, int> sorted;
-    for (int i = 0; i < count; ++i) sorted[ut_get_symbol(basic[i], UT_ASCII)] = powers[i];
+    for (int i = 0; i < count; ++i)
+        sorted[ut_get_symbol(basic[i], UT_ASCII)] = powers[i];
     std::vector<std::string> factors;
     for (const auto& [symbol, power] : sorted)
         factors.push_back(power == 1 ? symbol : fmt::format("{}^{}", symbol, power));
@@ -202,8 +207,8 @@ double quantity_in_si(std::string_view text, const Unit& expected) {
     const auto value = parse_number(number);
     if (!value) {
         const char* const hint = has_decimal_comma(number) ? "; the decimal sign is '.'" : "";
-        throw std::invalid_argument(fmt::format(
-            "\"{}\" is not a number with a unit, like \"500 um\"{}", text, hint));
+        throw std::invalid_argument(
+            fmt::format("\"{}\" is not a number with a unit, like \"500 um\"{}", text, hint));
     }
     const Unit unit(unit_text);
     if (unit_text.empty() && !unit.same_dimension(expected))
@@ -211,7 +216,8 @@ double quantity_in_si(std::string_view text, const Unit& expected) {
             fmt::format("\"{}\" has no unit; write \"{} {}\" or another unit of the same kind",
                         text, number, expected.spelling()));
     if (!unit.same_dimension(expected))
-        throw std::invalid_argument(fmt::format("\"{}\": {}", text, wrong_dimension(unit, expected)));
+        throw std::invalid_argument(
+            fmt::format("\"{}\": {}", text, wrong_dimension(unit, expected)));
     return unit.to_si(*value);
 }
 

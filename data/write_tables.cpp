@@ -16,12 +16,15 @@ namespace {
 std::string cell_text(std::string_view text) {
     if (text.find_first_of(",;\t\"") == std::string_view::npos) return std::string(text);
     std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (const char c : text)
+        result += c == '"' ? std::string("\"\"") : std::string(1, c);
     return result + '"';
 }
 
 /// The shortest text that reads back as the same number; empty for what is not known.
-std::string known(double value) { return value == 0 ? "" : fmt::format("{}", value); }
+std::string known(double value) {
+    return value == 0 ? "" : fmt::format("{}", value);
+}
 
 std::string header(std::string_view name, std::string_view suffix = "") {
     return fmt::format("{}{} [{}]", name, suffix, quantity(name).unit);
@@ -76,7 +79,8 @@ void write_readings(const std::filesystem::path& path, const Measurements& measu
                                               header("line"),
                                               header("interval")};
     std::string text = fmt::format("{}\n", fmt::join(headers, ","));
-    for (const Reading& reading : measurements.readings) text += reading_row(reading, path);
+    for (const Reading& reading : measurements.readings)
+        text += reading_row(reading, path);
     write_whole(path, text);
 }
 

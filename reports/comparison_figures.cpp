@@ -112,13 +112,13 @@ Figure calibration_figure(const Calibration& c, const DirectSimulation& model) {
     const bool limit = condition.inertial_number == 0;
     for (std::size_t o = 0; o < 2; ++o) {
         Panel panel{.x_label = friction_label, .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
-        panel.references.push_back({"measured, ± standard error", measured.value[o], measured.error[o], false,
+        panel.references.push_back({"measured, ± 1 standard error", measured.value[o], measured.error[o], false,
                                     measured_colour});
-        panel.references.push_back({"calibrated, ± standard error", calibrated(c), c.fit.standard_error(0), true,
+        panel.references.push_back({"calibrated, ± 1 standard error", calibrated(c), c.fit.standard_error(0), true,
                                     calibrated_colour});
         panel.curves.push_back(runs_curve(c, model, condition, o, slow));
         curve.draw_in(panel, o, limit ? "model, I → 0" : fmt::format("model, I = {:.3g}", condition.inertial_number));
-        panel.key = o == 0 ? "bottom right" : "top right";
+        panel.key = o == 0 ? "bottom right" : "";
         figure.panels.push_back(panel);
     }
     return figure;
@@ -127,11 +127,11 @@ Figure calibration_figure(const Calibration& c, const DirectSimulation& model) {
 Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
     const auto& levels = model.inertial_numbers();
     Condition condition = c.readings.front().condition;
-    const double low = levels.front() / 2, high = std::max(levels.back() * 2, 1e-2);
+    const double low = levels.front() / 4, high = levels.back() * 2;
     ModelCurve curve;
-    // Beyond the inertial numbers simulated there is no model to show.
+    // Faster than simulated there is no model to show; slower it is extrapolated.
     for (int k = 0; k <= 60 && levels.size() > 1; ++k) {
-        condition.inertial_number = levels.front() * std::pow(levels.back() / levels.front(), k / 60.0);
+        condition.inertial_number = low * std::pow(levels.back() / low, k / 60.0);
         curve.add(condition.inertial_number, model.predict_at(calibrated(c), condition));
     }
     Figure figure{.name = "inertial_number", .title = "Against the inertial number, at the calibrated friction",
@@ -156,7 +156,7 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
             condition.inertial_number = 0;
             const auto limit = model.predict_at(calibrated(c), condition);
             const auto i = static_cast<Eigen::Index>(o);
-            panel.references.push_back({"model, extrapolated to I → 0", limit.value(i),
+            panel.references.push_back({"model, I → 0", limit.value(i),
                                         std::sqrt(limit.covariance(i, i)), false, calibrated_colour});
         }
         if (!points.x.empty()) {
@@ -172,9 +172,10 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
                                     {std::sqrt(only.covariance(i, i))}, model_colour, 5});
         }
         panel.x_range = {low, high};
+        panel.key = o == 0 ? "top left" : "";
+        panel.headroom = o == 0 ? 0.3 : 0;
         figure.panels.push_back(panel);
     }
-    figure.panels[1].key = "bottom left";
     return figure;
 }
 
@@ -183,7 +184,7 @@ Figure parity_figure(const Comparison& comparison) {
     for (std::size_t o = 0; o < 2; ++o) {
         Panel panel{.x_label = o == 0 ? "measured shear stress |σ_{12}| [Pa]" : "measured solid fraction Φ_S",
                     .y_label = o == 0 ? "predicted shear stress |σ_{12}| [Pa]" : "predicted solid fraction Φ_S"};
-        Curve points{.label = "reading, ± standard error of the difference", .colour = model_colour};
+        Curve points{.label = "reading, ± 1 standard error", .colour = model_colour};
         for (const auto& misfit : comparison.readings) {
             const auto i = static_cast<Eigen::Index>(o);
             points.x.push_back(misfit.reading.value(i));
@@ -192,6 +193,7 @@ Figure parity_figure(const Comparison& comparison) {
         }
         panel.curves.push_back(points);
         panel.diagonal = true;
+        panel.key = o == 0 ? "top left" : "";
         figure.panels.push_back(panel);
     }
     return figure;
@@ -199,8 +201,7 @@ Figure parity_figure(const Comparison& comparison) {
 
 Figure residual_figure(const Comparison& comparison) {
     Figure figure{.name = "residuals",
-                  .title = fmt::format("Residuals: χ^2 = {:.2f} for {} degrees of freedom", comparison.chi2,
-                                       comparison.dof),
+                  .title = fmt::format("Residuals: χ^2 = {:.2f}, degrees of freedom: {}", comparison.chi2, comparison.dof),
                   .panels = {}};
     const auto by_stress = [](const ReadingMisfit& m) { return m.reading.condition.normal_stress; };
     const auto by_inertia = [](const ReadingMisfit& m) { return m.reading.condition.inertial_number; };
@@ -218,6 +219,8 @@ Figure residual_figure(const Comparison& comparison) {
         }
         panel.zero_line = true;
         panel.y_least = 2.5;
+        panel.headroom = 0.2;
+        panel.key = log_x ? "top left" : "";
         return panel;
     };
     figure.panels.push_back(panel_against("normal stress σ_{22} [Pa]", by_stress, true));

@@ -66,8 +66,9 @@ std::pair<double, double> range(const Panel& panel, bool along_x) {
         }
     }
     if (!(low < high)) {
-        low = std::isfinite(low) ? low - 0.5 * std::abs(low) - 1e-3 : 0;
-        high = low + std::abs(low) + 1;
+        // One value only: it stands in the middle.
+        const double middle = std::isfinite(low) ? low : 0, reach = middle == 0 ? 1e-3 : 0.5 * std::abs(middle);
+        return {middle - reach, middle + reach};
     }
     if (along_x && panel.log_x) {
         return {low / 1.3, high * 1.3};
@@ -113,6 +114,22 @@ std::string plot_term(const Curve& curve, const std::string& block) {
                                  : fmt::format("{} using 1:2:3 with yerrorbars {} {}", block, look, title);
 }
 
+/// Tics at 1, 2 and 5 of each decade: a logarithmic axis often shows little more than one decade.
+std::string tics_1_2_5(std::pair<double, double> range) {
+    std::vector<std::string> tics;
+    const int first = static_cast<int>(std::floor(std::log10(range.first)));
+    const int last = static_cast<int>(std::ceil(std::log10(range.second)));
+    const bool wide = last - first > 3;
+    for (int decade = first; decade <= last; ++decade) {
+        for (const double digit : {1.0, 2.0, 5.0}) {
+            if (!wide || digit == 1.0) {
+                tics.push_back(fmt::format("{:g}", digit * std::pow(10.0, decade)));
+            }
+        }
+    }
+    return fmt::format("{}", fmt::join(tics, ", "));
+}
+
 std::string panel_script(const Figure& figure, std::size_t p) {
     const Panel& panel = figure.panels[p];
     const auto x = panel.x_range.value_or(range(panel, true));
@@ -120,13 +137,15 @@ std::string panel_script(const Figure& figure, std::size_t p) {
     if (panel.y_least > 0) {
         y = {std::min(y.first, -panel.y_least), std::max(y.second, panel.y_least)};
     }
+    y.second += panel.headroom / (1 - panel.headroom) * (y.second - y.first);
     const auto both = std::pair(std::min(x.first, y.first), std::max(x.second, y.second));
     const auto [xr, yr] = panel.diagonal ? std::pair(both, both) : std::pair(x, y);
     std::string text = "unset object\nunset arrow\nunset logscale\nset format x '%g'\n";
-    text += panel.log_x ? "set logscale x\nset format x '10^{%L}'\n" : "";
+    text += panel.log_x ? "set logscale x\nset xtics (" + tics_1_2_5(xr) + ")\n" : "set xtics autofreq\n";
     text += fmt::format("set xlabel {}\nset ylabel {}\n", quoted(panel.x_label), quoted(panel.y_label));
     text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", xr.first, xr.second, yr.first, yr.second);
-    text += fmt::format("set key {} opaque samplen 2\n", panel.key);
+    text += panel.key.empty() ? std::string("unset key\n") : fmt::format("set key {} samplen 2\n", panel.key);
+    text += "set lmargin 11\nset rmargin 3\n";
     int number = 1;
     std::vector<std::string> terms;
     for (const auto& reference : panel.references) {
@@ -188,15 +207,17 @@ void draw(const Figure& figure, const fs::path& folder) {
     fs::create_directories(folder);
     write_numbers(figure, folder / (figure.name + ".csv"));
     const double width = figure.stacked ? 6.0 : 5.2 * static_cast<double>(figure.panels.size());
-    const double height = figure.stacked ? 3.9 * static_cast<double>(figure.panels.size()) : 4.6;
+    const double height = figure.stacked ? 4.1 * static_cast<double>(figure.panels.size()) : 4.6;
     const struct {
         std::string_view extension, terminal;
         double scale;
     } outputs[] = {{"svg", "svg enhanced font 'DejaVu Sans,12' background rgb 'white' size", 96},
                    {"png", "pngcairo enhanced font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 size", 160},
                    {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.9 size", 0}};
+    const auto messages = folder / ("." + figure.name + ".gnuplot");
     {
-        Gnuplot gnuplot("gnuplot");
+        // Its warnings are for whoever draws, not for the user; they are kept for the error below.
+        Gnuplot gnuplot("gnuplot 2>'" + messages.string() + "'");
         gnuplot << "set encoding utf8\nset border linewidth 1.2\nset tics nomirror\nset grid linecolor rgb '#e4e4e4'\n"
                 << "set samples 2\n" << data_blocks(figure);
         for (const auto& output : outputs) {
@@ -214,9 +235,11 @@ void draw(const Figure& figure, const fs::path& folder) {
         std::error_code error;
         if (!fs::exists(file) || fs::file_size(file, error) == 0) {
             throw std::runtime_error(fmt::format("gnuplot drew nothing into {}; is gnuplot installed, and is there "
-                                                 "space on the disk?", file.string()));
+                                                 "space on the disk? Its messages: {}",
+                                                 file.string(), messages.string()));
         }
     }
+    fs::remove(messages);
 }
 
 }  // namespace pendular

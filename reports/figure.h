@@ -36,7 +36,8 @@ struct Panel {
     std::vector<Curve> curves;
     bool diagonal = false;            ///< y = x, for parity
     bool zero_line = false;
-    std::string key = "top left";     ///< where the key stands, in gnuplot's words
+    std::string key;                  ///< where the key stands, in gnuplot's words; empty: none
+    double headroom = 0;              ///< share of the height kept free above the data, for the key
     std::optional<std::pair<double, double>> x_range = {};
     double y_least = 0;               ///< the y axis reaches at least this far to both sides of zero
 };

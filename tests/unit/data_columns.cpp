@@ -104,7 +104,8 @@ TEST_F(ColumnsOf, CountTurnsInASpeedAndRadiansInAnAngularVelocity) {
 TEST_F(ColumnsOf, RefuseAWrongUnitAtItsHeader) {
     EXPECT_THAT(error("Time [s],Torque [g cm]\n1,2\n"),
                 AllOf(HasSubstr("t.csv:1:10: column 'Torque [g cm]'"), HasSubstr("'gf cm'")));
-    EXPECT_THAT(error("Normal stress [pa]\n1\n"), AllOf(HasSubstr("t.csv:1:1:"), HasSubstr("'Pa'")));
+    EXPECT_THAT(error("Normal stress [pa]\n1\n"),
+                AllOf(HasSubstr("t.csv:1:1:"), HasSubstr("'Pa'")));
     EXPECT_THAT(error("Torque [bananas]\n1\n"), HasSubstr("'bananas' is not a unit"));
     EXPECT_THAT(error("Torque\n1\n"), HasSubstr("has no unit; write 'Torque [N m]'"));
     EXPECT_THAT(error("Shear rate [rpm]\n1\n"), HasSubstr("measures"));

@@ -20,7 +20,8 @@ class ReadTable : public testing::Test {
     }
     static std::vector<std::string> texts(const Row& row) {
         std::vector<std::string> result;
-        for (const Cell& cell : row.cells) result.push_back(cell.text);
+        for (const Cell& cell : row.cells)
+            result.push_back(cell.text);
         return result;
     }
 

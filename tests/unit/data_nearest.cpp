@@ -25,7 +25,9 @@ TEST(Nearest, FindsTheWordMeant) {
     EXPECT_EQ(nearest("young_modulus", keys), "youngs_modulus");
 }
 
-TEST(Nearest, IsSilentAboutStrangers) { EXPECT_EQ(nearest("colour", keys), std::nullopt); }
+TEST(Nearest, IsSilentAboutStrangers) {
+    EXPECT_EQ(nearest("colour", keys), std::nullopt);
+}
 
 TEST(Nearest, AsksOrListsWhatIsKnown) {
     EXPECT_EQ(did_you_mean("desnity", keys), "did you mean 'density'?");

@@ -36,9 +36,10 @@ class ReadPoints : public testing::Test {
 
 TEST_F(ReadPoints, TurnsAStressRatioIntoAShearStress) {
     const Reading reading =
-        read("normal_stress [kPa],stress_ratio,stress_ratio_sd,solid_fraction [%],"
-             "solid_fraction_sd [%],inertial_number,height [mm],normal_stress_sd [kPa]\n"
-             "2,0.25,0.02,61.5,0.2,0,4,0.1\n")
+        read(
+            "normal_stress [kPa],stress_ratio,stress_ratio_sd,solid_fraction [%],"
+            "solid_fraction_sd [%],inertial_number,height [mm],normal_stress_sd [kPa]\n"
+            "2,0.25,0.02,61.5,0.2,0,4,0.1\n")
             .readings.at(0);
     EXPECT_DOUBLE_EQ(reading.value(0), 500);
     EXPECT_DOUBLE_EQ(reading.value(1), 0.615);
@@ -57,13 +58,13 @@ TEST_F(ReadPoints, TurnsAStressRatioIntoAShearStress) {
 TEST_F(ReadPoints, TakesShearStressAndRate) {
     source_.liquid_content.reset();
     const Reading reading =
-        read("liquid_content,shear_rate [1/s],normal_stress [Pa],normal_stress_sd [Pa],"
-             "shear_stress [Pa],shear_stress_sd [Pa],solid_fraction\n0.03,2,1000,40,300,5,0.6\n")
+        read(
+            "liquid_content,shear_rate [1/s],normal_stress [Pa],normal_stress_sd [Pa],"
+            "shear_stress [Pa],shear_stress_sd [Pa],solid_fraction\n0.03,2,1000,40,300,5,0.6\n")
             .readings.at(0);
     EXPECT_EQ(reading.condition.liquid_content, 0.03);
     EXPECT_EQ(reading.shear_rate, 2);
-    EXPECT_DOUBLE_EQ(reading.condition.inertial_number,
-                     inertial_number(2, 1000, study_.grains));
+    EXPECT_DOUBLE_EQ(reading.condition.inertial_number, inertial_number(2, 1000, study_.grains));
     // 5 Pa of its own and 0.3 times 40 Pa of the normal stress.
     EXPECT_NEAR(reading.covariance(0, 0), 5 * 5 + 12 * 12, 1e-9);
 }
@@ -71,11 +72,10 @@ TEST_F(ReadPoints, TakesShearStressAndRate) {
 TEST_F(ReadPoints, AcceptsTheInertialNumberOfTheOtherConvention) {
     const double rate = 2;
     const double other = rate * 500e-6 * std::sqrt(1050 / 1000.0);
-    const Reading reading =
-        read(fmt::format("normal_stress [Pa],stress_ratio,solid_fraction,"
-                         "inertial_number_diameter_density\n1000,0.3,0.6,{}\n",
-                         other))
-            .readings.at(0);
+    const Reading reading = read(fmt::format("normal_stress [Pa],stress_ratio,solid_fraction,"
+                                             "inertial_number_diameter_density\n1000,0.3,0.6,{}\n",
+                                             other))
+                                .readings.at(0);
     EXPECT_NEAR(reading.condition.inertial_number, inertial_number(rate, 1000, study_.grains),
                 1e-12);
 }
@@ -93,7 +93,8 @@ const std::string head = "normal_stress [Pa],stress_ratio,solid_fraction,inertia
 
 TEST_F(ReadPoints, RefusesMissingColumns) {
     EXPECT_THAT(error("stress_ratio\n1\n"), HasSubstr("p.csv:1: column 'normal_stress [Pa]'"));
-    EXPECT_THAT(error("normal_stress [Pa]\n1\n"), HasSubstr("'shear_stress [Pa]' or 'stress_ratio"));
+    EXPECT_THAT(error("normal_stress [Pa]\n1\n"),
+                HasSubstr("'shear_stress [Pa]' or 'stress_ratio"));
     EXPECT_THAT(error("normal_stress [Pa],stress_ratio\n1,1\n"), HasSubstr("'solid_fraction [1]'"));
     EXPECT_THAT(error("normal_stress [Pa],stress_ratio,solid_fraction\n1,1,1\n"),
                 HasSubstr("'inertial_number [1]' is missing"));
@@ -119,7 +120,8 @@ TEST_F(ReadPoints, RefusesImpossibleValues) {
     EXPECT_THAT(row_error("1000,0.3,61,0"), AllOf(HasSubstr("p.csv:2:10: "), HasSubstr("below 1")));
     EXPECT_THAT(row_error("1000,0.3,0.6,-1"), HasSubstr("p.csv:2:14: an inertial number must not"));
     EXPECT_THAT(row_error("1000,0.3,0.6,"), HasSubstr("neither shear rate nor inertial number"));
-    EXPECT_THAT(row_error("1000,,0.6,0"), HasSubstr("p.csv:2:6: column 'stress_ratio': the cell is"));
+    EXPECT_THAT(row_error("1000,,0.6,0"),
+                HasSubstr("p.csv:2:6: column 'stress_ratio': the cell is"));
     EXPECT_THAT(error(head + ",height [m]\n1000,0.3,0.6,0,-1\n"), HasSubstr("p.csv:2:16: "));
     EXPECT_THAT(error("normal_stress [Pa],stress_ratio,solid_fraction,shear_rate [1/s]\n"
                       "1000,0.3,0.6,0\n"),

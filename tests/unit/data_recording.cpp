@@ -40,7 +40,8 @@ TEST_F(ReadRecording, ConvertsToSi) {
 }
 
 TEST_F(ReadRecording, TakesOtherSpellingsOrdersAndUnits) {
-    const Recording recording = read("speed (rpm);h in um;Fn [mN];M [N.mm];t [min]\n30;2e4;5e3;30;1\n");
+    const Recording recording =
+        read("speed (rpm);h in um;Fn [mN];M [N.mm];t [min]\n30;2e4;5e3;30;1\n");
     EXPECT_THAT(recording.time, ElementsAre(60));
     EXPECT_THAT(recording.torque, ElementsAre(testing::DoubleNear(0.03, 1e-12)));
     EXPECT_THAT(recording.normal_force, ElementsAre(5));
@@ -55,9 +56,9 @@ TEST_F(ReadRecording, RefusesAMissingColumn) {
 }
 
 TEST_F(ReadRecording, RefusesATimeThatGoesBackWithinAnInterval) {
-    EXPECT_THAT(error(header + "\n1,30,5,20,0.1\n0.5,30,5,20,0.1\n"),
-                AllOf(HasSubstr("r.csv:3:1: time goes back from 1 to 0.5 s"),
-                      HasSubstr("Interval [1]")));
+    EXPECT_THAT(
+        error(header + "\n1,30,5,20,0.1\n0.5,30,5,20,0.1\n"),
+        AllOf(HasSubstr("r.csv:3:1: time goes back from 1 to 0.5 s"), HasSubstr("Interval [1]")));
     EXPECT_THAT(error(header + ",Interval\n1,30,5,20,0.1,1\n0,30,5,20,0.1,1\n"),
                 HasSubstr("r.csv:3:1: time goes back"));
     EXPECT_NO_THROW(read(header + ",Interval\n1,30,5,20,0.1,1\n0,30,5,20,0.1,2\n"));
@@ -74,7 +75,8 @@ TEST_F(ReadRecording, RefusesImpossibleCells) {
 /// A recording whose force and speed are given per row; the rest is constant.
 Recording with(const std::vector<double>& force, const std::vector<double>& speed) {
     Recording recording;
-    for (std::size_t i = 0; i < force.size(); ++i) recording.time.push_back(0.1 * i);
+    for (std::size_t i = 0; i < force.size(); ++i)
+        recording.time.push_back(0.1 * i);
     recording.line.assign(force.size(), 1);
     recording.torque.assign(force.size(), 0.03);
     recording.height.assign(force.size(), 0.02);
@@ -97,20 +99,22 @@ std::vector<double> levels(const std::vector<std::pair<double, std::size_t>>& pa
 
 std::vector<std::size_t> ends(const std::vector<Step>& steps) {
     std::vector<std::size_t> result;
-    for (const Step& step : steps) result.push_back(step.end);
+    for (const Step& step : steps)
+        result.push_back(step.end);
     return result;
 }
 
 TEST(SplitSteps, FollowsTheIntervalColumnAlone) {
     Recording recording = with(levels({{5, 30}, {10, 30}}, 0.01), levels({{0.1, 60}}, 0));
     recording.interval.assign(60, 1);
-    for (std::size_t i = 50; i < 60; ++i) recording.interval[i] = 2;
+    for (std::size_t i = 50; i < 60; ++i)
+        recording.interval[i] = 2;
     EXPECT_THAT(ends(split_steps(recording)), ElementsAre(50, 60));
 }
 
 TEST(SplitSteps, FindsEachJumpOfForceOrSpeed) {
-    const Recording recording = with(levels({{5, 100}, {10, 200}}, 0.01),
-                                     levels({{0.1, 200}, {0.11, 100}}, 0.01));
+    const Recording recording =
+        with(levels({{5, 100}, {10, 200}}, 0.01), levels({{0.1, 200}, {0.11, 100}}, 0.01));
     EXPECT_THAT(ends(split_steps(recording)), ElementsAre(100, 200, 300));
 }
 
@@ -122,8 +126,8 @@ TEST(SplitSteps, IgnoresChangesBelowFivePercent) {
 
 TEST(SplitSteps, IgnoresSpikesAndExcursionsThatReturn) {
     for (const std::size_t rows : {1, 5, 12, 18}) {
-        const Recording recording = with(levels({{5, 100}, {9, rows}, {5, 100}}, 0.01),
-                                         levels({{0.1, 200 + rows}}, 0.001));
+        const Recording recording =
+            with(levels({{5, 100}, {9, rows}, {5, 100}}, 0.01), levels({{0.1, 200 + rows}}, 0.001));
         EXPECT_THAT(ends(split_steps(recording)), ElementsAre(200 + rows)) << rows;
     }
 }
@@ -147,8 +151,8 @@ TEST(SplitSteps, IsNotFooledByRampsAndSlowWaves) {
 }
 
 TEST(SplitSteps, GivesTheRowsWhileALidSpinsUpToTheStepTheyLeadTo) {
-    const Recording recording = with(levels({{5, 215}}, 0.01),
-                                     levels({{0, 15}, {0.1, 100}, {0.15, 8}, {0.2, 92}}, 0.01));
+    const Recording recording =
+        with(levels({{5, 215}}, 0.01), levels({{0, 15}, {0.1, 100}, {0.15, 8}, {0.2, 92}}, 0.01));
     EXPECT_THAT(ends(split_steps(recording)), ElementsAre(115, 215));
 }
 

@@ -32,7 +32,8 @@ TEST(Replicates, AreTheSameConditionWithinTwoPercent) {
     all.readings[4].condition.inertial_number = 0.0103;
     pool_replicates(all);
     std::vector<int> counts;
-    for (const Reading& each : all.readings) counts.push_back(each.replicates);
+    for (const Reading& each : all.readings)
+        counts.push_back(each.replicates);
     EXPECT_THAT(counts, testing::ElementsAre(2, 2, 1, 1, 1));
 }
 
@@ -67,9 +68,9 @@ TEST(Replicates, RecoverAPlantedScatterAndItsCorrelation) {
     for (int i = 0; i < 200; ++i) {
         for (int j = 0; j < 2; ++j) {
             const double a = normal(random), b = 0.8 * a + 0.6 * normal(random);
-            all.readings.push_back(reading(
-                1000 * (1 + i), 0.3 * (1 + 0.015 * a + 0.005 * normal(random)),
-                0.6 * (1 + 0.015 * b + 0.005 * normal(random)), 0.005));
+            all.readings.push_back(reading(1000 * (1 + i),
+                                           0.3 * (1 + 0.015 * a + 0.005 * normal(random)),
+                                           0.6 * (1 + 0.015 * b + 0.005 * normal(random)), 0.005));
         }
     }
     pool_replicates(all);

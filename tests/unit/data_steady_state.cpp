@@ -75,13 +75,14 @@ TEST(ReduceRecording, GivesTheStateOfASteadyRecording) {
 
 TEST(ReduceRecording, HasHonestErrors) {
     // 400 recordings: the squared standardised errors average 1 with a standard deviation of
-    // sqrt(2/400) = 0.07 and 10 % for the error's own bias (data_time_series.cpp): 0.3 is 3 of both.
+    // sqrt(2/400) = 0.07 and 10 % for the error's own bias (data_time_series.cpp): 0.3 is 3 of
+    // both.
     const Truth truth{.force_noise = 0.01};
     double stress = 0, fraction = 0;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         const Reading reading = reduce(record(truth, seed)).readings.at(0);
-        const double expected = shear_stress(truth.torque, cell) / normal_stress(truth.force, cell) *
-                                reading.condition.normal_stress;
+        const double expected = shear_stress(truth.torque, cell) /
+                                normal_stress(truth.force, cell) * reading.condition.normal_stress;
         stress += std::pow(reading.value(0) - expected, 2) / reading.covariance(0, 0);
         fraction += std::pow(reading.value(1) - solid_fraction(truth.height, cell), 2) /
                     reading.covariance(1, 1);
@@ -174,7 +175,8 @@ TEST(ReduceRecording, NumbersStepsAndReducesEach) {
 TEST(ReduceRecording, FlipsAWhollyNegativeTorqueWithANote) {
     const Reading expected = reduce(record({})).readings.at(0);
     Recording recording = record({});
-    for (double& torque : recording.torque) torque = -torque;
+    for (double& torque : recording.torque)
+        torque = -torque;
     const Measurements found = reduce(recording);
     EXPECT_DOUBLE_EQ(found.readings.at(0).value(0), expected.value(0));
     ASSERT_EQ(found.notes.size(), 1u);
@@ -184,7 +186,8 @@ TEST(ReduceRecording, FlipsAWhollyNegativeTorqueWithANote) {
 TEST(ReduceRecording, RefusesATorqueOfBothSigns) {
     const auto error = [](const std::function<double(std::size_t)>& sign) {
         Recording recording = record({});
-        for (std::size_t i = 0; i < recording.size(); ++i) recording.torque[i] *= sign(i);
+        for (std::size_t i = 0; i < recording.size(); ++i)
+            recording.torque[i] *= sign(i);
         return input_error([&] { reduce(recording); });
     };
     const auto half = [](std::size_t i) { return i < 200 ? 1.0 : -1.0; };

@@ -15,7 +15,9 @@ struct Correlated {
     double rho;
 };
 
-void PrintTo(const Correlated& c, std::ostream* out) { *out << "n" << c.n << " rho" << c.rho; }
+void PrintTo(const Correlated& c, std::ostream* out) {
+    *out << "n" << c.n << " rho" << c.rho;
+}
 
 class StandardError : public testing::TestWithParam<Correlated> {};
 
@@ -59,7 +61,8 @@ TEST(MeanOfCorrelated, ScalesWithTheUnit) {
     std::mt19937_64 random(3);
     std::vector<double> series = autoregressive(200, 0.7, random);
     const Mean plain = mean_of_correlated(series);
-    for (double& sample : series) sample = 1000 * sample + 5e4;
+    for (double& sample : series)
+        sample = 1000 * sample + 5e4;
     const Mean scaled = mean_of_correlated(series);
     EXPECT_NEAR(scaled.standard_error, 1000 * plain.standard_error, 1e-6);
     EXPECT_NEAR(scaled.correlation_samples, plain.correlation_samples, 1e-6);
@@ -95,13 +98,14 @@ TEST(CovarianceOfMeans, MakesTheErrorOfADifferenceHonest) {
         for (int i = 0; i < series_count; ++i) {
             const std::vector<double> x = autoregressive(300, rho, random);
             std::vector<double> y = autoregressive(300, rho, random);
-            for (std::size_t t = 0; t < y.size(); ++t) y[t] = 0.6 * x[t] + 0.8 * y[t];
+            for (std::size_t t = 0; t < y.size(); ++t)
+                y[t] = 0.6 * x[t] + 0.8 * y[t];
             const Mean mx = mean_of_correlated(x), my = mean_of_correlated(y);
             const double shared = covariance_of_means(x, y);
             correlation += shared / (mx.standard_error * my.standard_error);
-            squares += std::pow(mx.value - my.value, 2) /
-                       (std::pow(mx.standard_error, 2) + std::pow(my.standard_error, 2) -
-                        2 * shared);
+            squares +=
+                std::pow(mx.value - my.value, 2) /
+                (std::pow(mx.standard_error, 2) + std::pow(my.standard_error, 2) - 2 * shared);
         }
         EXPECT_NEAR(squares / series_count, 1, 0.2) << rho;
         EXPECT_NEAR(correlation / series_count, 0.6, 0.03) << rho;
@@ -134,7 +138,8 @@ TEST(EndOfTransient, KeepsNearlyAllOfASteadySeries) {
     // Measured over 3000 series of n = 300: cut 2 % on average, 0.1 % found unsteady.
     std::mt19937_64 random(4);
     std::size_t cut = 0;
-    for (int i = 0; i < 200; ++i) cut += end_of_transient(autoregressive(300, 0, random)).value();
+    for (int i = 0; i < 200; ++i)
+        cut += end_of_transient(autoregressive(300, 0, random)).value();
     EXPECT_LT(static_cast<double>(cut) / 200, 0.05 * 300);
 }
 
@@ -143,7 +148,8 @@ TEST(EndOfTransient, SeldomRefusesShortSteadySeries) {
     // exceeded with a probability below 1e-4 at that rate.
     std::mt19937_64 random(6);
     int refused = 0;
-    for (int i = 0; i < 500; ++i) refused += !end_of_transient(autoregressive(50, 0, random));
+    for (int i = 0; i < 500; ++i)
+        refused += !end_of_transient(autoregressive(50, 0, random));
     EXPECT_LE(refused, 5);
 }
 
@@ -151,7 +157,8 @@ TEST(EndOfTransient, RefusesADrift) {
     std::mt19937_64 random(8);
     for (int i = 0; i < 50; ++i) {
         std::vector<double> series = autoregressive(200, 0, random);
-        for (std::size_t t = 0; t < series.size(); ++t) series[t] += 0.1 * static_cast<double>(t);
+        for (std::size_t t = 0; t < series.size(); ++t)
+            series[t] += 0.1 * static_cast<double>(t);
         EXPECT_EQ(end_of_transient(series), std::nullopt);
     }
 }

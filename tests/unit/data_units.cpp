@@ -91,7 +91,9 @@ TEST(Units, ReadCommonSpellings) {
     }
 }
 
-TEST(Units, KeepOffsets) { EXPECT_NEAR(Unit("degC").to_si(20), 293.15, 1e-9); }
+TEST(Units, KeepOffsets) {
+    EXPECT_NEAR(Unit("degC").to_si(20), 293.15, 1e-9);
+}
 
 TEST(Units, TellApartWhatMeasuresDifferentThings) {
     EXPECT_FALSE(Unit("mN m").same_dimension(Unit("mN/m")));
@@ -145,10 +147,13 @@ TEST(Units, CanBeReadFromSeveralThreads) {
     std::vector<double> sums(4, 0);
     for (double& sum : sums)
         threads.emplace_back([&sum] {
-            for (int i = 0; i < 200; ++i) sum += Unit(i % 2 ? "kPa" : "mNm").to_si(1);
+            for (int i = 0; i < 200; ++i)
+                sum += Unit(i % 2 ? "kPa" : "mNm").to_si(1);
         });
-    for (std::thread& thread : threads) thread.join();
-    for (const double sum : sums) EXPECT_NEAR(sum, 100 * (1e3 + 1e-3), 1e-6);
+    for (std::thread& thread : threads)
+        thread.join();
+    for (const double sum : sums)
+        EXPECT_NEAR(sum, 100 * (1e3 + 1e-3), 1e-6);
 }
 
 }  // namespace
