@@ -29,8 +29,8 @@ int import(const std::vector<std::string>& arguments) {
     const auto readings = common->out_folder() / "readings.csv";
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
-    console.line(fmt::format("{} readings, {} excluded ranges of rows: {}", measurements.readings.size(),
-                             measurements.excluded.size(), readings.string()));
+    console.line(fmt::format("readings: {}, ranges of rows excluded: {}; see {} and excluded.csv beside it",
+                             measurements.readings.size(), measurements.excluded.size(), readings.string()));
     for (const auto& line : readings_table(measurements)) {
         console.line(line);
     }

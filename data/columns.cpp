@@ -50,17 +50,6 @@ std::string_view read_as(const Quantity& quantity) {
 Columns::Columns(const Table& table) : table_(table) {
     for (std::size_t i = 0; i < table.header.cells.size(); ++i)
         add(i);
-    for (const Column& column : columns_) {
-        const auto same = [&](const Column& other) {
-            return other.name == column.name && other.deviation == column.deviation;
-        };
-        const auto last = std::find_if(columns_.rbegin(), columns_.rend(), same);
-        if (last->index != column.index)
-            throw InputError(table.at_header(last->index),
-                             fmt::format("'{}' and '{}' are the same quantity; remove one",
-                                         table.header.cells[column.index].text,
-                                         table.header.cells[last->index].text));
-    }
 }
 
 void Columns::add(std::size_t index) {
@@ -77,10 +66,9 @@ void Columns::add(std::size_t index) {
             const double further = further_factor(*quantity, unit);
             column.offset = cell.deviation ? 0 : further * unit.to_si(0);
             column.factor = further * (unit.to_si(1) - unit.to_si(0));
-        } catch (const std::invalid_argument& wrong) {
-            throw InputError(
-                table_.at_header(index),
-                fmt::format("column '{}': {}", table_.header.cells[index].text, wrong.what()));
+        } catch (const std::invalid_argument& error) {
+            column.wrong =
+                fmt::format("column '{}': {}", table_.header.cells[index].text, error.what());
         }
     }
     columns_.push_back(column);
@@ -99,9 +87,18 @@ std::string Columns::unit_of(const HeaderCell& cell, const Quantity& quantity) c
 }
 
 const Columns::Column* Columns::find(std::string_view name, bool deviation) const {
-    for (const Column& column : columns_)
-        if (column.name == name && column.deviation == deviation) return &column;
-    return nullptr;
+    const Column* found = nullptr;
+    for (const Column& column : columns_) {
+        if (column.name != name || column.deviation != deviation) continue;
+        if (!column.wrong.empty()) throw InputError(table_.at_header(column.index), column.wrong);
+        if (found)
+            throw InputError(table_.at_header(column.index),
+                             fmt::format("'{}' and '{}' are the same quantity; remove one",
+                                         table_.header.cells[found->index].text,
+                                         table_.header.cells[column.index].text));
+        found = &column;
+    }
+    return found;
 }
 
 void Columns::require(std::string_view name) const {

@@ -20,13 +20,13 @@ namespace pendular {
 /// not say so, and is read as `angular_velocity`.
 class Columns {
   public:
-    /// Keeps a reference to the table.
-    /// @throws InputError at the header cell for a unit that is none or of the wrong dimension, and
-    ///         for two columns of one quantity
+    /// Keeps a reference to the table. What is wrong with a header cell is said by the functions
+    /// below when its column is asked for, so that columns nobody needs may read as they like.
     explicit Columns(const Table& table);
 
+    /// @throws InputError, like all that follow, at the header cell for a unit that is none or of
+    ///         the wrong dimension, and for two columns of one quantity
     bool has(std::string_view name) const { return find(name, false) != nullptr; }
-    bool has_deviation(std::string_view name) const { return find(name, true) != nullptr; }
 
     /// @throws InputError naming the column and those that were found, if it is not there
     void require(std::string_view name) const;
@@ -58,6 +58,7 @@ class Columns {
         double factor = 1;
         double offset = 0;
         std::size_t index = 0;
+        std::string wrong = {};  ///< with its unit, if anything
     };
 
     void add(std::size_t index);

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "data/step_series.h"
 #include "data/time_series.h"
@@ -50,7 +48,6 @@ std::string unusable(const Means& means) {
             "the mean normal force is {:.3g} N, no compression; compression must be "
             "positive",
             means.normal_force.value);
-    if (!turns(means.angular_velocity)) return "the lid does not turn";
     if (means.torque.value <= 2 * std::sqrt(means.covariance(0, 0)))
         return "the mean torque is zero within twice its standard error";
     return "";
@@ -78,21 +75,19 @@ Reading reading_of(const Means& means, const StepSeries& steady, int number,
     return reading;
 }
 
-Excluded left_out(const StepSeries& series, std::size_t begin, std::size_t end,
-                  const Setting& setting, const std::string& reason) {
-    return {{setting.recording.file, series.line[begin], 0}, series.line[end - 1], reason};
-}
-
 /// Adds the reading of one step, or what was left out and why.
 void reduce_step(const StepSeries& series, int number, const Setting& setting,
                  Measurements& result) {
     const auto exclude = [&](std::size_t end, const std::string& reason) {
-        result.excluded.push_back(
-            left_out(series, 0, end, setting, fmt::format("step {}: {}", number, reason)));
+        result.excluded.push_back({{setting.recording.file, series.line.front(), 0},
+                                   series.line[end - 1],
+                                   fmt::format("step {}: {}", number, reason)});
     };
     if (series.size() < shortest_step)
         return exclude(series.size(),
                        fmt::format("has {} rows, {} are needed", series.size(), shortest_step));
+    if (!turns(mean_of_correlated(series.angular_velocity)))
+        return exclude(series.size(), "the lid does not turn");
     std::string why;
     const auto begin = end_of_transient(series, why);
     if (!begin) return exclude(series.size(), why);
@@ -109,7 +104,7 @@ void reduce_step(const StepSeries& series, int number, const Setting& setting,
     result.readings.push_back(reading_of(means, steady, number, setting));
 }
 
-/// Steps as "1, 3".
+/// Adds a note on some steps of a file, if there are any.
 void note_steps(const std::vector<int>& steps, const std::string& file, const std::string& what,
                 Measurements& result) {
     if (steps.empty()) return;

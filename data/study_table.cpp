@@ -42,7 +42,8 @@ StudyTable StudyTable::parse(const std::string& file, const std::string& text,
 }
 
 StudyTable::StudyTable(std::shared_ptr<const toml::table> root, const toml::table& table,
-                       std::string file, std::string name, const std::vector<std::string>& keys)
+                       const std::string& file, std::string name,
+                       const std::vector<std::string>& keys)
     : root_(std::move(root)), table_(&table), name_(std::move(name)) {
     position_ = position_in(file, table.source().begin);
     check_keys(table, file, name_, keys);
@@ -128,7 +129,7 @@ std::optional<std::string> StudyTable::text(std::string_view key) const {
 }
 
 std::string StudyTable::choice(std::string_view key, const std::vector<std::string>& words) const {
-    const std::string word = text(key).value_or(words.front());
+    std::string word = text(key).value_or(words.front());
     if (std::find(words.begin(), words.end(), word) == words.end())
         refuse(key, fmt::format("unknown \"{}\"; {}", word, did_you_mean(word, words)));
     return word;

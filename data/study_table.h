@@ -56,8 +56,8 @@ class StudyTable {
     [[noreturn]] void refuse(std::string_view key, const std::string& message) const;
 
   private:
-    StudyTable(std::shared_ptr<const toml::table> root, const toml::table& table, std::string file,
-               std::string name, const std::vector<std::string>& keys);
+    StudyTable(std::shared_ptr<const toml::table> root, const toml::table& table,
+               const std::string& file, std::string name, const std::vector<std::string>& keys);
 
     Position position_of(const toml::node& node) const;
 

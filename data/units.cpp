@@ -9,9 +9,9 @@
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "data/nearest.h"
 #include "data/number.h"
 
 namespace pendular {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "data/time_series.h"
+#include "sim/dem/simulation_error.h"
 
 namespace pendular::dem {
 
@@ -62,12 +63,6 @@ struct RunResult {
     double particle_steps_per_second() const {
         return static_cast<double>(steps) * parameters.beads / wall_seconds;
     }
-};
-
-/// The simulation cannot go on: a state that is not finite, a sample that never reached its stress.
-class SimulationError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
 };
 
 /// The user asked to stop.

@@ -1,5 +1,7 @@
 #include "sim/dem/shear_cell.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "sim/dem/simd.h"
+#include "sim/dem/simulation_error.h"
 
 namespace pendular::dem {
 namespace {
@@ -188,6 +191,7 @@ double ShearCell::solid_fraction() const {
 void ShearCell::step() {
     const PairSums sums = pair_forces(beads_, pairs_.narrow(), cell_, flow_, material_, time_step_);
     measure_stress(sums);
+    check_state();
     if (servo_) {
         const double modulus = servo_modulus * std::cbrt(material_.modulus * material_.modulus);
         flow_.height_rate = (stress_.s22 - 1) / modulus;
@@ -208,6 +212,15 @@ void ShearCell::measure_stress(const PairSums& sums) {
     stress_.s12 = (sums.virial_12 + KineticSums::sum(kinetic.xy)) / volume;
     largest_overlap_ = sums.largest_overlap;
     recent_overlap_ = std::max(recent_overlap_, largest_overlap_);
+}
+
+void ShearCell::check_state() const {
+    // At once, before a position that is no number reaches the bins of the neighbour search.
+    if (!std::isfinite(stress_.s22) || largest_overlap_ > 0.5) {
+        throw SimulationError(fmt::format("the simulation blew up at strain {:.3g} (largest overlap {:.2g} diameters); "
+                                          "lower the damping or the inertial number, or raise the stiffness number",
+                                          strain_, largest_overlap_));
+    }
 }
 
 void ShearCell::advance() {

@@ -34,6 +34,7 @@ class ShearCell {
     static constexpr double time_step_fraction = 0.2;
 
     /// One step of the leapfrog: forces at x(t) from v(t - dt/2), then velocities, then positions.
+    /// @throws SimulationError where the state is no longer finite
     void step();
 
     /// Closes the gaps of the initial state at a constant rate until s22 first reaches its target.
@@ -58,6 +59,7 @@ class ShearCell {
 
   private:
     void place_at_random(std::uint64_t seed);
+    void check_state() const;
     void measure_stress(const PairSums& sums);
     void advance();
     void follow_stiffest_contact();

@@ -49,14 +49,11 @@ class BondOrder {
 
 }  // namespace
 
-Structure structure_of(const ShearCell& sample) {
-    const Beads& beads = sample.beads();
-    const Cell& cell = sample.cell();
-    const Pairs& pairs = sample.pairs().narrow();
+Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& pairs) {
     Structure structure;
     BondOrder order;
     double contacts = 0;
-    for (std::size_t k = 0; k < sample.pairs().live(); ++k) {
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
         if (pairs.root[k] <= 0) {
             continue;
         }
@@ -80,14 +77,12 @@ Structure structure_of(const ShearCell& sample) {
     return structure;
 }
 
-void VelocityProfile::add(const ShearCell& sample) {
-    const double height = sample.cell().height;
+void VelocityProfile::add(const Beads& beads, double height) {
     if (velocity_.empty()) {
         velocity_.assign(static_cast<std::size_t>(std::lround(height)), 0.0);
         count_.assign(velocity_.size(), 0.0);
     }
     const auto bins = static_cast<double>(velocity_.size());
-    const Beads& beads = sample.beads();
     for (std::size_t i = 0; i < beads.size(); ++i) {
         const double place = beads.y[i] / height;
         const auto bin = static_cast<std::size_t>((place - std::floor(place)) * bins);
@@ -96,19 +91,14 @@ void VelocityProfile::add(const ShearCell& sample) {
     }
 }
 
-double VelocityProfile::localization(const ShearCell& sample) const {
-    const double across = sample.cell().height * sample.shear_rate();
+double VelocityProfile::localization(double height, double shear_rate) const {
+    const double across = height * shear_rate;
     double sum = 0;
     for (std::size_t bin = 0; bin < velocity_.size(); ++bin) {
         const double mean = count_[bin] > 0 ? velocity_[bin] / count_[bin] : 0.0;
         sum += mean * mean;
     }
     return velocity_.empty() ? 0 : 12 * sum / (static_cast<double>(velocity_.size()) * across * across);
-}
-
-void VelocityProfile::clear() {
-    velocity_.clear();
-    count_.clear();
 }
 
 }  // namespace pendular::dem

@@ -2,7 +2,9 @@
 
 #include <vector>
 
-#include "sim/dem/shear_cell.h"
+#include "sim/dem/beads.h"
+#include "sim/dem/cell.h"
+#include "sim/dem/pair_list.h"
 
 namespace pendular::dem {
 
@@ -14,23 +16,22 @@ struct Structure {
     double bond_order = 0;            ///< global Steinhardt Q6 of the contacts [1]
 };
 
-/// Contacts, fabric, overlap and bond order of the current state.
+/// Contacts, fabric, overlap and bond order of a state; pairs with a remembered overlap are contacts.
 ///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2)
 /// 0 for isotropic directions up to 1/sqrt(contacts); 0.575 for the fcc lattice, 0.485 for hcp.
 /// Source: Steinhardt, Nelson, Ronchetti, Phys. Rev. B 28 (1983) 784.
-Structure structure_of(const ShearCell& sample);
+Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& pairs);
 
 /// Velocity profile across the gradient, averaged over several instants, and its departure from
 /// uniform shear.
 class VelocityProfile {
   public:
-    /// Adds the peculiar velocities of the current state, in bins of about one diameter.
-    void add(const ShearCell& sample);
+    /// Adds the peculiar velocities of a state of height H [diameters], in bins of about one diameter.
+    void add(const Beads& beads, double height);
     /// Localization [1]: 0 uniform shear, 1 an infinitely thin band.
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
     /// Source: Badetti et al. (2018), eq:defdelta.
-    double localization(const ShearCell& sample) const;
-    void clear();
+    double localization(double height, double shear_rate) const;
 
   private:
     std::vector<double> velocity_;   ///< summed per bin

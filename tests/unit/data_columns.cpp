@@ -60,8 +60,8 @@ class ColumnsOf : public testing::Test {
         columns_.emplace(table_);
         return *columns_;
     }
-    std::string error(const std::string& content) {
-        return input_error([&] { read(content); });
+    std::string error(const std::string& content, const char* name) {
+        return input_error([&] { read(content).require(name); });
     }
     const Row& row(std::size_t i = 0) const { return table_.rows.at(i); }
 
@@ -97,23 +97,28 @@ TEST_F(ColumnsOf, CountTurnsInASpeedAndRadiansInAnAngularVelocity) {
     EXPECT_DOUBLE_EQ(read("Angular velocity [rpm]\n60\n").value(row(), "angular_velocity"), turn);
     EXPECT_DOUBLE_EQ(read("Angular velocity [1/s]\n2\n").value(row(), "angular_velocity"), 2);
     EXPECT_DOUBLE_EQ(read("omega [rad/s]\n2\n").value(row(), "angular_velocity"), 2);
-    EXPECT_THAT(error("x,Angular velocity [1/min]\n1,60\n"),
+    EXPECT_THAT(error("x,Angular velocity [1/min]\n1,60\n", "angular_velocity"),
                 AllOf(HasSubstr("t.csv:1:3:"), HasSubstr("turns or radians"), HasSubstr("rpm")));
 }
 
 TEST_F(ColumnsOf, RefuseAWrongUnitAtItsHeader) {
-    EXPECT_THAT(error("Time [s],Torque [g cm]\n1,2\n"),
+    EXPECT_THAT(error("Time [s],Torque [g cm]\n1,2\n", "torque"),
                 AllOf(HasSubstr("t.csv:1:10: column 'Torque [g cm]'"), HasSubstr("'gf cm'")));
-    EXPECT_THAT(error("Normal stress [pa]\n1\n"),
+    EXPECT_THAT(error("Normal stress [pa]\n1\n", "normal_stress"),
                 AllOf(HasSubstr("t.csv:1:1:"), HasSubstr("'Pa'")));
-    EXPECT_THAT(error("Torque [bananas]\n1\n"), HasSubstr("'bananas' is not a unit"));
-    EXPECT_THAT(error("Torque\n1\n"), HasSubstr("has no unit; write 'Torque [N m]'"));
-    EXPECT_THAT(error("Shear rate [rpm]\n1\n"), HasSubstr("measures"));
+    EXPECT_THAT(error("Torque [bananas]\n1\n", "torque"), HasSubstr("'bananas' is not a unit"));
+    EXPECT_THAT(error("Torque\n1\n", "torque"), HasSubstr("has no unit; write 'Torque [N m]'"));
+    EXPECT_THAT(error("Shear rate [rpm]\n1\n", "shear_rate"), HasSubstr("measures"));
 }
 
 TEST_F(ColumnsOf, RefuseTwoColumnsOfOneQuantity) {
-    EXPECT_THAT(error("Gap [mm],Height [mm]\n1,2\n"),
+    EXPECT_THAT(error("Gap [mm],Height [mm]\n1,2\n", "height"),
                 AllOf(HasSubstr("t.csv:1:10:"), HasSubstr("'Gap [mm]' and 'Height [mm]'")));
+}
+
+TEST_F(ColumnsOf, LeaveColumnsAloneThatNobodyNeeds) {
+    const Columns& columns = read("Torque,Torque [kg],Gap [mm]\n1,2,3\n");
+    EXPECT_DOUBLE_EQ(columns.value(row(), "height"), 3e-3);
 }
 
 TEST_F(ColumnsOf, NameAMissingColumnAndThoseFound) {

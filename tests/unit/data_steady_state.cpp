@@ -193,13 +193,20 @@ TEST(ReduceRecording, RefusesATorqueOfBothSigns) {
     const auto half = [](std::size_t i) { return i < 200 ? 1.0 : -1.0; };
     const auto few = [](std::size_t i) { return i >= 100 && i < 108 ? -1.0 : 1.0; };
     const auto weak = [](std::size_t i) { return i < 200 ? -1.0 : 0.1; };
-    const auto alternating = [](std::size_t i) { return i % 2 ? -1.0 : 1.0; };
+    const auto alternating = [](std::size_t i) { return i % 3 ? 1.0 : -1.0; };
     const auto wave = [](std::size_t i) { return std::sin(0.05 * static_cast<double>(i)); };
     EXPECT_THAT(error(half), HasSubstr("r.csv:202: the torque changes its sign within a step"));
     EXPECT_THAT(error(few), HasSubstr("r.csv:102: the torque changes its sign"));
     EXPECT_THAT(error(weak), HasSubstr("r.csv:202: the torque changes its sign"));
     EXPECT_THAT(error(alternating), HasSubstr("the torque changes its sign"));
     EXPECT_THAT(error(wave), HasSubstr("the torque changes its sign"));
+}
+
+TEST(ReduceRecording, LetsTheTorqueRelaxThroughZeroWhileTheLidRests) {
+    Recording recording = record({.speed = 0});
+    for (std::size_t i = 0; i < recording.size(); ++i)
+        recording.torque[i] *= i < 200 ? 1 : -0.1;
+    EXPECT_THAT(reduce(recording).excluded.at(0).reason, HasSubstr("does not turn"));
 }
 
 TEST(ReduceRecording, TakesNoiseAroundZeroForNoise) {

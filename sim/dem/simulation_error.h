@@ -1,0 +1,13 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace pendular::dem {
+
+/// The simulation cannot go on: a state that is not finite, a sample that never reached its stress.
+class SimulationError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace pendular::dem

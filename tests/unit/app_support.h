@@ -1,0 +1,33 @@
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "data_support.h"
+
+inline std::string content_of(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/// What the real program did.
+struct Outcome {
+    int code = -1;
+    std::string output, errors;
+};
+
+/// Runs `pendular` with these words as a user's shell would.
+inline Outcome run_pendular(const std::string& words) {
+    const pendular::TemporaryFolder folder;
+    const std::string command = std::string(PENDULAR_PROGRAM) + " " + words + " >" + (folder.path() / "out").string() +
+                                " 2>" + (folder.path() / "err").string();
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(folder.path() / "out"), content_of(folder.path() / "err")};
+}

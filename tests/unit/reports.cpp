@@ -1,0 +1,167 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app_support.h"
+#include "analysis/compare.h"
+#include "data/input_error.h"
+#include "reports/comparison_figures.h"
+#include "reports/json.h"
+#include "reports/tables.h"
+
+using namespace pendular;
+using testing::HasSubstr;
+
+namespace {
+
+Reading reading(double normal_stress, double inertial_number, double ratio, double fraction) {
+    Reading r;
+    r.origin = {"points.csv", 3};
+    r.condition = {.normal_stress = normal_stress, .inertial_number = inertial_number};
+    r.value << ratio * normal_stress, fraction;
+    const double error = 0.02 * ratio * normal_stress;
+    r.covariance << error * error, 0.3 * error * 0.002, 0.3 * error * 0.002, 4e-6;
+    return r;
+}
+
+/// Six readings of three conditions and a correlated prediction.
+struct Example {
+    std::vector<Reading> readings;
+    Prediction prediction;
+
+    Example() {
+        for (const double stress : {500.0, 1000.0, 2000.0}) {
+            readings.push_back(reading(stress, 0.003, 0.30, 0.612));
+            readings.push_back(reading(1.005 * stress, 0.003, 0.28, 0.615));
+        }
+        const auto n = static_cast<Eigen::Index>(2 * readings.size());
+        prediction.value.resize(n);
+        prediction.jacobian = Eigen::MatrixXd::Ones(n, 1);
+        Eigen::VectorXd shared(n);
+        for (Eigen::Index k = 0; k < n / 2; ++k) {
+            const double stress = readings[static_cast<std::size_t>(k)].condition.normal_stress;
+            prediction.value.segment<2>(2 * k) << 0.29 * stress, 0.613;
+            shared.segment<2>(2 * k) << 0.003 * stress, -0.0005;
+        }
+        prediction.covariance = shared * shared.transpose();
+    }
+};
+
+}  // namespace
+
+TEST(Compare, SplitsChi2SoThatItsPartsAddUp) {
+    const Example e;
+    const Comparison c = compare(e.readings, e.prediction, 1);
+    const Measured measured = stack(e.readings);
+    const Eigen::VectorXd misfit = measured.value - e.prediction.value;
+    const double chi2 = misfit.dot((measured.covariance + e.prediction.covariance).inverse() * misfit);
+    EXPECT_NEAR(c.chi2, chi2, 1e-9 * chi2);
+    EXPECT_EQ(c.dof, 11);
+    EXPECT_EQ(c.by_condition.size(), 3u);   // replicates share a condition
+    double by_condition = 0, by_reading = 0;
+    for (const auto& group : c.by_condition) {
+        by_condition += group.chi2;
+    }
+    for (const auto& one : c.readings) {
+        by_reading += one.chi2.sum();
+    }
+    EXPECT_NEAR(by_condition, chi2, 1e-9 * chi2);
+    EXPECT_NEAR(by_reading, chi2, 1e-9 * chi2);
+    EXPECT_NEAR(c.by_observable[0] + c.by_observable[1], chi2, 1e-9 * chi2);
+    const double low = 0.29 / 0.30 - 1, high = 0.29 / 0.28 - 1;
+    EXPECT_NEAR(c.rms_percent[0], 100 * std::sqrt((low * low + high * high) / 2), 1e-9);
+}
+
+TEST(Compare, SeesAResidualThatGoesWithTheNormalStress) {
+    Example e;
+    for (std::size_t k = 0; k < e.readings.size(); ++k) {
+        e.readings[k].value(0) = e.prediction.value(static_cast<Eigen::Index>(2 * k)) + 20;   // a constant offset
+    }
+    const Comparison c = compare(e.readings, e.prediction, 1);
+    const auto trend = std::ranges::find(c.trends, "normal_stress", &Trend::covariate);
+    ASSERT_NE(trend, c.trends.end());
+    EXPECT_LT(trend->correlation[0], -0.9);   // 20 Pa counts for more where the stress is low
+    EXPECT_LT(trend->p[0], 0.02);
+    EXPECT_GT(trend->p[1], 0.05);
+}
+
+TEST(Json, GivesARunBackAsItWas) {
+    const auto run = dem::run({.friction = 0.2, .inertial_number = 0.05, .stiffness_number = 300, .beads = 100,
+                               .strain = 1, .seed = 5});
+    const auto back = run_from_json(nlohmann::ordered_json::parse(to_json(run).dump()));
+    for (std::size_t k = 0; k < dem::observable_count; ++k) {
+        EXPECT_EQ(back.means[k].value, run.means[k].value);
+        EXPECT_EQ(back.means[k].standard_error, run.means[k].standard_error);
+    }
+    EXPECT_EQ(back.covariance, run.covariance);
+    EXPECT_EQ(back.parameters.seed, 5u);
+    EXPECT_EQ(back.steps, run.steps);
+    EXPECT_EQ(back.crystallised, run.crystallised);
+}
+
+namespace {
+
+Study study() {
+    Study s;
+    s.grains = {.diameter = 5e-4, .density = 1050};
+    return s;
+}
+
+Calibration small_calibration() {
+    Measurements m;
+    m.readings = {reading(500, 0.05, 0.36, 0.60), reading(1000, 0.05, 0.36, 0.60)};
+    return calibrate_study(study(), m, {.fidelity = {"tiny", 100, 300, 0.03, 1}, .seed = 2}, {.threads = 2});
+}
+
+}  // namespace
+
+TEST(FitFile, IsReadBackForTheSameReadingsOnly) {
+    const TemporaryFolder folder;
+    const Calibration c = small_calibration();
+    const auto file = folder.path() / "fit.json";
+    write_json(file, to_json(c, compare(c.readings, c.fit.prediction, 1)));
+    const Calibration back = read_calibration(file, c.readings);
+    EXPECT_EQ(back.fit.parameters(0), c.fit.parameters(0));
+    EXPECT_EQ(back.runs.size(), c.runs.size());
+    const Prediction again = model_of(study(), back).predict(back.fit.parameters);
+    EXPECT_LT((again.value - c.fit.prediction.value).norm(), 1e-9 * again.value.norm());
+
+    auto others = c.readings;
+    others[0].value(0) *= 1.01;
+    EXPECT_THROW(read_calibration(file, others), InputError);
+    EXPECT_THROW(read_calibration(folder.path() / "none.json", c.readings), InputError);
+    folder.write("cut.json", content_of(file).substr(0, 200));
+    EXPECT_THROW(read_calibration(folder.path() / "cut.json", c.readings), InputError);
+}
+
+TEST(Figures, AreDrawnInEveryFormatWithTheirNumbers) {
+    const TemporaryFolder folder;
+    const Calibration c = small_calibration();
+    const Comparison comparison = compare(c.readings, c.fit.prediction, 1);
+    const auto figures = comparison_figures(study(), c, comparison);
+    ASSERT_EQ(figures.size(), 4u);
+    for (const auto& figure : figures) {
+        draw(figure, folder.path());
+        for (const std::string extension : {".svg", ".png", ".pdf", ".csv"}) {
+            EXPECT_GT(std::filesystem::file_size(folder.path() / (figure.name + extension)), 300u) << figure.name;
+        }
+    }
+    EXPECT_THAT(content_of(folder.path() / "calibration.csv"), HasSubstr("panel,curve,x,y,y_error"));
+    EXPECT_THAT(content_of(folder.path() / "calibration.svg"), HasSubstr("intergranular friction"));
+}
+
+TEST(Figures, SayWhenNothingCouldBeDrawn) {
+    Figure figure{.name = "missing/folder/name", .title = "", .panels = {{.x_label = "x", .y_label = "y"}}};
+    EXPECT_THROW(draw(figure, "/proc/pendular"), std::exception);
+}
+
+TEST(Tables, NameEveryReadingAndUnit) {
+    const Example e;
+    const auto lines = comparison_table(compare(e.readings, e.prediction, 1));
+    EXPECT_THAT(lines.front(), HasSubstr("[Pa]"));
+    EXPECT_THAT(lines[1], HasSubstr("points.csv:3"));
+    EXPECT_GT(lines.size(), 10u);
+}

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+#include <tuple>
+
+#include "sim/dem/pair_list.h"
+#include "sim/dem/shear_cell.h"
+
+using namespace pendular::dem;
+
+namespace {
+
+using Key = std::tuple<int, int, int>;
+
+std::set<Key> keys(const Pairs& pairs) {
+    std::set<Key> result;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        if (pairs.image[k] != image_code::nowhere) {
+            result.insert({pairs.first[k], pairs.second[k], pairs.image[k]});
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST(FindPairs, AgreesWithBruteForceAtEveryOffset) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> at(0, 1);
+    for (const double turn : {-0.5, -0.31, 0.0, 0.2, 0.4999}) {
+        const Cell cell{9, 11, 8, turn * 9};
+        Beads beads(600);
+        for (std::size_t i = 0; i < beads.size(); ++i) {
+            beads.x[i] = cell.length * at(random), beads.y[i] = cell.height * at(random);
+            beads.z[i] = cell.width * at(random);
+        }
+        const auto fast = keys(find_pairs(beads, cell, 1.15));
+        EXPECT_EQ(fast, keys(find_pairs_by_brute_force(beads, cell, 1.15)));
+        EXPECT_GT(fast.size(), 1000u);
+    }
+}
+
+TEST(FindPairs, FallsBackOnSmallSamples) {
+    Beads beads(64);
+    std::mt19937_64 random(8);
+    std::uniform_real_distribution<double> at(0, 3.2);
+    for (auto* x : {&beads.x, &beads.y, &beads.z}) {
+        for (double& value : *x) {
+            value = at(random);
+        }
+    }
+    const Cell cell{3.2, 3.2, 3.2, 1.0};
+    EXPECT_EQ(keys(find_pairs(beads, cell, 1.1)), keys(find_pairs_by_brute_force(beads, cell, 1.1)));
+}
+
+TEST(PairList, MissesNoContactUnderShearAndHeightChange) {
+    // Every contact that brute force finds must be in the list the forces came from, over thousands
+    // of steps at a high shear rate, with several turns of the image offset.
+    ShearCell sample(200, {.modulus = 5e3, .friction = 0.2}, 0.1, 5);
+    ASSERT_TRUE(sample.compress());
+    for (int step = 0; step < 6000; ++step) {
+        sample.step();
+        if (step % 20 != 0) {
+            continue;
+        }
+        std::multiset<std::pair<int, int>> listed;
+        const Pairs& narrow = sample.pairs().narrow();
+        for (std::size_t k = 0; k < sample.pairs().live(); ++k) {
+            listed.insert({narrow.first[k], narrow.second[k]});
+        }
+        Beads wrapped = sample.beads();
+        Cell cell = sample.cell();
+        cell.reduce_offset();
+        for (std::size_t i = 0; i < wrapped.size(); ++i) {
+            cell.wrap(wrapped.x[i], wrapped.y[i], wrapped.z[i]);
+        }
+        const Pairs touching = find_pairs_by_brute_force(wrapped, cell, 1.0);
+        for (std::size_t k = 0; k < touching.size(); ++k) {
+            ASSERT_EQ(listed.count({touching.first[k], touching.second[k]}), 1u) << "step " << step;
+        }
+    }
+    EXPECT_GT(sample.strain(), 3);
+    EXPECT_GT(sample.pairs().wide_rebuilds(), 10u);
+    EXPECT_LT(sample.pairs().wide_rebuilds(), sample.steps() / 5);
+}
+
+TEST(PairList, KeepsWhatContactsRemember) {
+    ShearCell sample(200, {.modulus = 5e3, .friction = 0.2}, 0.05, 6);
+    ASSERT_TRUE(sample.compress());
+    for (int step = 0; step < 500; ++step) {
+        sample.step();
+    }
+    Beads beads = sample.beads();
+    Cell cell = sample.cell();
+    PairList list = sample.pairs();
+    const auto remembered = [](const PairList& pairs) {
+        std::map<std::pair<int, int>, std::tuple<double, double, double, double>> result;
+        for (std::size_t k = 0; k < pairs.live(); ++k) {
+            const Pairs& p = pairs.narrow();
+            if (p.root[k] > 0) {
+                result[{p.first[k], p.second[k]}] = {p.sx[k], p.sy[k], p.sz[k], p.root[k]};
+            }
+        }
+        return result;
+    };
+    const auto before = remembered(list);
+    list.rebuild(beads, cell);
+    EXPECT_EQ(remembered(list), before);
+    EXPECT_GT(before.size(), 100u);
+}

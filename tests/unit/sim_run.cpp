@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "sim/dem/run.h"
+#include "sim/dem/shear_cell.h"
+#include "sim/ensemble.h"
+
+using namespace pendular;
+using namespace pendular::dem;
+
+namespace {
+
+/// A small, fast and soft sample: enough to see behaviour, not to measure.
+RunParameters small_run() {
+    return {.friction = 0.2, .inertial_number = 0.05, .stiffness_number = 300, .beads = 150, .strain = 1.5, .seed = 3};
+}
+
+double of(const RunResult& run, Observable which) { return run[which].value; }
+
+}  // namespace
+
+TEST(Run, IsTheSameForTheSameSeedAndAnotherForAnother) {
+    const RunResult a = run(small_run()), b = run(small_run());
+    EXPECT_EQ(of(a, Observable::stress_ratio), of(b, Observable::stress_ratio));
+    EXPECT_EQ(of(a, Observable::solid_fraction), of(b, Observable::solid_fraction));
+    EXPECT_EQ(a.steps, b.steps);
+    RunParameters other = small_run();
+    other.seed = 4;
+    EXPECT_NE(of(a, Observable::stress_ratio), of(run(other), Observable::stress_ratio));
+}
+
+TEST(Run, HoldsItsNormalStressAndAveragesWhatWasAskedFor) {
+    const RunResult r = run(small_run());
+    EXPECT_NEAR(of(r, Observable::normal_stress), 1, 0.01);
+    EXPECT_GE(r.strain_averaged, 1.5 - 1e-9);
+    EXPECT_GT(r[Observable::stress_ratio].standard_error, 0);
+    EXPECT_GT(r[Observable::solid_fraction].standard_error, 0);
+    EXPECT_TRUE(r.steady);
+    EXPECT_LT(of(r, Observable::fabric_12_contact), 0);   // contacts point into the compression quadrants
+}
+
+TEST(Run, IsStrongerAndLooserWithMoreFriction) {
+    RunParameters smooth = small_run(), rough = small_run();
+    smooth.friction = 0.02, rough.friction = 0.6;
+    const RunResult a = run(smooth), b = run(rough);
+    EXPECT_GT(of(b, Observable::stress_ratio), of(a, Observable::stress_ratio) + 0.1);
+    EXPECT_LT(of(b, Observable::solid_fraction), of(a, Observable::solid_fraction) - 0.015);
+    EXPECT_LT(of(b, Observable::contact_coordination), of(a, Observable::contact_coordination) - 0.5);
+}
+
+TEST(Run, NamesTheParameterThatIsOutOfRange) {
+    const auto complaint = [](RunParameters p) -> std::string {
+        try {
+            run(p);
+        } catch (const std::invalid_argument& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const auto with = [](auto change) {
+        RunParameters p = small_run();
+        change(p);
+        return p;
+    };
+    EXPECT_NE(complaint(with([](auto& p) { p.friction = -0.1; })).find("friction"), std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.beads = 63; })).find("beads"), std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.inertial_number = 2; })).find("inertial number"), std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.stiffness_number = 1; })).find("stiffness"), std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.strain = 0.1; })).find("strain"), std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.friction = std::nan(""); })).find("friction"), std::string::npos);
+}
+
+TEST(Run, StopsWhenAskedTo) {
+    std::stop_source stop;
+    RunParameters endless = small_run();
+    endless.strain = 1000;
+    std::jthread later([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        stop.request_stop();
+    });
+    EXPECT_THROW(run(endless, stop.get_token()), Interrupted);
+}
+
+TEST(Run, SeesASampleCrystallise) {
+    // Eighty frictionless beads order into a crystal within a strain of some tens.
+    RunParameters p = small_run();
+    p.beads = 80;
+    p.friction = 0;
+    p.stiffness_number = 100;
+    p.strain = 40;
+    const RunResult r = run(p);
+    EXPECT_TRUE(r.crystallised);
+    EXPECT_GT(of(r, Observable::bond_order), 0.3);
+    EXPECT_FALSE(run(small_run()).crystallised);
+}
+
+TEST(Run, SaysWhenTheStateBlowsUp) {
+    // Ten times critical damping is beyond what the explicit step can follow.
+    RunParameters p = small_run();
+    p.damping = 10;
+    try {
+        const RunResult r = run(p);
+        FAIL() << "stress ratio " << of(r, Observable::stress_ratio);
+    } catch (const SimulationError& error) {
+        EXPECT_NE(std::string(error.what()).find("blew up"), std::string::npos) << error.what();
+    }
+}
+
+TEST(ShearCell, KeepsItsMomentum) {
+    ShearCell sample(150, {.modulus = 5e3, .friction = 0.3}, 0.05, 9);
+    ASSERT_TRUE(sample.compress());
+    for (int step = 0; step < 1000; ++step) {
+        sample.step();
+    }
+    double px = 0, py = 0, pz = 0;
+    for (std::size_t i = 0; i < sample.beads().size(); ++i) {
+        px += sample.beads().vx[i], py += sample.beads().vy[i], pz += sample.beads().vz[i];
+    }
+    EXPECT_NEAR(px, 0, 1e-9);
+    EXPECT_NEAR(py, 0, 1e-9);
+    EXPECT_NEAR(pz, 0, 1e-9);
+}
+
+TEST(ShearCell, StartsAtRandomWithoutContact) {
+    const ShearCell a(500, {.modulus = 3e4}, 0.01, 1), b(500, {.modulus = 3e4}, 0.01, 2);
+    EXPECT_NEAR(a.solid_fraction(), 0.3, 1e-12);
+    EXPECT_EQ(find_pairs_by_brute_force(a.beads(), a.cell(), 1.0).size(), 0u);
+    EXPECT_NE(a.beads().x, b.beads().x);
+}
+
+TEST(Ensemble, GivesTheSameWhateverTheNumberOfThreads) {
+    std::vector<RunParameters> runs;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        runs.push_back(small_run());
+        runs.back().seed = seed;
+        runs.back().beads = 100 + static_cast<int>(seed) * 10;
+    }
+    std::size_t reports = 0;
+    double last = 0;
+    const auto one = run_all(runs, {.threads = 1});
+    const auto three = run_all(runs, {.threads = 3, .report = [&](const EnsembleProgress& p) {
+                                          ++reports;
+                                          EXPECT_GE(p.fraction, last - 1e-12);
+                                          last = p.fraction;
+                                      }});
+    ASSERT_EQ(one.size(), 5u);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        EXPECT_EQ(one[k].parameters.seed, runs[k].seed);
+        EXPECT_EQ(of(one[k], Observable::stress_ratio), of(three[k], Observable::stress_ratio));
+    }
+    EXPECT_GT(reports, 10u);
+    EXPECT_NEAR(last, 1, 1e-9);
+}
+
+TEST(Ensemble, PassesOnTheFirstFailure) {
+    std::vector<RunParameters> runs(3, small_run());
+    runs[1].friction = -1;
+    EXPECT_THROW(run_all(runs, {.threads = 2}), std::invalid_argument);
+}
