@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Installs everything Pendular needs to build, test and draw on Debian 12, as root or through sudo.
+set -euo pipefail
+
+packages=(
+  # build
+  g++ cmake ninja-build ccache
+  # libraries
+  libceres-dev libeigen3-dev libboost-dev libboost-program-options-dev libboost-iostreams-dev
+  libboost-filesystem-dev libboost-system-dev libcsv-dev libicu-dev libudunits2-dev libtomlplusplus-dev
+  nlohmann-json3-dev libfmt-dev libgnuplot-iostream-dev
+  # figures
+  gnuplot-nox fonts-dejavu-core
+  # tests, benchmarks, style
+  libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "All packages are installed."
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "Run this as root, or install sudo; missing: ${missing[*]}" >&2; exit 1; }
+  as_root=(sudo)
+fi
+echo "Installing ${missing[*]}"
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
