@@ -6,7 +6,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <functional>
-#include <set>
 
 #include "data/replicates.h"
 
@@ -27,6 +26,13 @@ std::pair<double, double> correlation(const std::vector<double>& x, const std::v
     return {r, 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(n - 2), t))};
 }
 
+/// Whether a covariate was varied: by a tenth at least. Less is the scatter of set points, or, for the
+/// height, the solid fraction itself seen again.
+bool varies(const std::vector<double>& x) {
+    const auto [low, high] = std::ranges::minmax(x);
+    return high - low > 0.1 * std::max(std::abs(low), std::abs(high));
+}
+
 std::vector<Trend> trends_of(const std::vector<ReadingMisfit>& readings) {
     const std::vector<std::pair<std::string, Covariate>> covariates = {
         {"normal_stress", [](std::size_t, const Reading& r) { return r.condition.normal_stress; }},
@@ -37,14 +43,12 @@ std::vector<Trend> trends_of(const std::vector<ReadingMisfit>& readings) {
     std::vector<Trend> trends;
     for (const auto& [name, value] : covariates) {
         std::vector<double> x, y[2];
-        std::set<double> values;
         for (std::size_t k = 0; k < readings.size(); ++k) {
             x.push_back(value(k, readings[k].reading));
-            values.insert(x.back());
             y[0].push_back(readings[k].normalised(0));
             y[1].push_back(readings[k].normalised(1));
         }
-        if (readings.size() >= 5 && values.size() >= 3) {
+        if (readings.size() >= 5 && varies(x)) {
             const auto stress = correlation(x, y[0]), fraction = correlation(x, y[1]);
             trends.push_back({name, {stress.first, fraction.first}, {stress.second, fraction.second}});
         }

@@ -38,7 +38,7 @@ struct Comparison {
     std::vector<ReadingMisfit> readings;
     std::vector<ConditionMisfit> by_condition;   ///< their chi2 add up to the total
     std::array<double, 2> by_observable{};       ///< chi2 of shear stress and solid fraction; they add up too
-    std::vector<Trend> trends;                   ///< for covariates with at least five readings and three values
+    std::vector<Trend> trends;                   ///< for covariates that were varied, from five readings on
     std::array<double, 2> rms_percent{};         ///< 100 sqrt(mean((predicted/measured - 1)^2))
     double chi2 = 0;
     int dof = 0;

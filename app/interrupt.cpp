@@ -1,31 +1,36 @@
 #include "app/interrupt.h"
 
-#include <pthread.h>
-#include <signal.h>
 #include <unistd.h>
 
-#include <ctime>
+#include <atomic>
+#include <chrono>
+#include <csignal>
 
 #include "app/command.h"
 
 namespace pendular::app {
+namespace {
+
+std::atomic<int> signals_seen{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+extern "C" void note_signal(int) {
+    if (signals_seen.fetch_add(1) > 0) {
+        _exit(interrupted);
+    }
+}
+
+}  // namespace
 
 InterruptGuard::InterruptGuard() {
-    sigset_t signals;
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGINT);
-    sigaddset(&signals, SIGTERM);
-    // Threads made later inherit the mask, so that the watcher alone receives the signals.
-    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    watcher_ = std::jthread([this, signals](std::stop_token end) {
-        const timespec patience{.tv_sec = 0, .tv_nsec = 100'000'000};
-        while (!end.stop_requested()) {
-            if (sigtimedwait(&signals, nullptr, &patience) < 0) {
-                continue;
-            }
-            if (stop_.stop_requested()) {
-                _exit(interrupted);
-            }
+    std::signal(SIGINT, note_signal);
+    std::signal(SIGTERM, note_signal);
+    // A handler may not request the stop itself; this thread does.
+    watcher_ = std::jthread([this](std::stop_token end) {
+        while (!end.stop_requested() && signals_seen == 0) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        }
+        if (signals_seen > 0) {
             stop_.request_stop();
         }
     });

@@ -6,7 +6,7 @@
 namespace pendular::app {
 
 /// Turns Ctrl-C (and SIGTERM) into a request to stop, so that runs end at a clean point and nothing
-/// half-written is left; a second one ends the program at once. Make it before any other thread.
+/// half-written is left; a second one ends the program at once.
 class InterruptGuard {
   public:
     InterruptGuard();

@@ -46,6 +46,11 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
         throw InputError({study.file.string()},
                          "there is no dry reading to fit; give dry recordings or readings (liquid_content = 0)");
     }
+    if (study.model.base != "dem") {
+        throw InputError({study.file.string()},
+                         fmt::format("base = \"{}\" is a model of wet readings; dry ones are calibrated with base = "
+                                     "\"dem\"", study.model.base));
+    }
     if (study.model.fit_to == "all" && result.readings.size() < measurements.readings.size()) {
         throw InputError({study.file.string()},
                          "fit_to = \"all\" needs a model of wet readings; use fit_to = \"dry\"");

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -69,6 +71,11 @@ std::pair<double, double> range(const Panel& panel, bool along_x) {
         // One value only: it stands in the middle.
         const double middle = std::isfinite(low) ? low : 0, reach = middle == 0 ? 1e-3 : 0.5 * std::abs(middle);
         return {middle - reach, middle + reach};
+    }
+    if (along_x && !panel.diagonal && high - low < 0.2 * std::max(std::abs(low), std::abs(high))) {
+        // Set points that scatter by a few per cent were one set point.
+        const double middle = 0.5 * (low + high);
+        return {0.8 * middle, 1.2 * middle};
     }
     if (along_x && panel.log_x) {
         return {low / 1.3, high * 1.3};
@@ -203,43 +210,70 @@ void write_numbers(const Figure& figure, const fs::path& file) {
 
 }  // namespace
 
+namespace {
+
+/// A file format gnuplot draws, and how a file of it that was written whole ends.
+struct Format {
+    std::string_view extension, terminal;
+    double dots_per_inch;   ///< 0: sizes are in inches
+    std::string_view end;
+};
+constexpr Format formats[] = {
+    {"svg", "svg enhanced font 'DejaVu Sans,12' background rgb 'white' size", 96, "</svg>"},
+    {"png", "pngcairo enhanced font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 size", 160, "IEND"},
+    {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.9 size", 0, "%%EOF"}};
+
+/// Where a drawing is made before it takes its name.
+fs::path unfinished(const fs::path& folder, const Figure& figure, const Format& format) {
+    return folder / fmt::format(".{}.{}", figure.name, format.extension);
+}
+
+std::string size_of(const Figure& figure, const Format& format) {
+    const auto panels = static_cast<double>(figure.panels.size());
+    const double width = figure.stacked ? 6.0 : 5.2 * panels, height = figure.stacked ? 4.1 * panels : 4.6;
+    return format.dots_per_inch > 0
+               ? fmt::format("{},{}", width * format.dots_per_inch, height * format.dots_per_inch)
+               : fmt::format("{}in,{}in", width, height);
+}
+
+bool written_whole(const fs::path& file, std::string_view end) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    const std::string_view tail = std::string_view(content).substr(content.size() - std::min<std::size_t>(content.size(), 32));
+    return tail.find(end) != std::string_view::npos;
+}
+
+/// Sends everything to gnuplot and waits for it to end. Its warnings are for whoever draws, not for
+/// the user.
+void run_gnuplot(const Figure& figure, const fs::path& folder) {
+    Gnuplot gnuplot("gnuplot 2>/dev/null");
+    gnuplot << "set encoding utf8\nset border linewidth 1.2\nset tics nomirror\nset grid linecolor rgb '#e4e4e4'\n"
+            << "set samples 2\n" << data_blocks(figure);
+    for (const auto& format : formats) {
+        gnuplot << "set terminal " << format.terminal << ' ' << size_of(figure, format) << "\nset output "
+                << quoted(unfinished(folder, figure, format).string()) << '\n' << page_script(figure);
+    }
+}
+
+}  // namespace
+
 void draw(const Figure& figure, const fs::path& folder) {
     fs::create_directories(folder);
     write_numbers(figure, folder / (figure.name + ".csv"));
-    const double width = figure.stacked ? 6.0 : 5.2 * static_cast<double>(figure.panels.size());
-    const double height = figure.stacked ? 4.1 * static_cast<double>(figure.panels.size()) : 4.6;
-    const struct {
-        std::string_view extension, terminal;
-        double scale;
-    } outputs[] = {{"svg", "svg enhanced font 'DejaVu Sans,12' background rgb 'white' size", 96},
-                   {"png", "pngcairo enhanced font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 size", 160},
-                   {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.9 size", 0}};
-    const auto messages = folder / ("." + figure.name + ".gnuplot");
-    {
-        // Its warnings are for whoever draws, not for the user; they are kept for the error below.
-        Gnuplot gnuplot("gnuplot 2>'" + messages.string() + "'");
-        gnuplot << "set encoding utf8\nset border linewidth 1.2\nset tics nomirror\nset grid linecolor rgb '#e4e4e4'\n"
-                << "set samples 2\n" << data_blocks(figure);
-        for (const auto& output : outputs) {
-            const auto file = folder / fmt::format("{}.{}", figure.name, output.extension);
-            fs::remove(file);
-            const std::string unit = output.scale > 0 ? "" : "in";
-            const double scale = output.scale > 0 ? output.scale : 1;
-            gnuplot << "set terminal " << output.terminal << ' ' << fmt::format("{}{},{}{}", width * scale, unit,
-                                                                               height * scale, unit)
-                    << "\nset output " << quoted(file.string()) << '\n' << page_script(figure);
-        }
+    run_gnuplot(figure, folder);
+    const bool whole = std::ranges::all_of(formats, [&](const Format& format) {
+        return written_whole(unfinished(folder, figure, format), format.end);
+    });
+    for (const auto& format : formats) {
+        const fs::path drawn = unfinished(folder, figure, format);
+        std::error_code ignored;
+        whole ? fs::rename(drawn, folder / fmt::format("{}.{}", figure.name, format.extension), ignored)
+              : static_cast<void>(fs::remove(drawn, ignored));
     }
-    for (const auto& output : outputs) {
-        const auto file = folder / fmt::format("{}.{}", figure.name, output.extension);
-        std::error_code error;
-        if (!fs::exists(file) || fs::file_size(file, error) == 0) {
-            throw std::runtime_error(fmt::format("gnuplot drew nothing into {}; is gnuplot installed, and is there "
-                                                 "space on the disk? Its messages: {}",
-                                                 file.string(), messages.string()));
-        }
+    if (!whole) {
+        throw std::runtime_error(fmt::format("gnuplot could not draw {}; is gnuplot installed, and is there space on "
+                                             "the disk?", (folder / figure.name).string()));
     }
-    fs::remove(messages);
 }
 
 }  // namespace pendular

@@ -51,7 +51,8 @@ struct Block {
 };
 
 /// Shears by one block and averages over it.
-Block shear_block(ShearCell& sample) {
+/// @throws Interrupted
+Block shear_block(ShearCell& sample, const std::stop_token& stop) {
     Block block;
     VelocityProfile profile;
     const double begin = sample.strain();
@@ -63,6 +64,9 @@ Block shear_block(ShearCell& sample) {
         block.s11 += stress.s11, block.s22 += stress.s22, block.s33 += stress.s33, block.s12 += stress.s12;
         block.solid_fraction += sample.solid_fraction();
         if (sample.steps() % steps_between_profiles == 0) {
+            if (stop.stop_requested()) {
+                throw Interrupted();
+            }
             profile.add(sample.beads(), sample.cell().height);
         }
         if (sample.strain() - begin >= block_strain * (structures + 1) / structures_per_block) {
@@ -204,10 +208,7 @@ RunResult run(const RunParameters& parameters, std::stop_token stop, const Progr
     result.parameters = parameters;
     std::size_t transient = blocks_in(first_look_strain);
     while (series.size() < most) {
-        if (stop.stop_requested()) {
-            throw Interrupted();
-        }
-        series.add(shear_block(sample));
+        series.add(shear_block(sample, stop));
         if (progress) {
             progress(sample.strain() - begin, static_cast<double>(transient + wanted) * block_strain);
         }
