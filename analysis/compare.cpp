@@ -26,8 +26,8 @@ std::pair<double, double> correlation(const std::vector<double>& x, const std::v
     return {r, 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(n - 2), t))};
 }
 
-/// Whether a covariate was varied: by a tenth at least. Less is the scatter of set points, or, for the
-/// height, the solid fraction itself seen again.
+/// Whether a covariate was varied: by a tenth at least. Less is the scatter of set points, or, for
+/// the height, the solid fraction itself seen again.
 bool varies(const std::vector<double>& x) {
     const auto [low, high] = std::ranges::minmax(x);
     return high - low > 0.1 * std::max(std::abs(low), std::abs(high));
@@ -36,8 +36,10 @@ bool varies(const std::vector<double>& x) {
 std::vector<Trend> trends_of(const std::vector<ReadingMisfit>& readings) {
     const std::vector<std::pair<std::string, Covariate>> covariates = {
         {"normal_stress", [](std::size_t, const Reading& r) { return r.condition.normal_stress; }},
-        {"inertial_number", [](std::size_t, const Reading& r) { return r.condition.inertial_number; }},
-        {"liquid_content", [](std::size_t, const Reading& r) { return r.condition.liquid_content; }},
+        {"inertial_number",
+         [](std::size_t, const Reading& r) { return r.condition.inertial_number; }},
+        {"liquid_content",
+         [](std::size_t, const Reading& r) { return r.condition.liquid_content; }},
         {"height", [](std::size_t, const Reading& r) { return r.condition.height.value_or(0); }},
         {"run order", [](std::size_t k, const Reading&) { return static_cast<double>(k); }}};
     std::vector<Trend> trends;
@@ -50,7 +52,8 @@ std::vector<Trend> trends_of(const std::vector<ReadingMisfit>& readings) {
         }
         if (readings.size() >= 5 && varies(x)) {
             const auto stress = correlation(x, y[0]), fraction = correlation(x, y[1]);
-            trends.push_back({name, {stress.first, fraction.first}, {stress.second, fraction.second}});
+            trends.push_back(
+                {name, {stress.first, fraction.first}, {stress.second, fraction.second}});
         }
     }
     return trends;
@@ -75,10 +78,12 @@ std::vector<ConditionMisfit> conditions_of(const std::vector<ReadingMisfit>& rea
 }  // namespace
 
 double Comparison::p() const {
-    return dof > 0 ? boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), chi2)) : 1.0;
+    return dof > 0 ? boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), chi2))
+                   : 1.0;
 }
 
-Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction, int parameters) {
+Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction,
+                   int parameters) {
     const Measured measured = stack(readings);
     const Eigen::MatrixXd total = measured.covariance + prediction.covariance;
     const Eigen::VectorXd misfit = measured.value - prediction.value;
@@ -96,7 +101,8 @@ Comparison compare(const std::vector<Reading>& readings, const Prediction& predi
             const auto i = at + static_cast<Eigen::Index>(observable);
             result.by_observable[observable] += terms(i);
             result.rms_percent[observable] +=
-                std::pow(prediction.value(i) / measured.value(i) - 1, 2) / static_cast<double>(readings.size());
+                std::pow(prediction.value(i) / measured.value(i) - 1, 2) /
+                static_cast<double>(readings.size());
         }
     }
     for (double& rms : result.rms_percent) {

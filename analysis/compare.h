@@ -15,31 +15,34 @@ struct ReadingMisfit {
     Reading reading;
     Eigen::Vector2d predicted;
     Eigen::Matrix2d predicted_covariance;
-    Eigen::Vector2d chi2;        ///< its parts of the total, by observable; with correlated errors one may be negative
-    Eigen::Vector2d normalised;  ///< (measured - predicted) over the standard error of the difference [1]
+    Eigen::Vector2d chi2;  ///< its parts of the total, by observable; with correlated errors one
+                           ///< may be negative
+    Eigen::Vector2d
+        normalised;  ///< (measured - predicted) over the standard error of the difference [1]
 };
 
 /// Readings of one condition (replicates) taken together.
 struct ConditionMisfit {
     Condition condition;
-    std::vector<std::size_t> readings;   ///< into Comparison::readings
+    std::vector<std::size_t> readings;  ///< into Comparison::readings
     double chi2 = 0;
 };
 
 /// How the residuals go with something that varied between the readings.
 struct Trend {
     std::string covariate;
-    std::array<double, 2> correlation;   ///< of the normalised residuals of each observable with it
-    std::array<double, 2> p;             ///< probability of a correlation this large by chance
+    std::array<double, 2> correlation;  ///< of the normalised residuals of each observable with it
+    std::array<double, 2> p;            ///< probability of a correlation this large by chance
 };
 
 /// Measurement beside model.
 struct Comparison {
     std::vector<ReadingMisfit> readings;
-    std::vector<ConditionMisfit> by_condition;   ///< their chi2 add up to the total
-    std::array<double, 2> by_observable{};       ///< chi2 of shear stress and solid fraction; they add up too
-    std::vector<Trend> trends;                   ///< for covariates that were varied, from five readings on
-    std::array<double, 2> rms_percent{};         ///< 100 sqrt(mean((predicted/measured - 1)^2))
+    std::vector<ConditionMisfit> by_condition;  ///< their chi2 add up to the total
+    std::array<double, 2>
+        by_observable{};        ///< chi2 of shear stress and solid fraction; they add up too
+    std::vector<Trend> trends;  ///< for covariates that were varied, from five readings on
+    std::array<double, 2> rms_percent{};  ///< 100 sqrt(mean((predicted/measured - 1)^2))
     double chi2 = 0;
     int dof = 0;
 
@@ -50,6 +53,7 @@ struct Comparison {
 /// Puts every reading beside its prediction.
 ///     chi2 = e' (Sigma_measurement + Sigma_simulation)^-1 e,  e = measured - predicted
 /// split so that entry i contributes e_i [Sigma^-1 e]_i.
-Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction, int parameters);
+Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction,
+                   int parameters);
 
 }  // namespace pendular

@@ -18,16 +18,19 @@ namespace {
 void print_result(Console& console, const Calibration& c, const Comparison& comparison) {
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        console.line(fmt::format("{} = {} (measurement {:.2g}, simulation {:.2g})", c.parameters[k].name,
+        console.line(fmt::format("{} = {} (measurement {:.2g}, simulation {:.2g})",
+                                 c.parameters[k].name,
                                  with_error(c.fit.parameters(i), c.fit.standard_error(i)),
                                  c.fit.measurement_error(i), c.fit.simulation_error(i)));
     }
     if (c.profile) {
-        console.line(fmt::format("68 % profile interval: {:.4g} to {:.4g}", c.profile->first, c.profile->second));
+        console.line(fmt::format("68 % profile interval: {:.4g} to {:.4g}", c.profile->first,
+                                 c.profile->second));
     }
-    console.line(fmt::format("chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); errors are not scaled by chi2/dof; "
-                             "{} simulations at {} fidelity in {} rounds",
-                             comparison.chi2, comparison.dof, comparison.p(), c.runs.size(), c.fidelity.name, c.rounds));
+    console.line(fmt::format(
+        "chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); errors are not scaled by chi2/dof; "
+        "{} simulations at {} fidelity in {} rounds",
+        comparison.chi2, comparison.dof, comparison.p(), c.runs.size(), c.fidelity.name, c.rounds));
     for (const auto& line : predictions_table(comparison)) {
         console.line(line);
     }
@@ -44,14 +47,17 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
 int calibrate(const std::vector<std::string>& arguments) {
     CalibrationRequest request;
     Options options("calibrate STUDY [options]",
-                    "Fits the intergranular friction to shear stress and solid fraction of all dry readings together,\n"
-                    "by discrete-element simulations inside a Ceres least-squares loop. Writes fit.json to the results\n"
+                    "Fits the intergranular friction to shear stress and solid fraction of all dry "
+                    "readings together,\n"
+                    "by discrete-element simulations inside a Ceres least-squares loop. Writes "
+                    "fit.json to the results\n"
                     "folder.",
                     "  pendular calibrate examples/polystyrene --fidelity quick\n"
                     "  pendular calibrate my-study --profile --json -\n",
                     true);
     options.add("seed", &request.seed, "seed of the simulations (default 1)");
-    options.add_switch("profile", &request.profile, "profile likelihood interval of the friction as well");
+    options.add_switch("profile", &request.profile,
+                       "profile likelihood interval of the friction as well");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -66,15 +72,17 @@ int calibrate(const std::vector<std::string>& arguments) {
     std::string what = "round 1";
     const Workers workers{common->threads, guard.token(),
                           [&](const EnsembleProgress& p) { console.progress(what, p); }};
-    const Calibration c = calibrate_study(study, measurements, request, workers, [&](int round, const Fit& fit) {
-        console.end_progress();
-        if (!common->quiet) {
-            fmt::print(stderr, "round {}: friction = {}\n", round,
-                       with_error(fit.parameters(0), fit.standard_error(0)));
-        }
-        what = fmt::format("round {}", round + 1);
-    });
-    const Comparison comparison = compare(c.readings, c.fit.prediction, static_cast<int>(c.parameters.size()));
+    const Calibration c =
+        calibrate_study(study, measurements, request, workers, [&](int round, const Fit& fit) {
+            console.end_progress();
+            if (!common->quiet) {
+                fmt::print(stderr, "round {}: friction = {}\n", round,
+                           with_error(fit.parameters(0), fit.standard_error(0)));
+            }
+            what = fmt::format("round {}", round + 1);
+        });
+    const Comparison comparison =
+        compare(c.readings, c.fit.prediction, static_cast<int>(c.parameters.size()));
     const auto json = to_json(c, comparison);
     write_json(common->out_folder() / "fit.json", json);
     print_result(console, c, comparison);

@@ -24,7 +24,13 @@ int calibrate(const std::vector<std::string>& arguments);
 int compare(const std::vector<std::string>& arguments);
 
 /// Exit codes of every command.
-enum ExitCode { done = 0, program_failed = 1, wrong_input = 2, not_converged = 3, interrupted = 130 };
+enum ExitCode {
+    done = 0,
+    program_failed = 1,
+    wrong_input = 2,
+    not_converged = 3,
+    interrupted = 130
+};
 
 /// Runs `pendular` with the words after the program's name; reports every error on standard error.
 int run_program(const std::vector<std::string>& arguments);

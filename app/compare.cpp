@@ -16,8 +16,10 @@ namespace pendular::app {
 
 int compare(const std::vector<std::string>& arguments) {
     Options options("compare STUDY [options]",
-                    "Puts the calibrated model beside the readings: misfit by observable, condition and covariate,\n"
-                    "and figures as SVG, PNG and PDF with their numbers as CSV. Needs 'pendular calibrate' first;\n"
+                    "Puts the calibrated model beside the readings: misfit by observable, "
+                    "condition and covariate,\n"
+                    "and figures as SVG, PNG and PDF with their numbers as CSV. Needs 'pendular "
+                    "calibrate' first;\n"
                     "simulates nothing itself.",
                     "  pendular compare examples/polystyrene\n"
                     "  pendular compare my-study --out results --json -\n",
@@ -31,20 +33,23 @@ int compare(const std::vector<std::string>& arguments) {
     const auto out = common->out_folder();
     const Calibration c = read_calibration(out / "fit.json", fitted_readings(measurements));
     const Prediction prediction = model_of(study, c).predict(c.fit.parameters);
-    const Comparison comparison = compare(c.readings, prediction, static_cast<int>(c.fit.parameters.size()));
+    const Comparison comparison =
+        compare(c.readings, prediction, static_cast<int>(c.fit.parameters.size()));
 
     const auto json = to_json(comparison);
     write_json(out / "compare.json", json);
-    console.line(fmt::format("chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear stress, "
-                             "{:.2f} % in solid fraction",
-                             comparison.chi2, comparison.dof, comparison.p(), comparison.rms_percent[0],
-                             comparison.rms_percent[1]));
+    console.line(fmt::format(
+        "chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear stress, "
+        "{:.2f} % in solid fraction",
+        comparison.chi2, comparison.dof, comparison.p(), comparison.rms_percent[0],
+        comparison.rms_percent[1]));
     for (const auto& line : comparison_table(comparison)) {
         console.line(line);
     }
     for (const auto& figure : comparison_figures(study, c, comparison)) {
         draw(figure, out / "figures");
-        console.line(fmt::format("figure: {}", (out / "figures" / (figure.name + ".png")).string()));
+        console.line(
+            fmt::format("figure: {}", (out / "figures" / (figure.name + ".png")).string()));
     }
     console.json(json);
     return done;

@@ -19,7 +19,9 @@ void Console::line(const std::string& text) {
     std::fflush(json_on_output ? stderr : stdout);
 }
 
-void Console::note(const std::string& text) { line("note: " + text); }
+void Console::note(const std::string& text) {
+    line("note: " + text);
+}
 
 void Console::json(const nlohmann::ordered_json& json) {
     if (!options_.json) {
@@ -43,9 +45,11 @@ void Console::progress(const std::string& what, const EnsembleProgress& progress
     }
     last_ = now;
     drawn_ = terminal;
-    const std::string left = progress.seconds_left > 0 ? ", " + duration(progress.seconds_left) + " left" : "";
-    const std::string text = fmt::format("{}: {} of {} runs done, {:.0f} %{}", what, progress.runs_done,
-                                         progress.runs, 100 * progress.fraction, left);
+    const std::string left =
+        progress.seconds_left > 0 ? ", " + duration(progress.seconds_left) + " left" : "";
+    const std::string text =
+        fmt::format("{}: {} of {} runs done, {:.0f} %{}", what, progress.runs_done, progress.runs,
+                    100 * progress.fraction, left);
     fmt::print(stderr, "{}{}{}", terminal ? "\r\033[K" : "", text, terminal ? "" : "\n");
 }
 
@@ -69,7 +73,8 @@ std::string duration(double seconds) {
     if (s < 60) {
         return fmt::format("{} s", s);
     }
-    return s < 3600 ? fmt::format("{} min {} s", s / 60, s % 60) : fmt::format("{} h {} min", s / 3600, s / 60 % 60);
+    return s < 3600 ? fmt::format("{} min {} s", s / 60, s % 60)
+                    : fmt::format("{} h {} min", s / 3600, s / 60 % 60);
 }
 
 }  // namespace pendular::app

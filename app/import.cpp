@@ -14,8 +14,10 @@ namespace pendular::app {
 
 int import(const std::vector<std::string>& arguments) {
     Options options("import STUDY [options]",
-                    "Turns the recordings of a study into readings: shear stress and solid fraction of each steady\n"
-                    "step, with standard errors. Writes readings.csv and excluded.csv to the results folder; what\n"
+                    "Turns the recordings of a study into readings: shear stress and solid "
+                    "fraction of each steady\n"
+                    "step, with standard errors. Writes readings.csv and excluded.csv to the "
+                    "results folder; what\n"
                     "was left out is listed with its lines and the reason.",
                     "  pendular import examples/dry-recordings\n"
                     "  pendular import my-study --json -\n",
@@ -29,8 +31,9 @@ int import(const std::vector<std::string>& arguments) {
     const auto readings = common->out_folder() / "readings.csv";
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
-    console.line(fmt::format("readings: {}, ranges of rows excluded: {}; see {} and excluded.csv beside it",
-                             measurements.readings.size(), measurements.excluded.size(), readings.string()));
+    console.line(
+        fmt::format("readings: {}, ranges of rows excluded: {}; see {} and excluded.csv beside it",
+                    measurements.readings.size(), measurements.excluded.size(), readings.string()));
     for (const auto& line : readings_table(measurements)) {
         console.line(line);
     }

@@ -12,7 +12,8 @@ namespace pendular::app {
 namespace {
 
 std::atomic<int> signals_seen{0};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+static_assert(std::atomic<int>::is_always_lock_free,
+              "a signal handler may only touch lock-free atomics");
 
 extern "C" void note_signal(int) {
     if (signals_seen.fetch_add(1) > 0) {
@@ -26,7 +27,7 @@ InterruptGuard::InterruptGuard() {
     std::signal(SIGINT, note_signal);
     std::signal(SIGTERM, note_signal);
     // A handler may not request the stop itself; this thread does.
-    watcher_ = std::jthread([this](std::stop_token end) {
+    watcher_ = std::jthread([this](const std::stop_token& end) {
         while (!end.stop_requested() && signals_seen == 0) {
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         }

@@ -63,11 +63,12 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
                          "write the result as JSON; '-': alone on standard output")(
         "out", po::value(&out)->value_name("DIR"), "folder for results (default: STUDY/out)")(
         "fidelity", po::value(&fidelity)->default_value("standard")->value_name("NAME"),
-        "quick, standard or paper: beads / stiffness number / lowest inertial number / averaged strain "
+        "quick, standard or paper: beads / stiffness number / lowest inertial number / averaged "
+        "strain "
         "1000/1000/3e-3/5, 2000/1000/2e-3/10, 4000/8400/1e-3/20")(
         "threads", po::value(&result.threads)->default_value(cores)->value_name("N"),
-        "runs carried out side by side")("quiet", po::bool_switch(&result.quiet), "no progress on standard error")(
-        "help", "this text");
+        "runs carried out side by side")("quiet", po::bool_switch(&result.quiet),
+                                         "no progress on standard error")("help", "this text");
     po::options_description all, hidden;
     hidden.add_options()("study", po::value(&study));
     all.add(own_).add(common).add(hidden);
@@ -79,17 +80,20 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
         po::store(po::command_line_parser(arguments)
                       .options(all)
                       .positional(positional)
-                      .style(po::command_line_style::default_style & ~po::command_line_style::allow_guessing)
+                      .style(po::command_line_style::default_style &
+                             ~po::command_line_style::allow_guessing)
                       .run(),
                   variables_);
         po::notify(variables_);
     } catch (const po::unknown_option& error) {
         const std::string name = error.get_option_name();
-        throw InputError(fmt::format("unknown option '{}'; {}", name, did_you_mean(name, option_names(visible))));
+        throw InputError(fmt::format("unknown option '{}'; {}", name,
+                                     did_you_mean(name, option_names(visible))));
     } catch (const po::too_many_positional_options_error&) {
         throw InputError(fmt::format("too many arguments; usage: pendular {}", usage_));
     } catch (const po::error& error) {
-        throw InputError(fmt::format("{}; see 'pendular {} --help'", error.what(), usage_.substr(0, usage_.find(' '))));
+        throw InputError(fmt::format("{}; see 'pendular {} --help'", error.what(),
+                                     usage_.substr(0, usage_.find(' '))));
     }
     if (variables_.count("help") > 0) {
         print_help(common);
@@ -99,7 +103,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
         throw InputError(fmt::format("no study given; usage: pendular {}", usage_));
     }
     if (result.threads < 1) {
-        throw InputError(fmt::format("--threads {}: at least one thread is needed", result.threads));
+        throw InputError(
+            fmt::format("--threads {}: at least one thread is needed", result.threads));
     }
     result.study = study;
     result.fidelity = fidelity_named(fidelity);

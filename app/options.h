@@ -12,12 +12,12 @@ namespace pendular::app {
 
 /// What every command understands.
 struct CommonOptions {
-    std::optional<std::string> json;             ///< file, or "-" for standard output
+    std::optional<std::string> json;  ///< file, or "-" for standard output
     std::optional<std::filesystem::path> out;
     Fidelity fidelity;
     int threads = 1;
     bool quiet = false;
-    std::filesystem::path study;                 ///< empty for commands without one
+    std::filesystem::path study;  ///< empty for commands without one
 
     /// Folder for results: --out, else STUDY/out.
     std::filesystem::path out_folder() const;
@@ -32,15 +32,19 @@ class Options {
     /// Adds an option of the command's own; the description carries the unit.
     template <typename T>
     void add(const char* name, T* value, const std::string& description) {
-        own_.add_options()(name, boost::program_options::value<T>(value)->value_name("X"), description.c_str());
+        own_.add_options()(name, boost::program_options::value<T>(value)->value_name("X"),
+                           description.c_str());
     }
     void add_switch(const char* name, bool* value, const std::string& description);
 
     /// Parses the arguments. Empty: help was asked for and printed.
-    /// @throws InputError for anything unknown (with the nearest known option), missing or malformed
+    /// @throws InputError for anything unknown (with the nearest known option), missing or
+    /// malformed
     std::optional<CommonOptions> parse(const std::vector<std::string>& arguments);
     /// Whether the user gave this option.
-    bool given(const std::string& name) const { return variables_.count(name) > 0 && !variables_[name].defaulted(); }
+    bool given(const std::string& name) const {
+        return variables_.count(name) > 0 && !variables_[name].defaulted();
+    }
 
   private:
     void print_help(const boost::program_options::options_description& common) const;

@@ -20,14 +20,16 @@ constexpr std::array<Command, 4> commands = {{
 }};
 
 void print_overview() {
-    fmt::print("pendular puts rheometer recordings of beads beside a discrete-element model.\n\n"
-               "Usage: pendular COMMAND [options]\n\nCommands:\n");
+    fmt::print(
+        "pendular puts rheometer recordings of beads beside a discrete-element model.\n\n"
+        "Usage: pendular COMMAND [options]\n\nCommands:\n");
     for (const auto& command : commands) {
         fmt::print("  {:<10} {}\n", command.name, command.summary);
     }
-    fmt::print("\n'pendular COMMAND --help' describes one, with examples.\n"
-               "Exit codes: 0 done; 1 the program failed; 2 the input or the command line is wrong; "
-               "3 the fit did not converge; 130 interrupted.\n");
+    fmt::print(
+        "\n'pendular COMMAND --help' describes one, with examples.\n"
+        "Exit codes: 0 done; 1 the program failed; 2 the input or the command line is wrong; "
+        "3 the fit did not converge; 130 interrupted.\n");
 }
 
 const Command& command_named(const std::string& name) {
@@ -45,7 +47,8 @@ const Command& command_named(const std::string& name) {
 
 int run_program(const std::vector<std::string>& arguments) {
     try {
-        if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help") {
+        if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h" ||
+            arguments[0] == "help") {
             print_overview();
             return arguments.empty() ? wrong_input : done;
         }

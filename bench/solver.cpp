@@ -14,14 +14,14 @@ void shear_step(benchmark::State& state) {
     const int beads = static_cast<int>(state.range(0));
     ShearCell sample(beads, {.modulus = std::pow(1000.0, 1.5), .friction = 0.09}, 0.003, 1);
     sample.compress();
-    for (int step = 0; step < 3000; ++step) {   // until contacts are those of a jammed sample
+    for (int step = 0; step < 3000; ++step) {  // until contacts are those of a jammed sample
         sample.step();
     }
     for (auto _ : state) {
         sample.step();
     }
-    state.counters["bead-steps/s"] =
-        benchmark::Counter(static_cast<double>(state.iterations()) * beads, benchmark::Counter::kIsRate);
+    state.counters["bead-steps/s"] = benchmark::Counter(
+        static_cast<double>(state.iterations()) * beads, benchmark::Counter::kIsRate);
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ namespace pendular {
 
 /// The calibration of a study and everything it rests on.
 struct Calibration {
-    std::vector<Reading> readings;         ///< those fitted, in run order
+    std::vector<Reading> readings;  ///< those fitted, in run order
     Fidelity fidelity;
     std::uint64_t seed = 1;
     std::vector<Parameter> parameters;
     Fit fit;
     int rounds = 0;
-    double surface_centre = 0;             ///< friction at which the response surface is centred
+    double surface_centre = 0;  ///< friction at which the response surface is centred
     std::vector<dem::RunResult> runs;
-    std::optional<std::pair<double, double>> profile;   ///< of the friction, where asked for
+    std::optional<std::pair<double, double>> profile;  ///< of the friction, where asked for
     std::vector<std::string> notes;
 };
 

@@ -9,17 +9,18 @@
 namespace pendular {
 namespace {
 
-/// How stress ratio and solid fraction approach their quasi-static limits: y(I) - y(0) ~ I^exponent.
-/// Published exponents lie between 0.4 (frictionless) and 1 (frictional); the difference between the
-/// predictions of the two extremes gives the error of the form.
-/// Source: Peyneau and Roux, Phys. Rev. E 78 (2008) 011307; Azema and Radjai, PRL 112 (2014) 078001.
+/// How stress ratio and solid fraction approach their quasi-static limits: y(I) - y(0) ~
+/// I^exponent. Published exponents lie between 0.4 (frictionless) and 1 (frictional); the
+/// difference between the predictions of the two extremes gives the error of the form. Source:
+/// Peyneau and Roux, Phys. Rev. E 78 (2008) 011307; Azema and Radjai, PRL 112 (2014) 078001.
 constexpr double best_exponent = 0.75;
 constexpr double extreme_exponents[] = {0.5, 1.0};
 
 /// Half-width in ln(friction + 0.05) of what one surface covers, and where its runs are placed.
 constexpr double window = 0.75;
 constexpr double whole_range = 1e9;
-constexpr double offsets[][3] = {{-0.4, 0, 0.4}, {-0.2, 0.1, 0.25}, {-0.3, -0.1, 0.3}, {-0.15, 0.05, 0.15}};
+constexpr double offsets[][3] = {
+    {-0.4, 0, 0.4}, {-0.2, 0.1, 0.25}, {-0.3, -0.1, 0.3}, {-0.15, 0.05, 0.15}};
 
 /// Short runs over the whole range, to find the neighbourhood of the answer.
 constexpr double scout_frictions[] = {0.02, 0.07, 0.15, 0.3, 0.6};
@@ -48,7 +49,8 @@ std::vector<double> inertial_numbers_for(const std::vector<Condition>& condition
     if (to < 1.05 * from) {
         return {std::sqrt(from * to)};
     }
-    const int gaps = std::max(1, static_cast<int>(std::ceil(std::log(to / from) / std::log(10.0 / 3) - 1e-6)));
+    const int gaps =
+        std::max(1, static_cast<int>(std::ceil(std::log(to / from) / std::log(10.0 / 3) - 1e-6)));
     std::vector<double> levels;
     for (int k = 0; k <= gaps; ++k) {
         levels.push_back(from * std::pow(to / from, static_cast<double>(k) / gaps));
@@ -70,7 +72,7 @@ DirectSimulation::DirectSimulation(const Study& study, const std::vector<Conditi
     }
 }
 
-void DirectSimulation::improve(const Eigen::VectorXd& parameters) {
+void DirectSimulation::improve(const Eigen::VectorXd& parameters, double excess) {
     const double centre = parameters(0);
     if (runs_.empty()) {
         carry_out({std::begin(scout_frictions), std::end(scout_frictions)},
@@ -78,10 +80,16 @@ void DirectSimulation::improve(const Eigen::VectorXd& parameters) {
         renew_surfaces(centre, whole_range);
         return;
     }
+    // The variance falls as one over the number of runs.
+    const auto done = static_cast<double>(placed_);
+    const int sets =
+        static_cast<int>(std::clamp(std::ceil((excess - 1) * done), 1.0, std::max(1.0, 2 * done)));
     std::vector<double> frictions;
-    for (const double offset : offsets[improvements_++ % std::size(offsets)]) {
-        frictions.push_back(std::clamp(ResponseSurface::friction_at(offset, centre), parameters_[0].lower,
-                                       parameters_[0].upper));
+    for (int set = 0; set < sets; ++set) {
+        for (const double offset : offsets[placed_++ % std::size(offsets)]) {
+            frictions.push_back(std::clamp(ResponseSurface::friction_at(offset, centre),
+                                           parameters_[0].lower, parameters_[0].upper));
+        }
     }
     carry_out(frictions, fidelity_.strain);
     renew_surfaces(centre, window);
@@ -124,14 +132,16 @@ void DirectSimulation::add(const dem::RunResult& run) {
     runs_.push_back(run);
     const auto& p = run.parameters;
     if (run.crystallised) {
-        notes_.push_back(fmt::format("a run at friction {:.3g}, inertial number {:.3g} crystallised and is not used",
-                                     p.friction, p.inertial_number));
+        notes_.push_back(fmt::format(
+            "a run at friction {:.3g}, inertial number {:.3g} crystallised and is not used",
+            p.friction, p.inertial_number));
         return;
     }
     if (!run.steady) {
-        notes_.push_back(fmt::format("a run at friction {:.3g}, inertial number {:.3g} was not steady within a "
-                                     "strain of {:.3g}; its last part is used",
-                                     p.friction, p.inertial_number, run.strain_averaged + run.strain_transient));
+        notes_.push_back(
+            fmt::format("a run at friction {:.3g}, inertial number {:.3g} was not steady within a "
+                        "strain of {:.3g}; its last part is used",
+                        p.friction, p.inertial_number, run.strain_averaged + run.strain_transient));
     }
     const Mean& stress_ratio = run[dem::Observable::stress_ratio];
     const Mean& solid_fraction = run[dem::Observable::solid_fraction];
@@ -162,8 +172,10 @@ Prediction DirectSimulation::predict(const Eigen::VectorXd& parameters,
     const ResponseSurface& surface = surfaces_.front();
     const auto n = static_cast<Eigen::Index>(conditions.size());
     const Eigen::Index terms = surface.terms();
-    const auto ratio = surface.coefficients().head(terms), fraction = surface.coefficients().tail(terms);
-    Prediction prediction{.value = Eigen::VectorXd(2 * n), .jacobian = Eigen::MatrixXd(2 * n, 1), .covariance = {}};
+    const auto ratio = surface.coefficients().head(terms),
+               fraction = surface.coefficients().tail(terms);
+    Prediction prediction{
+        .value = Eigen::VectorXd(2 * n), .jacobian = Eigen::MatrixXd(2 * n, 1), .covariance = {}};
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2 * n, 2 * terms);
     Eigen::VectorXd stiffness_error = Eigen::VectorXd::Zero(2 * n), form_error = stiffness_error;
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -177,19 +189,24 @@ Prediction DirectSimulation::predict(const Eigen::VectorXd& parameters,
         prediction.value(2 * k) = stress * basis.dot(ratio);
         prediction.value(2 * k + 1) = basis.dot(fraction) - share * shift;
         prediction.jacobian(2 * k, 0) = stress * slope.dot(ratio);
-        prediction.jacobian(2 * k + 1, 0) = slope.dot(fraction) - share * slope.dot(surface.shift());
-        stiffness_error(2 * k + 1) = share * shift * dem::rigidity_factor_error / dem::rigidity_factor;
+        prediction.jacobian(2 * k + 1, 0) =
+            slope.dot(fraction) - share * slope.dot(surface.shift());
+        stiffness_error(2 * k + 1) =
+            share * shift * dem::rigidity_factor_error / dem::rigidity_factor;
         form_error.segment<2>(2 * k) =
-            Eigen::Vector2d(stress, 1).cwiseProduct(surfaces_[1].value(friction, condition.inertial_number) -
-                                                    surfaces_[2].value(friction, condition.inertial_number)) /
+            Eigen::Vector2d(stress, 1).cwiseProduct(
+                surfaces_[1].value(friction, condition.inertial_number) -
+                surfaces_[2].value(friction, condition.inertial_number)) /
             2;
     }
     prediction.covariance = rows * surface.covariance() * rows.transpose() +
-                            stiffness_error * stiffness_error.transpose() + form_error * form_error.transpose();
+                            stiffness_error * stiffness_error.transpose() +
+                            form_error * form_error.transpose();
     return prediction;
 }
 
-DirectSimulation::Point DirectSimulation::predict_at(double friction, const Condition& condition) const {
+DirectSimulation::Point DirectSimulation::predict_at(double friction,
+                                                     const Condition& condition) const {
     const Prediction prediction = predict(Eigen::VectorXd::Constant(1, friction), {condition});
     const Eigen::Vector2d scale(1 / condition.normal_stress, 1);
     return {scale.cwiseProduct(Eigen::Vector2d(prediction.value)),

@@ -16,18 +16,18 @@ namespace pendular {
 ///
 /// Runs are made near where a fit has arrived (improve), at a few inertial numbers that span the
 /// readings'; a response surface through all runs so far gives smooth predictions, their
-/// derivatives and their covariance. A reading in the quasi-static limit, or slower than the fidelity
-/// simulates, is extrapolated in the inertial number. Solid fractions are corrected from the simulated
-/// to the study's stiffness number by the overlaps measured in each run. Both corrections add their
-/// errors to the covariance, common to all readings.
+/// derivatives and their covariance. A reading in the quasi-static limit, or slower than the
+/// fidelity simulates, is extrapolated in the inertial number. Solid fractions are corrected from
+/// the simulated to the study's stiffness number by the overlaps measured in each run. Both
+/// corrections add their errors to the covariance, common to all readings.
 class DirectSimulation : public Model {
   public:
-    DirectSimulation(const Study& study, const std::vector<Condition>& conditions, const Fidelity& fidelity,
-                     std::uint64_t seed, Workers workers);
+    DirectSimulation(const Study& study, const std::vector<Condition>& conditions,
+                     const Fidelity& fidelity, std::uint64_t seed, Workers workers);
 
     const std::vector<Parameter>& parameters() const override { return parameters_; }
     Prediction predict(const Eigen::VectorXd& parameters) const override;
-    void improve(const Eigen::VectorXd& parameters) override;
+    void improve(const Eigen::VectorXd& parameters, double excess) override;
     Supported supported() const override;
 
     /// Inertial numbers at which runs are made.
@@ -42,7 +42,8 @@ class DirectSimulation : public Model {
     /// Friction at which the response surface is centred.
     double centre() const { return centre_; }
 
-    /// Prediction (stress ratio, solid fraction) and its covariance for any dry condition, for curves.
+    /// Prediction (stress ratio, solid fraction) and its covariance for any dry condition, for
+    /// curves.
     struct Point {
         Eigen::Vector2d value;
         Eigen::Matrix2d covariance;
@@ -55,7 +56,8 @@ class DirectSimulation : public Model {
     void carry_out(const std::vector<double>& frictions, double strain);
     void add(const dem::RunResult& run);
     void renew_surfaces(double centre, double half_width);
-    Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions) const;
+    Prediction predict(const Eigen::VectorXd& parameters,
+                       const std::vector<Condition>& conditions) const;
 
     Grains grains_;
     std::vector<Condition> conditions_;
@@ -66,15 +68,15 @@ class DirectSimulation : public Model {
     std::vector<double> inertial_numbers_;
     std::vector<dem::RunResult> runs_;
     std::vector<SurfacePoint> points_;
-    std::vector<ResponseSurface> surfaces_;   ///< best exponent first, then the two extreme ones
+    std::vector<ResponseSurface> surfaces_;  ///< best exponent first, then the two extreme ones
     std::vector<std::string> notes_;
     double centre_ = 0;
-    int improvements_ = 0;
+    std::size_t placed_ = 0;  ///< sets of runs placed around a centre so far
 };
 
-/// Inertial numbers to simulate for readings at these: one where they agree within 5 %, else enough,
-/// evenly spaced in the logarithm, that neighbours differ by a factor 10/3 at most. Never below
-/// `lowest`; where a reading is, or is quasi-static (0), at least two to extrapolate from.
+/// Inertial numbers to simulate for readings at these: one where they agree within 5 %, else
+/// enough, evenly spaced in the logarithm, that neighbours differ by a factor 10/3 at most. Never
+/// below `lowest`; where a reading is, or is quasi-static (0), at least two to extrapolate from.
 std::vector<double> inertial_numbers_for(const std::vector<Condition>& conditions, double lowest);
 
 }  // namespace pendular

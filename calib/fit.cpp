@@ -38,13 +38,16 @@ class WhitenedResiduals : public ceres::CostFunction {
         set_num_residuals(static_cast<int>(measured.value.size()));
         mutable_parameter_block_sizes()->push_back(static_cast<int>(model.parameters().size()));
     }
-    bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+    bool Evaluate(const double* const* parameters, double* residuals,
+                  double** jacobians) const override {
         const auto n = static_cast<Eigen::Index>(model_.parameters().size());
-        const Prediction prediction = model_.predict(Eigen::Map<const Eigen::VectorXd>(parameters[0], n));
+        const Prediction prediction =
+            model_.predict(Eigen::Map<const Eigen::VectorXd>(parameters[0], n));
         Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) =
             whitening_.apply(measured_.value - prediction.value);
         if (jacobians != nullptr && jacobians[0] != nullptr) {
-            Eigen::Map<RowMajor>(jacobians[0], num_residuals(), n) = -whitening_.apply(prediction.jacobian);
+            Eigen::Map<RowMajor>(jacobians[0], num_residuals(), n) =
+                -whitening_.apply(prediction.jacobian);
         }
         return true;
     }
@@ -96,7 +99,8 @@ Minimum minimise(ceres::Problem& problem, Eigen::VectorXd& parameters, const Sup
 /// Adds the model's residuals on the block `parameters`, which must outlive the problem.
 void add_residuals(ceres::Problem& problem, const Model& model, const Measured& measured,
                    const Whitening& whitening, Eigen::VectorXd& parameters) {
-    problem.AddResidualBlock(new WhitenedResiduals(model, measured, whitening), nullptr, parameters.data());
+    problem.AddResidualBlock(new WhitenedResiduals(model, measured, whitening), nullptr,
+                             parameters.data());
 }
 
 Eigen::MatrixXd parameter_covariance(ceres::Problem& problem, const Eigen::VectorXd& parameters) {
@@ -118,8 +122,8 @@ Eigen::MatrixXd parameter_covariance(ceres::Problem& problem, const Eigen::Vecto
 Eigen::MatrixXd measurement_part(const Eigen::MatrixXd& covariance, const Whitening& whitening,
                                  const Prediction& prediction, const Measured& measured) {
     const Eigen::MatrixXd jacobian = whitening.apply(prediction.jacobian);
-    const Eigen::MatrixXd half = whitening.apply(measured.covariance);          // L^-1 S
-    const Eigen::MatrixXd whitened = whitening.apply(half.transpose());         // L^-1 S L^-T
+    const Eigen::MatrixXd half = whitening.apply(measured.covariance);   // L^-1 S
+    const Eigen::MatrixXd whitened = whitening.apply(half.transpose());  // L^-1 S L^-T
     return covariance * jacobian.transpose() * whitened * jacobian * covariance;
 }
 
@@ -130,13 +134,18 @@ Measured stack(const std::vector<Reading>& readings) {
     Measured measured{Eigen::VectorXd(2 * n), Eigen::MatrixXd::Zero(2 * n, 2 * n)};
     for (Eigen::Index k = 0; k < n; ++k) {
         measured.value.segment<2>(2 * k) = readings[static_cast<std::size_t>(k)].value;
-        measured.covariance.block<2, 2>(2 * k, 2 * k) = readings[static_cast<std::size_t>(k)].covariance;
+        measured.covariance.block<2, 2>(2 * k, 2 * k) =
+            readings[static_cast<std::size_t>(k)].covariance;
     }
     return measured;
 }
 
-double Fit::standard_error(Eigen::Index k) const { return std::sqrt(covariance(k, k)); }
-double Fit::measurement_error(Eigen::Index k) const { return std::sqrt(measurement_part(k, k)); }
+double Fit::standard_error(Eigen::Index k) const {
+    return std::sqrt(covariance(k, k));
+}
+double Fit::measurement_error(Eigen::Index k) const {
+    return std::sqrt(measurement_part(k, k));
+}
 double Fit::simulation_error(Eigen::Index k) const {
     return std::sqrt(std::max(0.0, covariance(k, k) - measurement_part(k, k)));
 }
@@ -153,7 +162,8 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     result.parameters = parameters;
     result.covariance = parameter_covariance(problem, parameters);
     result.prediction = model.predict(parameters);
-    result.measurement_part = measurement_part(result.covariance, whitening, result.prediction, measured);
+    result.measurement_part =
+        measurement_part(result.covariance, whitening, result.prediction, measured);
     result.chi2 = minimum.chi2;
     result.dof = static_cast<int>(measured.value.size() - parameters.size());
     result.converged = minimum.usable && minimum.converged;
@@ -161,13 +171,14 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     for (Eigen::Index k = 0; k < parameters.size(); ++k) {
         const Parameter& p = model.parameters()[static_cast<std::size_t>(k)];
         const double close = 1e-6 * (p.upper - p.lower);
-        result.at_bound.push_back(parameters(k) - p.lower < close || p.upper - parameters(k) < close);
+        result.at_bound.push_back(parameters(k) - p.lower < close ||
+                                  p.upper - parameters(k) < close);
     }
     return result;
 }
 
-std::pair<double, double> profile_interval(const Model& model, const Measured& measured, const Fit& best,
-                                           Eigen::Index which, double rise) {
+std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
+                                           const Fit& best, Eigen::Index which, double rise) {
     const Whitening whitening(measured.covariance + best.prediction.covariance);
     const Supported range = allowed(model);
     const auto chi2_at = [&](double value) {
@@ -178,8 +189,9 @@ std::pair<double, double> profile_interval(const Model& model, const Measured& m
         }
         ceres::Problem problem;
         add_residuals(problem, model, measured, whitening, parameters);
-        problem.SetManifold(parameters.data(), new ceres::SubsetManifold(static_cast<int>(parameters.size()),
-                                                                         {static_cast<int>(which)}));
+        problem.SetManifold(parameters.data(),
+                            new ceres::SubsetManifold(static_cast<int>(parameters.size()),
+                                                      {static_cast<int>(which)}));
         return minimise(problem, parameters, range).chi2;
     };
     const double limit = chi2_at(best.parameters(which)) + rise;
@@ -193,7 +205,8 @@ std::pair<double, double> profile_interval(const Model& model, const Measured& m
         }
         return 0.5 * (inside + outside);
     };
-    return {end(best.parameters(which), range.lower(which)), end(best.parameters(which), range.upper(which))};
+    return {end(best.parameters(which), range.lower(which)),
+            end(best.parameters(which), range.upper(which))};
 }
 
 Fit calibrate(Model& model, const Measured& measured, const CalibrationOptions& options,
@@ -203,27 +216,34 @@ Fit calibrate(Model& model, const Measured& measured, const CalibrationOptions& 
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         at(static_cast<Eigen::Index>(k)) = parameters[k].start;
     }
-    const auto settled = [&](const Fit& fit) {
+    // Largest ratio of a parameter's simulation variance to what the option allows.
+    const auto excess_of = [&](const Fit& fit) {
+        double excess = 0;
         for (Eigen::Index k = 0; k < at.size(); ++k) {
-            const double error = fit.standard_error(k);
-            const bool quiet = std::abs(fit.parameters(k) - at(k)) <= options.settled * error;
-            const double share = std::pow(fit.simulation_error(k) / error, 2);
-            if (!quiet || !(share <= options.simulation_share)) {
-                return false;
-            }
+            const double share = std::pow(fit.simulation_error(k) / fit.standard_error(k), 2);
+            const double ratio = share / (1 - share),
+                         allowed = options.simulation_share / (1 - options.simulation_share);
+            excess = std::max(excess, std::isfinite(ratio) ? ratio / allowed : 1e3);
         }
-        return true;
+        return excess;
+    };
+    const auto settled = [&](const Fit& fit) {
+        return ((fit.parameters - at).cwiseAbs().array() <=
+                options.settled * fit.covariance.diagonal().cwiseSqrt().array())
+            .all();
     };
     Fit best;
+    double excess = 1;
     for (int round = 1; round <= options.most_rounds; ++round) {
-        model.improve(at);
+        model.improve(at, excess);
         best = fit(model, measured, at);
         // Once more with the weights of the answer itself.
         best = fit(model, measured, best.parameters);
         if (report) {
             report(round, best);
         }
-        const bool done = round >= options.fewest_rounds && settled(best);
+        excess = excess_of(best);
+        const bool done = round >= options.fewest_rounds && settled(best) && excess <= 1;
         at = best.parameters;
         if (done) {
             return best;

@@ -21,14 +21,16 @@ Measured stack(const std::vector<Reading>& readings);
 /// Outcome of one least-squares fit.
 struct Fit {
     Eigen::VectorXd parameters;
-    Eigen::MatrixXd covariance;          ///< of the parameters, from ceres::Covariance, not scaled by chi2/dof
-    Eigen::MatrixXd measurement_part;    ///< what of it the measurement alone causes; the rest is simulation
+    Eigen::MatrixXd
+        covariance;  ///< of the parameters, from ceres::Covariance, not scaled by chi2/dof
+    Eigen::MatrixXd
+        measurement_part;  ///< what of it the measurement alone causes; the rest is simulation
     double chi2 = 0;
     int dof = 0;
     bool converged = false;
-    std::vector<bool> at_bound;          ///< per parameter: it ended at a bound of its range
-    Prediction prediction;               ///< at the parameters
-    std::string message;                 ///< what Ceres said
+    std::vector<bool> at_bound;  ///< per parameter: it ended at a bound of its range
+    Prediction prediction;       ///< at the parameters
+    std::string message;         ///< what Ceres said
 
     double standard_error(Eigen::Index k) const;
     double measurement_error(Eigen::Index k) const;
@@ -43,15 +45,15 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
 
 /// Interval of one parameter within which chi2, minimised over the others, stays within `rise` of
 /// its minimum; 1 gives the 68 % interval. An end beyond the supported range is reported there.
-std::pair<double, double> profile_interval(const Model& model, const Measured& measured, const Fit& best,
-                                           Eigen::Index which, double rise = 1);
+std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
+                                           const Fit& best, Eigen::Index which, double rise = 1);
 
 /// When a calibration is good enough, and when it gives up.
 struct CalibrationOptions {
-    double simulation_share = 0.2;   ///< of the variance of a parameter that simulation may cause
-    double settled = 0.3;            ///< largest last move, in standard errors
+    double simulation_share = 0.2;  ///< of the variance of a parameter that simulation may cause
+    double settled = 0.5;           ///< largest last move, in standard errors
     int fewest_rounds = 3;
-    int most_rounds = 12;
+    int most_rounds = 8;
 };
 
 /// Called after each round with the fit so far.

@@ -15,12 +15,13 @@ struct Parameter {
     double start = 0;
 };
 
-/// What a model says of n readings, and how sure it is. Entries 2 k and 2 k + 1 belong to reading k:
-/// its shear stress magnitude [Pa] and its solid fraction [1].
+/// What a model says of n readings, and how sure it is. Entries 2 k and 2 k + 1 belong to reading
+/// k: its shear stress magnitude [Pa] and its solid fraction [1].
 struct Prediction {
-    Eigen::VectorXd value;       ///< 2 n
-    Eigen::MatrixXd jacobian;    ///< 2 n x parameters
-    Eigen::MatrixXd covariance;  ///< 2 n x 2 n, of `value`: simulation noise and every correction's error
+    Eigen::VectorXd value;     ///< 2 n
+    Eigen::MatrixXd jacobian;  ///< 2 n x parameters
+    Eigen::MatrixXd
+        covariance;  ///< 2 n x 2 n, of `value`: simulation noise and every correction's error
 };
 
 /// The range of parameters over which a model's predictions are supported by simulation.
@@ -28,8 +29,8 @@ struct Supported {
     Eigen::VectorXd lower, upper;
 };
 
-/// Predicts the readings of a study as functions of its parameters. The derivatives are those of the
-/// value returned, so that a least-squares solver never differentiates noise.
+/// Predicts the readings of a study as functions of its parameters. The derivatives are those of
+/// the value returned, so that a least-squares solver never differentiates noise.
 class Model {
   public:
     virtual ~Model() = default;
@@ -40,8 +41,9 @@ class Model {
     virtual Prediction predict(const Eigen::VectorXd& parameters) const = 0;
 
     /// Learns more about the neighbourhood of `parameters`, where a fit has arrived; the next
-    /// predictions are centred there.
-    virtual void improve(const Eigen::VectorXd& parameters) = 0;
+    /// predictions are centred there. `excess` is the factor by which the variance that simulation
+    /// causes in the fit is too large: above 1, about so many times the work done so far is wanted.
+    virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
 
     virtual Supported supported() const = 0;
 };

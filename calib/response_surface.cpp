@@ -14,10 +14,12 @@ constexpr double friction_scale = 0.05;
 std::size_t distinct(std::vector<double> values) {
     std::ranges::sort(values);
     const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-3 * std::abs(b); };
-    return static_cast<std::size_t>(std::unique(values.begin(), values.end(), same) - values.begin());
+    return static_cast<std::size_t>(std::unique(values.begin(), values.end(), same) -
+                                    values.begin());
 }
 
-std::vector<SurfacePoint> within(const std::vector<SurfacePoint>& points, double centre, double window) {
+std::vector<SurfacePoint> within(const std::vector<SurfacePoint>& points, double centre,
+                                 double window) {
     std::vector<SurfacePoint> near;
     std::ranges::copy_if(points, std::back_inserter(near), [&](const SurfacePoint& p) {
         return std::abs(ResponseSurface::coordinate(p.friction, centre)) <= window;
@@ -52,8 +54,8 @@ double ResponseSurface::friction_at(double coordinate, double centre) {
     return (centre + friction_scale) * std::exp(coordinate) - friction_scale;
 }
 
-ResponseSurface::ResponseSurface(const std::vector<SurfacePoint>& points, double centre, double exponent,
-                                 double window)
+ResponseSurface::ResponseSurface(const std::vector<SurfacePoint>& points, double centre,
+                                 double exponent, double window)
     : centre_(centre), exponent_(exponent) {
     if (points.size() < 3) {
         throw std::invalid_argument("a response surface needs at least three runs");
@@ -132,9 +134,11 @@ void ResponseSurface::fit(const std::vector<SurfacePoint>& points) {
         const auto& p = points[static_cast<std::size_t>(k)];
         const Eigen::RowVectorXd row = basis(p.friction, p.inertial_number);
         Eigen::Matrix2d covariance = p.covariance;
-        covariance(0, 1) = covariance(1, 0) = correlation * std::sqrt(covariance(0, 0) * covariance(1, 1));
+        covariance(0, 1) = covariance(1, 0) =
+            correlation * std::sqrt(covariance(0, 0) * covariance(1, 1));
         // Whitened by the run's own covariance: W W^T = C^-1 through the inverse Cholesky factor.
-        const Eigen::Matrix2d whiten = covariance.llt().matrixL().solve(Eigen::Matrix2d::Identity());
+        const Eigen::Matrix2d whiten =
+            covariance.llt().matrixL().solve(Eigen::Matrix2d::Identity());
         design.block(2 * k, 0, 2, terms_) = whiten.col(0) * row;
         design.block(2 * k, terms_, 2, terms_) = whiten.col(1) * row;
         target.segment<2>(2 * k) = whiten * p.value;
@@ -146,7 +150,8 @@ void ResponseSurface::fit(const std::vector<SurfacePoint>& points) {
     chi2_ = (target - design * coefficients_).squaredNorm();
     dof_ = static_cast<int>(2 * rows - qr.rank());
     const double growth = dof_ > 0 ? std::max(1.0, chi2_ / dof_) : 1.0;
-    covariance_ = growth * (design.transpose() * design).completeOrthogonalDecomposition().pseudoInverse();
+    covariance_ =
+        growth * (design.transpose() * design).completeOrthogonalDecomposition().pseudoInverse();
     shift_ = shift_design.colPivHouseholderQr().solve(shift_target);
 }
 

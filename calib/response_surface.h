@@ -11,12 +11,13 @@ struct SurfacePoint {
     double inertial_number = 0;
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-    double rigidity_shift = 0;   ///< by which rigid beads would pack less densely [1]
+    double rigidity_shift = 0;  ///< by which rigid beads would pack less densely [1]
 };
 
 /// Local polynomial through simulation runs: stress ratio and solid fraction of dry shear as smooth
 /// functions of friction and inertial number,
-///     y = c0 + c1 x + c2 x^2 + c3 q + c4 x q + c5 q^2,   x = ln[(mu + 0.05)/(mu_c + 0.05)],  q = I^exponent,
+///     y = c0 + c1 x + c2 x^2 + c3 q + c4 x q + c5 q^2,   x = ln[(mu + 0.05)/(mu_c + 0.05)],  q =
+///     I^exponent,
 /// by generalised least squares over both observables together. Terms that the runs cannot tell
 /// (fewer than three frictions, fewer than three inertial numbers) are left out. Where the runs
 /// scatter about it more than their standard errors allow, the covariance grows by chi2/dof.
@@ -27,7 +28,8 @@ class ResponseSurface {
   public:
     /// Uses the points within `window` in x of the centre, all of them where those are too few.
     /// @throws std::invalid_argument for fewer than three points
-    ResponseSurface(const std::vector<SurfacePoint>& points, double centre, double exponent, double window);
+    ResponseSurface(const std::vector<SurfacePoint>& points, double centre, double exponent,
+                    double window);
 
     /// Row of basis functions at a friction and an inertial number, or its derivative by friction.
     Eigen::RowVectorXd basis(double friction, double inertial_number) const;

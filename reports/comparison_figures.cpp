@@ -13,10 +13,12 @@ const std::string stress_ratio_label = "stress ratio μ* = |σ_{12}|/σ_{22}";
 const std::string solid_fraction_label = "solid fraction Φ_S";
 const std::string friction_label = "intergranular friction μ";
 const std::string inertial_label = "inertial number I = γ̇ (m/aσ_{22})^{1/2}";
-const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4", calibrated_colour = "#c0392b",
-                  run_colour = "#5b9bd5";
+const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
+                  calibrated_colour = "#c0392b", run_colour = "#5b9bd5";
 
-double calibrated(const Calibration& c) { return c.fit.parameters(0); }
+double calibrated(const Calibration& c) {
+    return c.fit.parameters(0);
+}
 
 /// (stress ratio, solid fraction) of a reading with their standard errors.
 struct Shown {
@@ -24,7 +26,8 @@ struct Shown {
 };
 Shown shown(const Reading& r) {
     const double s = r.condition.normal_stress;
-    return {{r.value(0) / s, r.value(1)}, {std::sqrt(r.covariance(0, 0)) / s, std::sqrt(r.covariance(1, 1))}};
+    return {{r.value(0) / s, r.value(1)},
+            {std::sqrt(r.covariance(0, 0)) / s, std::sqrt(r.covariance(1, 1))}};
 }
 
 /// Weighted mean of readings, for a band that stands for all of them.
@@ -46,11 +49,13 @@ Shown mean_of(const std::vector<Reading>& readings) {
 
 /// Readings at the lowest inertial number, within 5 %: those of the calibration figure.
 std::vector<Reading> slowest(const std::vector<Reading>& readings) {
-    const double least = std::ranges::min(readings, {}, [](const Reading& r) { return r.condition.inertial_number; })
-                             .condition.inertial_number;
+    const double least = std::ranges::min(readings, {}, [](const Reading& r) {
+                             return r.condition.inertial_number;
+                         }).condition.inertial_number;
     std::vector<Reading> result;
-    std::ranges::copy_if(readings, std::back_inserter(result),
-                         [&](const Reading& r) { return r.condition.inertial_number <= 1.05 * least; });
+    std::ranges::copy_if(readings, std::back_inserter(result), [&](const Reading& r) {
+        return r.condition.inertial_number <= 1.05 * least;
+    });
     return result;
 }
 
@@ -74,16 +79,21 @@ struct ModelCurve {
 
 /// Solid fraction of a run at the study's stiffness, stress ratio as it is.
 Shown at_study_stiffness(const dem::RunResult& run, double share) {
-    const Mean &ratio = run[dem::Observable::stress_ratio], &fraction = run[dem::Observable::solid_fraction];
-    const double shift = share * dem::rigidity_shift(fraction.value, run[dem::Observable::mean_overlap].value);
+    const Mean &ratio = run[dem::Observable::stress_ratio],
+               &fraction = run[dem::Observable::solid_fraction];
+    const double shift =
+        share * dem::rigidity_shift(fraction.value, run[dem::Observable::mean_overlap].value);
     return {{ratio.value, fraction.value - shift}, {ratio.standard_error, fraction.standard_error}};
 }
 
-Curve runs_curve(const Calibration& c, const DirectSimulation& model, const Condition& condition, std::size_t o,
-                 double inertial_number) {
-    Curve curve{.label = fmt::format("simulations, I = {:.3g}", inertial_number), .colour = run_colour, .symbol = 6};
+Curve runs_curve(const Calibration& c, const DirectSimulation& model, const Condition& condition,
+                 std::size_t o, double inertial_number) {
+    Curve curve{.label = fmt::format("simulations, I = {:.3g}", inertial_number),
+                .colour = run_colour,
+                .symbol = 6};
     for (const auto& run : c.runs) {
-        if (!run.crystallised && std::abs(run.parameters.inertial_number / inertial_number - 1) < 0.01) {
+        if (!run.crystallised &&
+            std::abs(run.parameters.inertial_number / inertial_number - 1) < 0.01) {
             const Shown one = at_study_stiffness(run, model.stiffness_share(condition));
             curve.x.push_back(run.parameters.friction);
             curve.y.push_back(one.value[o]);
@@ -111,13 +121,16 @@ Figure calibration_figure(const Calibration& c, const DirectSimulation& model) {
     const double slow = model.inertial_numbers().front();
     const bool limit = condition.inertial_number == 0;
     for (std::size_t o = 0; o < 2; ++o) {
-        Panel panel{.x_label = friction_label, .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
-        panel.references.push_back({"measured, ± 1 standard error", measured.value[o], measured.error[o], false,
-                                    measured_colour});
-        panel.references.push_back({"calibrated, ± 1 standard error", calibrated(c), c.fit.standard_error(0), true,
-                                    calibrated_colour});
+        Panel panel{.x_label = friction_label,
+                    .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
+        panel.references.push_back({"measured, ± 1 standard error", measured.value[o],
+                                    measured.error[o], false, measured_colour});
+        panel.references.push_back({"calibrated, ± 1 standard error", calibrated(c),
+                                    c.fit.standard_error(0), true, calibrated_colour});
         panel.curves.push_back(runs_curve(c, model, condition, o, slow));
-        curve.draw_in(panel, o, limit ? "model, I → 0" : fmt::format("model, I = {:.3g}", condition.inertial_number));
+        curve.draw_in(
+            panel, o,
+            limit ? "model, I → 0" : fmt::format("model, I = {:.3g}", condition.inertial_number));
         panel.key = o == 0 ? "bottom right" : "";
         figure.panels.push_back(panel);
     }
@@ -134,10 +147,14 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
         condition.inertial_number = low * std::pow(levels.back() / low, k / 60.0);
         curve.add(condition.inertial_number, model.predict_at(calibrated(c), condition));
     }
-    Figure figure{.name = "inertial_number", .title = "Against the inertial number, at the calibrated friction",
-                  .panels = {}, .stacked = true};
+    Figure figure{.name = "inertial_number",
+                  .title = "Against the inertial number, at the calibrated friction",
+                  .panels = {},
+                  .stacked = true};
     for (std::size_t o = 0; o < 2; ++o) {
-        Panel panel{.x_label = inertial_label, .y_label = o == 0 ? stress_ratio_label : solid_fraction_label, .log_x = true};
+        Panel panel{.x_label = inertial_label,
+                    .y_label = o == 0 ? stress_ratio_label : solid_fraction_label,
+                    .log_x = true};
         Curve points{.label = "measured", .colour = measured_colour, .symbol = 7};
         std::vector<Reading> quasi_static;
         for (const auto& reading : c.readings) {
@@ -152,12 +169,14 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
         }
         if (!quasi_static.empty()) {
             const Shown one = mean_of(quasi_static);
-            panel.references.push_back({"measured, quasi-static", one.value[o], one.error[o], false, measured_colour});
+            panel.references.push_back(
+                {"measured, quasi-static", one.value[o], one.error[o], false, measured_colour});
             condition.inertial_number = 0;
             const auto limit = model.predict_at(calibrated(c), condition);
             const auto i = static_cast<Eigen::Index>(o);
             panel.references.push_back({"model, I → 0", limit.value(i),
-                                        std::sqrt(limit.covariance(i, i)), false, calibrated_colour});
+                                        std::sqrt(limit.covariance(i, i)), false,
+                                        calibrated_colour});
         }
         if (!points.x.empty()) {
             panel.curves.push_back(points);
@@ -168,8 +187,13 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
             condition.inertial_number = levels.front();
             const auto only = model.predict_at(calibrated(c), condition);
             const auto i = static_cast<Eigen::Index>(o);
-            panel.curves.push_back({"model", Curve::Style::points, {levels.front()}, {only.value(i)},
-                                    {std::sqrt(only.covariance(i, i))}, model_colour, 5});
+            panel.curves.push_back({"model",
+                                    Curve::Style::points,
+                                    {levels.front()},
+                                    {only.value(i)},
+                                    {std::sqrt(only.covariance(i, i))},
+                                    model_colour,
+                                    5});
         }
         panel.x_range = {low, high};
         panel.key = o == 0 ? "top left" : "";
@@ -182,14 +206,17 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
 Figure parity_figure(const Comparison& comparison) {
     Figure figure{.name = "parity", .title = "Model against measurement", .panels = {}};
     for (std::size_t o = 0; o < 2; ++o) {
-        Panel panel{.x_label = o == 0 ? "measured shear stress |σ_{12}| [Pa]" : "measured solid fraction Φ_S",
-                    .y_label = o == 0 ? "predicted shear stress |σ_{12}| [Pa]" : "predicted solid fraction Φ_S"};
+        Panel panel{.x_label = o == 0 ? "measured shear stress |σ_{12}| [Pa]"
+                                      : "measured solid fraction Φ_S",
+                    .y_label = o == 0 ? "predicted shear stress |σ_{12}| [Pa]"
+                                      : "predicted solid fraction Φ_S"};
         Curve points{.label = "reading, ± 1 standard error", .colour = model_colour};
         for (const auto& misfit : comparison.readings) {
             const auto i = static_cast<Eigen::Index>(o);
             points.x.push_back(misfit.reading.value(i));
             points.y.push_back(misfit.predicted(i));
-            points.y_error.push_back(std::sqrt(misfit.reading.covariance(i, i) + misfit.predicted_covariance(i, i)));
+            points.y_error.push_back(
+                std::sqrt(misfit.reading.covariance(i, i) + misfit.predicted_covariance(i, i)));
         }
         panel.curves.push_back(points);
         panel.diagonal = true;
@@ -201,12 +228,16 @@ Figure parity_figure(const Comparison& comparison) {
 
 Figure residual_figure(const Comparison& comparison) {
     Figure figure{.name = "residuals",
-                  .title = fmt::format("Residuals: χ^2 = {:.2f}, degrees of freedom: {}", comparison.chi2, comparison.dof),
+                  .title = fmt::format("Residuals: χ^2 = {:.2f}, degrees of freedom: {}",
+                                       comparison.chi2, comparison.dof),
                   .panels = {}};
     const auto by_stress = [](const ReadingMisfit& m) { return m.reading.condition.normal_stress; };
-    const auto by_inertia = [](const ReadingMisfit& m) { return m.reading.condition.inertial_number; };
+    const auto by_inertia = [](const ReadingMisfit& m) {
+        return m.reading.condition.inertial_number;
+    };
     const auto panel_against = [&](const std::string& label, auto covariate, bool log_x) {
-        Panel panel{.x_label = label, .y_label = "(measured − predicted)/standard error", .log_x = log_x};
+        Panel panel{
+            .x_label = label, .y_label = "(measured − predicted)/standard error", .log_x = log_x};
         for (std::size_t o = 0; o < 2; ++o) {
             Curve points{.label = o == 0 ? "shear stress" : "solid fraction",
                          .colour = o == 0 ? model_colour : calibrated_colour,
@@ -233,8 +264,8 @@ Figure residual_figure(const Comparison& comparison) {
 std::vector<Figure> comparison_figures(const Study& study, const Calibration& calibration,
                                        const Comparison& comparison) {
     const DirectSimulation model = model_of(study, calibration);
-    return {calibration_figure(calibration, model), inertial_figure(calibration, model), parity_figure(comparison),
-            residual_figure(comparison)};
+    return {calibration_figure(calibration, model), inertial_figure(calibration, model),
+            parity_figure(comparison), residual_figure(comparison)};
 }
 
 }  // namespace pendular

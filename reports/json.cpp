@@ -15,11 +15,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json uncertain(double value, double error) { return {{"value", value}, {"stderr", error}}; }
+Json uncertain(double value, double error) {
+    return {{"value", value}, {"stderr", error}};
+}
 
-constexpr std::string_view bridge_observables[] = {
-    "distant_coordination", "liquid_content", "distant_force", "capillary_stress_22", "capillary_shear_stress",
-    "capillary_shear_stress_contact", "capillary_shear_stress_distant", "fabric_12_distant"};
+constexpr std::string_view bridge_observables[] = {"distant_coordination",
+                                                   "liquid_content",
+                                                   "distant_force",
+                                                   "capillary_stress_22",
+                                                   "capillary_shear_stress",
+                                                   "capillary_shear_stress_contact",
+                                                   "capillary_shear_stress_distant",
+                                                   "fabric_12_distant"};
 
 Json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance) {
     return {{"shear_stress", uncertain(value(0), std::sqrt(covariance(0, 0)))},
@@ -176,7 +183,9 @@ namespace {
 
 /// Whether a prediction entry was made from this reading, up to rounding in the file.
 bool made_from(const Json& entry, const Reading& reading) {
-    const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); };
+    const auto same = [](double a, double b) {
+        return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+    };
     const Json& measured = entry.at("measured");
     return same(entry.at("normal_stress"), reading.condition.normal_stress) &&
            same(entry.at("inertial_number"), reading.condition.inertial_number) &&
@@ -186,20 +195,23 @@ bool made_from(const Json& entry, const Reading& reading) {
            same(measured.at("solid_fraction").at("stderr"), std::sqrt(reading.covariance(1, 1)));
 }
 
-Calibration parse_calibration(const Json& json, const std::vector<Reading>& readings, const Position& where) {
+Calibration parse_calibration(const Json& json, const std::vector<Reading>& readings,
+                              const Position& where) {
     const Json& entries = json.at("predictions");
     const bool same_readings =
         entries.size() == readings.size() &&
-        std::ranges::equal(entries, readings, [](const Json& e, const Reading& r) { return made_from(e, r); });
+        std::ranges::equal(entries, readings,
+                           [](const Json& e, const Reading& r) { return made_from(e, r); });
     if (!same_readings) {
-        throw InputError(where, "this fit was made from other readings than the study holds now; run "
-                                "'pendular calibrate' again");
+        throw InputError(where,
+                         "this fit was made from other readings than the study holds now; run "
+                         "'pendular calibrate' again");
     }
     Calibration c;
     c.readings = readings;
     const Json& f = json.at("fidelity");
-    c.fidelity = {f.at("name"), f.at("beads"), f.at("stiffness_number"), f.at("lowest_inertial_number"),
-                  f.at("strain")};
+    c.fidelity = {f.at("name"), f.at("beads"), f.at("stiffness_number"),
+                  f.at("lowest_inertial_number"), f.at("strain")};
     c.seed = json.at("seed");
     c.rounds = json.at("rounds");
     c.surface_centre = json.at("surface_centre");
@@ -222,17 +234,20 @@ Calibration parse_calibration(const Json& json, const std::vector<Reading>& read
 
 }  // namespace
 
-Calibration read_calibration(const std::filesystem::path& file, const std::vector<Reading>& readings) {
+Calibration read_calibration(const std::filesystem::path& file,
+                             const std::vector<Reading>& readings) {
     std::ifstream stream(file);
     if (!stream) {
-        throw InputError({file.string()}, "there is no calibration yet; run 'pendular calibrate' first");
+        throw InputError({file.string()},
+                         "there is no calibration yet; run 'pendular calibrate' first");
     }
     try {
         return parse_calibration(Json::parse(stream), readings, {file.string()});
     } catch (const Json::exception& error) {
-        throw InputError({file.string()},
-                         fmt::format("not a calibration of this version ({}); run 'pendular calibrate' again",
-                                     error.what()));
+        throw InputError(
+            {file.string()},
+            fmt::format("not a calibration of this version ({}); run 'pendular calibrate' again",
+                        error.what()));
     }
 }
 
@@ -259,14 +274,17 @@ Json to_json(const Comparison& comparison) {
     }
     json["trends"] = Json::array();
     for (const auto& trend : comparison.trends) {
-        json["trends"].push_back({{"covariate", trend.covariate},
-                                  {"correlation", {{"shear_stress", trend.correlation[0]},
-                                                   {"solid_fraction", trend.correlation[1]}}},
-                                  {"p", {{"shear_stress", trend.p[0]}, {"solid_fraction", trend.p[1]}}}});
+        json["trends"].push_back(
+            {{"covariate", trend.covariate},
+             {"correlation",
+              {{"shear_stress", trend.correlation[0]}, {"solid_fraction", trend.correlation[1]}}},
+             {"p", {{"shear_stress", trend.p[0]}, {"solid_fraction", trend.p[1]}}}});
     }
     return json;
 }
 
-void write_json(const std::filesystem::path& file, const Json& json) { write_whole(file, json.dump(2) + "\n"); }
+void write_json(const std::filesystem::path& file, const Json& json) {
+    write_whole(file, json.dump(2) + "\n");
+}
 
 }  // namespace pendular

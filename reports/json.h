@@ -25,7 +25,8 @@ nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison&
 /// A calibration back from `out/fit.json`; its readings come from the study and must be those that
 /// were fitted.
 /// @throws InputError where the file is missing, malformed, or was made from other readings
-Calibration read_calibration(const std::filesystem::path& file, const std::vector<Reading>& readings);
+Calibration read_calibration(const std::filesystem::path& file,
+                             const std::vector<Reading>& readings);
 
 /// What `compare` prints and `out/compare.json` holds.
 nlohmann::ordered_json to_json(const Comparison& comparison);

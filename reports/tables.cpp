@@ -20,28 +20,31 @@ constexpr std::size_t place_width = 28;
 }  // namespace
 
 std::vector<std::string> readings_table(const Measurements& measurements) {
-    std::vector<std::string> lines = {fmt::format("  {:<{}} {:>10} {:>10} {:>10} {:>19} {:>19}", "reading", place_width,
-                                                  "s22 [Pa]", "I [1]", "liquid [1]", "shear stress [Pa]",
-                                                  "solid fraction [1]")};
+    std::vector<std::string> lines = {
+        fmt::format("  {:<{}} {:>10} {:>10} {:>10} {:>19} {:>19}", "reading", place_width,
+                    "s22 [Pa]", "I [1]", "liquid [1]", "shear stress [Pa]", "solid fraction [1]")};
     for (const auto& r : measurements.readings) {
-        lines.push_back(fmt::format("  {:<{}} {:>10.4g} {:>10.3g} {:>10.3g} {:>10.4g} +-{:>6.2g} {:>10.4f} +-{:>6.1g}",
-                                    place(r), place_width, r.condition.normal_stress, r.condition.inertial_number,
-                                    r.condition.liquid_content, r.value(0), std::sqrt(r.covariance(0, 0)), r.value(1),
-                                    std::sqrt(r.covariance(1, 1))));
+        lines.push_back(fmt::format(
+            "  {:<{}} {:>10.4g} {:>10.3g} {:>10.3g} {:>10.4g} +-{:>6.2g} {:>10.4f} +-{:>6.1g}",
+            place(r), place_width, r.condition.normal_stress, r.condition.inertial_number,
+            r.condition.liquid_content, r.value(0), std::sqrt(r.covariance(0, 0)), r.value(1),
+            std::sqrt(r.covariance(1, 1))));
     }
     return lines;
 }
 
 std::vector<std::string> predictions_table(const Comparison& comparison) {
-    std::vector<std::string> lines = {fmt::format("  {:<{}} {:>9} {:>9} | {:>9} {:>9} {:>6} | {:>9} {:>9} {:>6} | {:>6}",
-                                                  "reading", place_width, "s22 [Pa]", "I [1]", "s12 [Pa]", "model",
-                                                  "sigma", "Phi_S [1]", "model", "sigma", "chi2")};
+    std::vector<std::string> lines = {
+        fmt::format("  {:<{}} {:>9} {:>9} | {:>9} {:>9} {:>6} | {:>9} {:>9} {:>6} | {:>6}",
+                    "reading", place_width, "s22 [Pa]", "I [1]", "s12 [Pa]", "model", "sigma",
+                    "Phi_S [1]", "model", "sigma", "chi2")};
     for (const auto& m : comparison.readings) {
         lines.push_back(fmt::format(
-            "  {:<{}} {:>9.4g} {:>9.3g} | {:>9.4g} {:>9.4g} {:>6.2f} | {:>9.4f} {:>9.4f} {:>6.2f} | {:>6.2f}",
-            place(m.reading), place_width, m.reading.condition.normal_stress, m.reading.condition.inertial_number,
-            m.reading.value(0), m.predicted(0), m.normalised(0), m.reading.value(1), m.predicted(1), m.normalised(1),
-            m.chi2.sum()));
+            "  {:<{}} {:>9.4g} {:>9.3g} | {:>9.4g} {:>9.4g} {:>6.2f} | {:>9.4f} {:>9.4f} {:>6.2f} "
+            "| {:>6.2f}",
+            place(m.reading), place_width, m.reading.condition.normal_stress,
+            m.reading.condition.inertial_number, m.reading.value(0), m.predicted(0),
+            m.normalised(0), m.reading.value(1), m.predicted(1), m.normalised(1), m.chi2.sum()));
     }
     lines.push_back("  (sigma: measured minus model over the standard error of the difference)");
     return lines;
@@ -53,17 +56,20 @@ std::vector<std::string> comparison_table(const Comparison& comparison) {
                                 comparison.by_observable[0], comparison.by_observable[1]));
     lines.push_back("chi2 by condition:");
     for (const auto& group : comparison.by_condition) {
-        lines.push_back(fmt::format("  s22 {:>8.4g} Pa, I {:>8.3g}, liquid content {:>6.3g}: {:>7.2f} from {} reading{}",
-                                    group.condition.normal_stress, group.condition.inertial_number,
-                                    group.condition.liquid_content, group.chi2, group.readings.size(),
-                                    group.readings.size() == 1 ? "" : "s"));
+        lines.push_back(fmt::format(
+            "  s22 {:>8.4g} Pa, I {:>8.3g}, liquid content {:>6.3g}: {:>7.2f} from {} reading{}",
+            group.condition.normal_stress, group.condition.inertial_number,
+            group.condition.liquid_content, group.chi2, group.readings.size(),
+            group.readings.size() == 1 ? "" : "s"));
     }
     if (!comparison.trends.empty()) {
-        lines.push_back("residuals against covariates: correlation (p), shear stress and solid fraction");
+        lines.push_back(
+            "residuals against covariates: correlation (p), shear stress and solid fraction");
     }
     for (const auto& trend : comparison.trends) {
-        lines.push_back(fmt::format("  {:<16} {:>6.2f} ({:.2g})   {:>6.2f} ({:.2g})", trend.covariate,
-                                    trend.correlation[0], trend.p[0], trend.correlation[1], trend.p[1]));
+        lines.push_back(fmt::format("  {:<16} {:>6.2f} ({:.2g})   {:>6.2f} ({:.2g})",
+                                    trend.covariate, trend.correlation[0], trend.p[0],
+                                    trend.correlation[1], trend.p[1]));
     }
     return lines;
 }

@@ -12,7 +12,8 @@
 namespace pendular {
 
 double expected_cost(const dem::RunParameters& run) {
-    // Steps per strain: 1/(I dt) with dt proportional to kappa^(-1/2); about 1.2 of strain is transient.
+    // Steps per strain: 1/(I dt) with dt proportional to kappa^(-1/2); about 1.2 of strain is
+    // transient.
     return run.beads * (run.strain + 1.2) / run.inertial_number * std::sqrt(run.stiffness_number);
 }
 
@@ -22,9 +23,14 @@ namespace {
 class Ensemble {
   public:
     Ensemble(const std::vector<dem::RunParameters>& runs, const Workers& workers)
-        : runs_(runs), workers_(workers), results_(runs.size()), done_(runs.size(), 0.0), order_(runs.size()) {
+        : runs_(runs),
+          workers_(workers),
+          results_(runs.size()),
+          done_(runs.size(), 0.0),
+          order_(runs.size()) {
         std::iota(order_.begin(), order_.end(), std::size_t{0});
-        std::ranges::stable_sort(order_, std::greater{}, [&](std::size_t k) { return expected_cost(runs_[k]); });
+        std::ranges::stable_sort(order_, std::greater{},
+                                 [&](std::size_t k) { return expected_cost(runs_[k]); });
         for (const auto& run : runs_) {
             total_ += expected_cost(run);
         }
@@ -57,9 +63,10 @@ class Ensemble {
             }
             const std::size_t k = order_[turn];
             try {
-                results_[k] = dem::run(runs_[k], stop_.get_token(), [&](double strain, double expected) {
-                    note(k, std::min(0.999, strain / expected));
-                });
+                results_[k] =
+                    dem::run(runs_[k], stop_.get_token(), [&](double strain, double expected) {
+                        note(k, std::min(0.999, strain / expected));
+                    });
                 note(k, 1.0);
             } catch (...) {
                 const std::lock_guard lock(mutex_);
@@ -84,7 +91,8 @@ class Ensemble {
             progress.runs_done += done_[run] >= 1;
         }
         progress.fraction = cost / total_;
-        const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+        const double spent =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
         if (progress.fraction > 0.01) {
             progress.seconds_left = spent * (1 / progress.fraction - 1);
         }
@@ -106,7 +114,8 @@ class Ensemble {
 
 }  // namespace
 
-std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs, const Workers& workers) {
+std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
+                                    const Workers& workers) {
     return runs.empty() ? std::vector<dem::RunResult>{} : Ensemble(runs, workers).carry_out();
 }
 

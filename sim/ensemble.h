@@ -21,13 +21,14 @@ using EnsembleReport = std::function<void(const EnsembleProgress&)>;
 struct Workers {
     int threads = 1;
     std::stop_token stop;
-    EnsembleReport report;   ///< called from one thread at a time
+    EnsembleReport report;  ///< called from one thread at a time
 };
 
 /// Carries out independent runs side by side, one core each, the longest first. The results come in
 /// the order asked for and do not depend on the number of threads.
 /// @throws whatever the first run to fail threw, after the others have stopped
-std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs, const Workers& workers);
+std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
+                                    const Workers& workers);
 
 /// Bead-steps that a run will take, transient included; relative cost only.
 double expected_cost(const dem::RunParameters& run);

@@ -24,7 +24,8 @@ struct Beads {
 
     /// All arrays, for whoever treats them alike.
     std::vector<std::vector<double>*> columns() {
-        return {&x, &y, &z, &vx, &vy, &vz, &wx, &wy, &wz, &fx, &fy, &fz, &tx, &ty, &tz, &ux, &uy, &uz};
+        return {&x,  &y,  &z,  &vx, &vy, &vz, &wx, &wy, &wz,
+                &fx, &fy, &fz, &tx, &ty, &tz, &ux, &uy, &uz};
     }
 };
 

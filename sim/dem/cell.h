@@ -43,7 +43,8 @@ constexpr int count = per_direction * per_direction * per_direction;
 constexpr int nowhere = count;
 
 constexpr int of(Image image) {
-    return ((image.n3 + reach) * per_direction + image.n2 + reach) * per_direction + image.n1 + reach;
+    return ((image.n3 + reach) * per_direction + image.n2 + reach) * per_direction + image.n1 +
+           reach;
 }
 constexpr Image image(int code) {
     return {code % per_direction - reach, code / per_direction % per_direction - reach,

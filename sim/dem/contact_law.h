@@ -7,10 +7,10 @@ namespace pendular::dem {
 
 /// Material of the beads in reduced units (diameter, mass and normal stress are 1).
 struct Material {
-    double modulus = 0;      ///< E~ = E/(1 - nu^2) over the normal stress: kappa^(3/2)
+    double modulus = 0;  ///< E~ = E/(1 - nu^2) over the normal stress: kappa^(3/2)
     double poisson_ratio = 0.3;
-    double friction = 0;     ///< intergranular friction coefficient mu
-    double damping = 0.98;   ///< zeta, fraction of critical damping of the normal motion
+    double friction = 0;    ///< intergranular friction coefficient mu
+    double damping = 0.98;  ///< zeta, fraction of critical damping of the normal motion
 };
 
 /// Tangential over normal stiffness of a Mindlin contact [1]: (2 - 2 nu)/(2 - nu).

@@ -31,7 +31,8 @@ Shifts image_shifts(const Cell& cell) {
     Shifts shifts;
     for (int code = 0; code < image_code::count; ++code) {
         const Image n = image_code::image(code);
-        shifts[code] = {n.n1 * cell.length + n.n2 * cell.offset, n.n2 * cell.height, n.n3 * cell.width};
+        shifts[code] = {n.n1 * cell.length + n.n2 * cell.offset, n.n2 * cell.height,
+                        n.n3 * cell.width};
     }
     shifts[image_code::nowhere] = {1e3, 0, 0};
     return shifts;
@@ -60,7 +61,8 @@ Shifts image_shifts(const Cell& cell) {
 
 /// Contact forces of a batch; pairs that do not touch get zeros without a branch.
 [[gnu::always_inline]] inline void contact_forces(Batch& b, Pairs& pairs, std::size_t begin,
-                                                  const Material& material, double dt, LaneSums& sums) {
+                                                  const Material& material, double dt,
+                                                  LaneSums& sums) {
     double* __restrict sx = pairs.sx.data() + begin;
     double* __restrict sy = pairs.sy.data() + begin;
     double* __restrict sz = pairs.sz.data() + begin;
@@ -71,7 +73,8 @@ Shifts image_shifts(const Cell& cell) {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
         // Geometry: unit normal from the first to the second bead, overlap.
-        const double distance = std::sqrt(b.rx[k] * b.rx[k] + b.ry[k] * b.ry[k] + b.rz[k] * b.rz[k]);
+        const double distance =
+            std::sqrt(b.rx[k] * b.rx[k] + b.ry[k] * b.ry[k] + b.rz[k] * b.rz[k]);
         const double inverse = 1 / distance;
         const double nx = b.rx[k] * inverse, ny = b.ry[k] * inverse, nz = b.rz[k] * inverse;
         const double overlap = distance < 1 ? 1 - distance : 0.0;
@@ -106,7 +109,8 @@ Shifts image_shifts(const Cell& cell) {
         px = kept * (px - along * nx) - stiffness * ux;
         py = kept * (py - along * ny) - stiffness * uy;
         pz = kept * (pz - along * nz) - stiffness * uz;
-        const double allowed = coulomb_factor(px * px + py * py + pz * pz, friction * hertz.elastic);
+        const double allowed =
+            coulomb_factor(px * px + py * py + pz * pz, friction * hertz.elastic);
         sx[k] = px * allowed;
         sy[k] = py * allowed;
         sz[k] = pz * allowed;
@@ -124,7 +128,8 @@ Shifts image_shifts(const Cell& cell) {
         sums.virial_22[k] += b.fy[k] * b.ry[k];
         sums.virial_33[k] += b.fz[k] * b.rz[k];
         sums.virial_12[k] += b.fx[k] * b.ry[k];
-        sums.largest_overlap[k] = overlap > sums.largest_overlap[k] ? overlap : sums.largest_overlap[k];
+        sums.largest_overlap[k] =
+            overlap > sums.largest_overlap[k] ? overlap : sums.largest_overlap[k];
     }
 }
 

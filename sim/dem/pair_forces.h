@@ -15,10 +15,10 @@ struct Flow {
 
 /// Sums over the pairs of one force evaluation, reduced units.
 struct PairSums {
-    double virial_11 = 0;      ///< sum of F1 r1, compression positive
+    double virial_11 = 0;  ///< sum of F1 r1, compression positive
     double virial_22 = 0;
     double virial_33 = 0;
-    double virial_12 = 0;      ///< sum of F1 r2, negative in simple shear
+    double virial_12 = 0;  ///< sum of F1 r2, negative in simple shear
     double largest_overlap = 0;
 };
 

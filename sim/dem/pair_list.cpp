@@ -13,7 +13,8 @@ struct Separation {
     double squared() const { return x * x + y * y + z * z; }
 };
 
-Separation separation(const Beads& beads, const Cell& cell, std::size_t i, std::size_t j, Image image) {
+Separation separation(const Beads& beads, const Cell& cell, std::size_t i, std::size_t j,
+                      Image image) {
     return {beads.x[j] - beads.x[i] + image.n1 * cell.length + image.n2 * cell.offset,
             beads.y[j] - beads.y[i] + image.n2 * cell.height,
             beads.z[j] - beads.z[i] + image.n3 * cell.width};
@@ -40,12 +41,14 @@ class Bins {
         }
     }
     /// With fewer than three bins in a direction a neighbour bin would be searched twice.
-    bool enough() const { return std::ranges::all_of(count_, [](int n) { return n >= 3; }); }
+    bool enough() const {
+        return std::ranges::all_of(count_, [](int n) { return n >= 3; });
+    }
 
     std::array<int, 3> bin_of(double x, double y, double z) const {
         const double upward = y / cell_.height;
-        return {place((x - upward * cell_.offset) / cell_.length, count_[0]), place(upward, count_[1]),
-                place(z / cell_.width, count_[2])};
+        return {place((x - upward * cell_.offset) / cell_.length, count_[0]),
+                place(upward, count_[1]), place(z / cell_.width, count_[2])};
     }
     int count(int direction) const { return count_[direction]; }
     std::size_t index(int b1, int b2, int b3) const {
@@ -213,7 +216,9 @@ void PairList::rebuild(Beads& beads, Cell& cell) {
     // Both lists are ordered by first and second bead: one pass carries the memory over.
     std::size_t old = 0;
     for (std::size_t k = 0; k < fresh.size() && old < wide_.size(); ++k) {
-        const auto key = [](const Pairs& p, std::size_t n) { return std::pair(p.first[n], p.second[n]); };
+        const auto key = [](const Pairs& p, std::size_t n) {
+            return std::pair(p.first[n], p.second[n]);
+        };
         while (old < wide_.size() && key(wide_, old) < key(fresh, k)) {
             ++old;
         }
@@ -242,7 +247,8 @@ void PairList::select_narrow(Beads& beads, const Cell& cell) {
     const double range_squared = (1 + narrow_skin) * (1 + narrow_skin);
     for (std::size_t k = 0; k < wide_.size(); ++k) {
         const auto i = wide_.first[k], j = wide_.second[k];
-        if (separation(beads, cell, i, j, image_code::image(wide_.image[k])).squared() < range_squared) {
+        if (separation(beads, cell, i, j, image_code::image(wide_.image[k])).squared() <
+            range_squared) {
             narrow_.add(i, j, wide_.image[k]);
             narrow_.remember(narrow_.size() - 1, wide_, k);
             wide_index_.push_back(k);

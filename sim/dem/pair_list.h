@@ -13,9 +13,9 @@ namespace pendular::dem {
 /// `first` to the image of `second`.
 struct Pairs {
     std::vector<std::int32_t> first, second;
-    std::vector<std::uint8_t> image;         ///< image_code of the second bead
-    std::vector<double> sx, sy, sz;          ///< tangential force on the second bead
-    std::vector<double> root;                ///< sqrt(overlap) of the last step, 0 without contact
+    std::vector<std::uint8_t> image;  ///< image_code of the second bead
+    std::vector<double> sx, sy, sz;   ///< tangential force on the second bead
+    std::vector<double> root;         ///< sqrt(overlap) of the last step, 0 without contact
 
     std::size_t size() const { return first.size(); }
     void clear();
@@ -34,7 +34,7 @@ struct Pairs {
 /// change) since then: the moving image offset is part of the criterion, not a special case.
 class PairList {
   public:
-    static constexpr std::size_t batch = 64;   ///< the narrow list is filled up to whole batches
+    static constexpr std::size_t batch = 64;  ///< the narrow list is filled up to whole batches
     static constexpr double wide_skin = 0.15;
     static constexpr double narrow_skin = 0.02;
 
@@ -57,8 +57,9 @@ class PairList {
     void write_back();
 
     Pairs wide_, narrow_;
-    std::vector<std::size_t> wide_index_;   ///< of each live pair of the narrow list
-    std::vector<double> moved_x_, moved_y_, moved_z_;   ///< peculiar displacements, wide to narrow list
+    std::vector<std::size_t> wide_index_;  ///< of each live pair of the narrow list
+    std::vector<double> moved_x_, moved_y_,
+        moved_z_;  ///< peculiar displacements, wide to narrow list
     double wide_strain_ = 0, narrow_strain_ = 0;
     std::size_t wide_rebuilds_ = 0, narrow_rebuilds_ = 0;
 };

@@ -22,7 +22,7 @@ struct RunParameters {
     double poisson_ratio = 0.3;      ///< nu
     double damping = 0.98;           ///< zeta, fraction of critical
     int beads = 2000;
-    double strain = 10;              ///< averaged strain, after the transient
+    double strain = 10;  ///< averaged strain, after the transient
     std::uint64_t seed = 1;
 };
 
@@ -41,25 +41,34 @@ enum class Observable {
 };
 constexpr std::size_t observable_count = 10;
 constexpr std::array<std::string_view, observable_count> observable_names = {
-    "stress_ratio", "solid_fraction", "contact_coordination", "fabric_12_contact",
-    "first_normal_stress_difference", "second_normal_stress_difference", "localization",
-    "overlap", "bond_order", "normal_stress"};
+    "stress_ratio",
+    "solid_fraction",
+    "contact_coordination",
+    "fabric_12_contact",
+    "first_normal_stress_difference",
+    "second_normal_stress_difference",
+    "localization",
+    "overlap",
+    "bond_order",
+    "normal_stress"};
 
 /// Time averages of one run over its steady part, each with a standard error from block averages
 /// over strain that respects their autocorrelation.
 struct RunResult {
     RunParameters parameters;
     std::array<Mean, observable_count> means;
-    double covariance = 0;           ///< of the means of stress ratio and solid fraction
+    double covariance = 0;  ///< of the means of stress ratio and solid fraction
     double strain_averaged = 0;
-    double strain_transient = 0;     ///< found, and left out
-    double time_step = 0;            ///< mean [sqrt(m/(a s22))]
+    double strain_transient = 0;  ///< found, and left out
+    double time_step = 0;         ///< mean [sqrt(m/(a s22))]
     std::uint64_t steps = 0;
     double wall_seconds = 0;
     bool crystallised = false;
     bool steady = false;
 
-    const Mean& operator[](Observable which) const { return means[static_cast<std::size_t>(which)]; }
+    const Mean& operator[](Observable which) const {
+        return means[static_cast<std::size_t>(which)];
+    }
     double particle_steps_per_second() const {
         return static_cast<double>(steps) * parameters.beads / wall_seconds;
     }
@@ -82,7 +91,8 @@ constexpr double crystal_solid_fraction = 0.645;
 /// @throws std::invalid_argument for parameters out of range, naming the parameter
 /// @throws SimulationError where the state stops being finite or never reaches its stress
 /// @throws Interrupted when a stop is requested
-RunResult run(const RunParameters& parameters, std::stop_token stop = {}, const Progress& progress = {});
+RunResult run(const RunParameters& parameters, std::stop_token stop = {},
+              const Progress& progress = {});
 
 /// Solid fraction that rigid beads would have, from the overlaps of a run [1]:
 ///     Phi (rigid) = Phi - 1.23 x 3 Phi <overlap>/a

@@ -28,11 +28,13 @@ constexpr int steps_between_time_steps = 20;
 struct KineticSums {
     double xx[8] = {}, yy[8] = {}, zz[8] = {}, xy[8] = {};
     static double sum(const double (&part)[8]) {
-        return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
+        return ((part[0] + part[1]) + (part[2] + part[3])) +
+               ((part[4] + part[5]) + (part[6] + part[7]));
     }
 };
 
-/// Velocities by one step: dv/dt = f - L v with L the imposed velocity gradient, since v is peculiar.
+/// Velocities by one step: dv/dt = f - L v with L the imposed velocity gradient, since v is
+/// peculiar.
 PENDULAR_SIMD_CLONES
 void advance_velocities(Beads& beads, const Flow& flow, double dt) {
     const std::size_t n = beads.size();
@@ -107,7 +109,9 @@ KineticSums kinetic_sums(const Beads& beads) {
 }
 
 /// Uniform in [0, 1) with 53 bits, the same on every platform.
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+double uniform(std::mt19937_64& random) {
+    return static_cast<double>(random() >> 11) * 0x1p-53;
+}
 
 /// Places at random, each no closer than one diameter to those before it, by bins of one diameter.
 class RandomPlacement {
@@ -124,7 +128,8 @@ class RandomPlacement {
     /// Takes the place where it is free.
     bool place(const std::array<double, 3>& at) {
         for (int step = 0; step < 27; ++step) {
-            for (const auto& other : bins_[bin(at, {step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1})]) {
+            for (const auto& other :
+                 bins_[bin(at, {step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1})]) {
                 double squared = 0;
                 for (int d = 0; d < 3; ++d) {
                     const double apart = at[d] - other[d];
@@ -217,9 +222,10 @@ void ShearCell::measure_stress(const PairSums& sums) {
 void ShearCell::check_state() const {
     // At once, before a position that is no number reaches the bins of the neighbour search.
     if (!std::isfinite(stress_.s22) || largest_overlap_ > 0.5) {
-        throw SimulationError(fmt::format("the simulation blew up at strain {:.3g} (largest overlap {:.2g} diameters); "
-                                          "lower the damping or the inertial number, or raise the stiffness number",
-                                          strain_, largest_overlap_));
+        throw SimulationError(fmt::format(
+            "the simulation blew up at strain {:.3g} (largest overlap {:.2g} diameters); "
+            "lower the damping or the inertial number, or raise the stiffness number",
+            strain_, largest_overlap_));
     }
 }
 

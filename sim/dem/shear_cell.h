@@ -74,8 +74,8 @@ class ShearCell {
     double fraction_ = time_step_fraction;
     double time_step_ = 0;
     double strain_ = 0;
-    double largest_overlap_ = 0;   ///< of the last step
-    double recent_overlap_ = 0;    ///< largest since the time step was last reconsidered
+    double largest_overlap_ = 0;  ///< of the last step
+    double recent_overlap_ = 0;   ///< largest since the time step was last reconsidered
     std::uint64_t steps_ = 0;
 };
 

@@ -33,8 +33,9 @@ class BondOrder {
             return 0;
         }
         // Squared norms of Y_6m in front of these polynomials, times pi.
-        constexpr std::array<double, 7> squared = {13.0 / 1024,   273.0 / 512,  1365.0 / 4096, 1365.0 / 1024,
-                                                   819.0 / 2048, 9009.0 / 1024, 3003.0 / 4096};
+        constexpr std::array<double, 7> squared = {13.0 / 1024,   273.0 / 512,  1365.0 / 4096,
+                                                   1365.0 / 1024, 819.0 / 2048, 9009.0 / 1024,
+                                                   3003.0 / 4096};
         double total = 0;
         for (std::size_t m = 0; m < 7; ++m) {
             total += (m == 0 ? 1 : 2) * squared[m] * std::norm(sums_[m] / count_);
@@ -98,7 +99,8 @@ double VelocityProfile::localization(double height, double shear_rate) const {
         const double mean = count_[bin] > 0 ? velocity_[bin] / count_[bin] : 0.0;
         sum += mean * mean;
     }
-    return velocity_.empty() ? 0 : 12 * sum / (static_cast<double>(velocity_.size()) * across * across);
+    return velocity_.empty() ? 0
+                             : 12 * sum / (static_cast<double>(velocity_.size()) * across * across);
 }
 
 }  // namespace pendular::dem

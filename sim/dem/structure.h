@@ -16,7 +16,8 @@ struct Structure {
     double bond_order = 0;            ///< global Steinhardt Q6 of the contacts [1]
 };
 
-/// Contacts, fabric, overlap and bond order of a state; pairs with a remembered overlap are contacts.
+/// Contacts, fabric, overlap and bond order of a state; pairs with a remembered overlap are
+/// contacts.
 ///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2)
 /// 0 for isotropic directions up to 1/sqrt(contacts); 0.575 for the fcc lattice, 0.485 for hcp.
 /// Source: Steinhardt, Nelson, Ronchetti, Phys. Rev. B 28 (1983) 784.
@@ -26,7 +27,8 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& pairs)
 /// uniform shear.
 class VelocityProfile {
   public:
-    /// Adds the peculiar velocities of a state of height H [diameters], in bins of about one diameter.
+    /// Adds the peculiar velocities of a state of height H [diameters], in bins of about one
+    /// diameter.
     void add(const Beads& beads, double height);
     /// Localization [1]: 0 uniform shear, 1 an infinitely thin band.
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
@@ -34,7 +36,7 @@ class VelocityProfile {
     double localization(double height, double shear_rate) const;
 
   private:
-    std::vector<double> velocity_;   ///< summed per bin
+    std::vector<double> velocity_;  ///< summed per bin
     std::vector<double> count_;
 };
 

@@ -10,7 +10,7 @@ using namespace pendular::dem;
 
 namespace {
 
-constexpr double modulus = 31622.8;   // stiffness number 1000
+constexpr double modulus = 31622.8;  // stiffness number 1000
 
 double sum_of(const std::vector<double>& values) {
     double total = 0;
@@ -75,14 +75,14 @@ TEST(PairForces, NeitherPushNorTurnBeadsThatTurnTogether) {
     state.beads.x = {5, 5.99};
     state.beads.y = {5, 5};
     state.beads.z = {5, 5};
-    const double rate = 0.2;   // about z through the contact: v = omega x r
+    const double rate = 0.2;  // about z through the contact: v = omega x r
     state.beads.vy = {-rate * 0.495, rate * 0.495};
     state.beads.wz = {rate, rate};
     state.find();
     state.forces();
     EXPECT_NEAR(state.beads.fy[0], 0, 1e-12);
     EXPECT_NEAR(state.beads.tz[0], 0, 1e-12);
-    EXPECT_LT(state.beads.fx[0], -1);   // it is a contact
+    EXPECT_LT(state.beads.fx[0], -1);  // it is a contact
 }
 
 TEST(PairForces, DoNotDependOnWhichImagesTheBeadsAreWrittenIn) {
@@ -124,7 +124,7 @@ TEST(PairForces, MirrorWithTheSample) {
 TEST(PairForces, ObeyTheCoulombLimitOnTheElasticForce) {
     State state(5);
     for (int step = 0; step < 50; ++step) {
-        state.forces();   // positions stay: tangential forces grow until they slide
+        state.forces();  // positions stay: tangential forces grow until they slide
     }
     int sliding = 0;
     for (std::size_t k = 0; k < state.pairs.size(); ++k) {
@@ -146,10 +146,12 @@ TEST(PairForces, AreTangentialWhereTheyAreRemembered) {
         }
         const auto i = state.pairs.first[k], j = state.pairs.second[k];
         const Image n = image_code::image(state.pairs.image[k]);
-        const double x = state.beads.x[j] - state.beads.x[i] + n.n1 * state.cell.length + n.n2 * state.cell.offset;
+        const double x = state.beads.x[j] - state.beads.x[i] + n.n1 * state.cell.length +
+                         n.n2 * state.cell.offset;
         const double y = state.beads.y[j] - state.beads.y[i] + n.n2 * state.cell.height;
         const double z = state.beads.z[j] - state.beads.z[i] + n.n3 * state.cell.width;
         const double force = std::hypot(state.pairs.sx[k], state.pairs.sy[k], state.pairs.sz[k]);
-        EXPECT_NEAR(x * state.pairs.sx[k] + y * state.pairs.sy[k] + z * state.pairs.sz[k], 0, 1e-10 * (1 + force));
+        EXPECT_NEAR(x * state.pairs.sx[k] + y * state.pairs.sy[k] + z * state.pairs.sz[k], 0,
+                    1e-10 * (1 + force));
     }
 }

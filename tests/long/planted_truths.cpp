@@ -21,8 +21,12 @@ const Fidelity fidelity{"planted", 1000, 1000, 0.02, 5};
 Measurements readings_of(double friction, int study, int threads) {
     std::vector<dem::RunParameters> runs;
     for (std::uint64_t k = 0; k < 4; ++k) {
-        runs.push_back({.friction = friction, .inertial_number = 0.02, .stiffness_number = 1000, .beads = 1400,
-                        .strain = 10, .seed = 70'000 + 10 * static_cast<std::uint64_t>(study) + k});
+        runs.push_back({.friction = friction,
+                        .inertial_number = 0.02,
+                        .stiffness_number = 1000,
+                        .beads = 1400,
+                        .strain = 10,
+                        .seed = 70'000 + 10 * static_cast<std::uint64_t>(study) + k});
     }
     double ratio = 0, fraction = 0;
     for (const auto& run : run_all(runs, {.threads = threads})) {
@@ -36,7 +40,8 @@ Measurements readings_of(double friction, int study, int threads) {
         const double ratio_error = 0.02 * ratio, fraction_error = 0.002;
         Reading reading;
         reading.condition = {.normal_stress = stress, .inertial_number = 0.02};
-        reading.value << (ratio + ratio_error * normal(random)) * stress, fraction + fraction_error * normal(random);
+        reading.value << (ratio + ratio_error * normal(random)) * stress,
+            fraction + fraction_error * normal(random);
         reading.covariance << std::pow(ratio_error * stress, 2), 0, 0, std::pow(fraction_error, 2);
         measurements.readings.push_back(reading);
     }
@@ -54,10 +59,12 @@ TEST(PlantedTruths, ScatterAsTheReportedErrorSays) {
         const double truth = 0.05 + 0.35 * k / (truths - 1);
         const Calibration c =
             calibrate_study(study, readings_of(truth, k, threads),
-                            {.fidelity = fidelity, .seed = static_cast<std::uint64_t>(100 + k)}, {.threads = threads});
+                            {.fidelity = fidelity, .seed = static_cast<std::uint64_t>(100 + k)},
+                            {.threads = threads});
         const double z = (c.fit.parameters(0) - truth) / c.fit.standard_error(0);
-        std::printf("truth %.4f: %.4f +- %.4f (simulation %.4f), z = %+.2f, %zu runs\n", truth, c.fit.parameters(0),
-                    c.fit.standard_error(0), c.fit.simulation_error(0), z, c.runs.size());
+        std::printf("truth %.4f: %.4f +- %.4f (simulation %.4f), z = %+.2f, %zu runs\n", truth,
+                    c.fit.parameters(0), c.fit.standard_error(0), c.fit.simulation_error(0), z,
+                    c.runs.size());
         std::fflush(stdout);
         EXPECT_TRUE(c.fit.converged);
         square += z * z / truths;

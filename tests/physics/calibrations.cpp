@@ -1,4 +1,5 @@
-// The shipped examples, calibrated by real simulations through the program itself, at quick fidelity.
+// The shipped examples, calibrated by real simulations through the program itself, at quick
+// fidelity.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,8 +15,9 @@ namespace {
 nlohmann::json calibrate(const std::string& example) {
     const auto out = std::filesystem::temp_directory_path() / ("pendular_physics_" + example);
     std::filesystem::remove_all(out);
-    const std::string command = std::string(PENDULAR_PROGRAM) + " calibrate " + PENDULAR_SOURCE_DIR + "/examples/" +
-                                example + " --fidelity quick --threads 1 --quiet --out " + out.string();
+    const std::string command = std::string(PENDULAR_PROGRAM) + " calibrate " +
+                                PENDULAR_SOURCE_DIR + "/examples/" + example +
+                                " --fidelity quick --threads 1 --quiet --out " + out.string();
     EXPECT_EQ(std::system(command.c_str()), 0);
     std::ifstream file(out / "fit.json");
     return nlohmann::json::parse(file);

@@ -1,6 +1,6 @@
-// The same dry flow run with LAMMPS (reference/README.md): an independent code, damping law and height
-// control. Both codes' standard errors count, and on top the differences the two contact models may
-// make: 0.004 in stress ratio, 0.0015 in solid fraction.
+// The same dry flow run with LAMMPS (reference/README.md): an independent code, damping law and
+// height control. Both codes' standard errors count, and on top the differences the two contact
+// models may make: 0.004 in stress ratio, 0.0015 in solid fraction.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,8 +29,8 @@ std::vector<Row> reference() {
         std::ranges::replace(line, ',', ' ');
         std::istringstream cells(line);
         Row r{};
-        cells >> r.friction >> r.inertial_number >> r.stiffness_number >> r.beads >> r.strain >> r.stress_ratio >>
-            r.stress_ratio_sd >> r.solid_fraction >> r.solid_fraction_sd;
+        cells >> r.friction >> r.inertial_number >> r.stiffness_number >> r.beads >> r.strain >>
+            r.stress_ratio >> r.stress_ratio_sd >> r.solid_fraction >> r.solid_fraction_sd;
         rows.push_back(r);
     }
     return rows;
@@ -63,7 +63,8 @@ TEST_P(DryLammps, Agrees) {
     EXPECT_FALSE(run.crystallised);
     const auto& ratio = run[Observable::stress_ratio];
     const auto& fraction = run[Observable::solid_fraction];
-    EXPECT_NEAR(ratio.value, row.stress_ratio, 3 * std::hypot(ratio.standard_error, row.stress_ratio_sd) + 0.004);
+    EXPECT_NEAR(ratio.value, row.stress_ratio,
+                3 * std::hypot(ratio.standard_error, row.stress_ratio_sd) + 0.004);
     EXPECT_NEAR(fraction.value, row.solid_fraction,
                 3 * std::hypot(fraction.standard_error, row.solid_fraction_sd) + 0.0015);
     EXPECT_LT(run[Observable::localization].value, 0.05);
@@ -71,4 +72,6 @@ TEST_P(DryLammps, Agrees) {
 
 INSTANTIATE_TEST_SUITE_P(Rows, DryLammps, testing::ValuesIn(reference()), name_of);
 
-TEST(DryLammpsTable, IsThere) { EXPECT_EQ(reference().size(), 8u); }
+TEST(DryLammpsTable, IsThere) {
+    EXPECT_EQ(reference().size(), 8u);
+}

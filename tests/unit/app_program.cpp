@@ -22,7 +22,8 @@ outer_radius = "45 mm"
 bead_mass = "20 g"
 )";
 const std::string recording = "[[recording]]\nfile = \"run.csv\"\n";
-const std::string header = "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+const std::string header =
+    "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
 
 /// A study whose only recording is broken in one place.
 Outcome import_with(const std::string& table, const std::string& toml = grains + cell + recording) {
@@ -79,32 +80,35 @@ TEST(Program, RefusesWhatItCannotSimulate) {
 
 TEST(Simulate, PrintsJsonAloneOnStandardOutput) {
     const Outcome run = run_pendular(
-        "simulate --beads 100 --stiffness-number 300 --inertial-number 0.05 --strain 1 --friction 0.2 --seed 7 --json -");
+        "simulate --beads 100 --stiffness-number 300 --inertial-number 0.05 --strain 1 --friction "
+        "0.2 --seed 7 --json -");
     ASSERT_EQ(run.code, 0) << run.errors;
     const auto json = nlohmann::json::parse(run.output);
     for (const std::string key :
-         {"stress_ratio", "solid_fraction", "contact_coordination", "distant_coordination", "liquid_content",
-          "distant_force", "capillary_stress_22", "capillary_shear_stress", "capillary_shear_stress_contact",
-          "capillary_shear_stress_distant", "fabric_12_contact", "fabric_12_distant", "localization",
-          "first_normal_stress_difference", "second_normal_stress_difference"}) {
+         {"stress_ratio", "solid_fraction", "contact_coordination", "distant_coordination",
+          "liquid_content", "distant_force", "capillary_stress_22", "capillary_shear_stress",
+          "capillary_shear_stress_contact", "capillary_shear_stress_distant", "fabric_12_contact",
+          "fabric_12_distant", "localization", "first_normal_stress_difference",
+          "second_normal_stress_difference"}) {
         EXPECT_TRUE(json.at(key).contains("value") && json.at(key).contains("stderr")) << key;
     }
-    for (const std::string key : {"particle_steps_per_second", "wall_seconds", "steps", "time_step", "strain_averaged",
-                                  "crystallised", "steady", "seed"}) {
+    for (const std::string key : {"particle_steps_per_second", "wall_seconds", "steps", "time_step",
+                                  "strain_averaged", "crystallised", "steady", "seed"}) {
         EXPECT_TRUE(json.contains(key)) << key;
     }
     EXPECT_EQ(json["seed"], 7);
     EXPECT_GT(json["stress_ratio"]["value"], 0.1);
-    EXPECT_THAT(run.errors, HasSubstr("stress ratio"));   // the verdict moved aside
+    EXPECT_THAT(run.errors, HasSubstr("stress ratio"));  // the verdict moved aside
 }
 
 TEST(Simulate, StopsCleanlyWhenInterrupted) {
     const TemporaryFolder folder;
     const std::string json = (folder.path() / "run.json").string();
     const std::string command = std::string("timeout -s INT 1 ") + PENDULAR_PROGRAM +
-                                " simulate --strain 500 --quiet --json " + json + " 2>" + (folder.path() / "err").string();
+                                " simulate --strain 500 --quiet --json " + json + " 2>" +
+                                (folder.path() / "err").string();
     const int status = std::system(command.c_str());
-    EXPECT_EQ(WEXITSTATUS(status), 124);   // timeout's own code: the program ended at its signal
+    EXPECT_EQ(WEXITSTATUS(status), 124);  // timeout's own code: the program ended at its signal
     EXPECT_THAT(content_of(folder.path() / "err"), HasSubstr("interrupted"));
     EXPECT_FALSE(std::filesystem::exists(json));
 }
@@ -113,13 +117,18 @@ TEST(BadInput, IsAnsweredWithFileLineColumnAndExitCode2) {
     const struct {
         std::string what, table, where, message;
     } cases[] = {
-        {"missing column", "Time [s],Torque [mN m],Gap [mm],Angular velocity [rad/s]\n0,1,6,1\n", "run.csv:1", "normal_force"},
-        {"unknown unit", "Time [s],Torque [mN blorp],Normal force [N],Gap [mm],Angular velocity [rad/s]\n" + rows(30),
+        {"missing column", "Time [s],Torque [mN m],Gap [mm],Angular velocity [rad/s]\n0,1,6,1\n",
+         "run.csv:1", "normal_force"},
+        {"unknown unit",
+         "Time [s],Torque [mN blorp],Normal force [N],Gap [mm],Angular velocity [rad/s]\n" +
+             rows(30),
          "run.csv:1:", "blorp"},
-        {"text in a number", header + rows(3) + "3,twelve,5.0,6.2,1.1\n" + rows(30, "12.5", 4), "run.csv:5:3", "twelve"},
+        {"text in a number", header + rows(3) + "3,twelve,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
+         "run.csv:5:3", "twelve"},
         {"decimal comma", header + "0,\"12,5\",5,6.2,1.1\n", "run.csv:2:3", "12,5"},
         {"empty file", "", "run.csv", "empty"},
-        {"not a number", header + rows(3) + "3,nan,5.0,6.2,1.1\n" + rows(30, "12.5", 4), "run.csv:5:3", "nan"},
+        {"not a number", header + rows(3) + "3,nan,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
+         "run.csv:5:3", "nan"},
         {"mixed torque signs", header + rows(40) + rows(40, "-12.5", 40), "run.csv:", "sign"},
     };
     for (const auto& c : cases) {
@@ -132,11 +141,13 @@ TEST(BadInput, IsAnsweredWithFileLineColumnAndExitCode2) {
 }
 
 TEST(BadInput, InTheStudyIsAnsweredAtItsLine) {
-    const std::string swapped = "[cell]\ninner_radius = \"45 mm\"\nouter_radius = \"21 mm\"\nbead_mass = \"20 g\"\n";
+    const std::string swapped =
+        "[cell]\ninner_radius = \"45 mm\"\nouter_radius = \"21 mm\"\nbead_mass = \"20 g\"\n";
     const Outcome radii = import_with(header + rows(30), grains + swapped + recording);
     EXPECT_EQ(radii.code, 2);
     EXPECT_THAT(radii.errors, HasSubstr("study.toml:5:"));
-    const Outcome key = import_with(header + rows(30), "[grains]\ndiametre = \"500 um\"\n" + cell + recording);
+    const Outcome key =
+        import_with(header + rows(30), "[grains]\ndiametre = \"500 um\"\n" + cell + recording);
     EXPECT_EQ(key.code, 2);
     EXPECT_THAT(key.errors, HasSubstr("study.toml:2:1"));
     EXPECT_THAT(key.errors, HasSubstr("'diameter'"));
@@ -145,25 +156,26 @@ TEST(BadInput, InTheStudyIsAnsweredAtItsLine) {
 TEST(Import, WritesReadingsAndWhatItLeftOut) {
     const TemporaryFolder folder;
     const std::string out = folder.path().string();
-    const Outcome outcome =
-        run_pendular("import " PENDULAR_SOURCE_DIR "/examples/dry-recordings --json - --out " + out);
+    const Outcome outcome = run_pendular(
+        "import " PENDULAR_SOURCE_DIR "/examples/dry-recordings --json - --out " + out);
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
     const auto json = nlohmann::json::parse(outcome.output);
     EXPECT_EQ(json["readings"].size(), 9u);
-    EXPECT_EQ(json["excluded"].size(), 9u);   // the start of every step
+    EXPECT_EQ(json["excluded"].size(), 9u);  // the start of every step
     EXPECT_THAT(content_of(folder.path() / "readings.csv"), HasSubstr("shear_stress [Pa]"));
     EXPECT_THAT(content_of(folder.path() / "excluded.csv"), HasSubstr("transient"));
     for (const auto& reading : json["readings"]) {
-        EXPECT_NEAR(reading["shear_stress"]["value"].get<double>() / reading["normal_stress"].get<double>(), 0.2929,
-                    4 * 0.04 * 0.2929);
+        EXPECT_NEAR(
+            reading["shear_stress"]["value"].get<double>() / reading["normal_stress"].get<double>(),
+            0.2929, 4 * 0.04 * 0.2929);
         EXPECT_NEAR(reading["inertial_number"].get<double>(), 0.003, 1e-4);
     }
 }
 
 TEST(Compare, AsksForACalibrationFirst) {
     const TemporaryFolder folder;
-    const Outcome outcome =
-        run_pendular("compare " PENDULAR_SOURCE_DIR "/examples/polystyrene --out " + folder.path().string());
+    const Outcome outcome = run_pendular(
+        "compare " PENDULAR_SOURCE_DIR "/examples/polystyrene --out " + folder.path().string());
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.errors, HasSubstr("pendular calibrate"));
 }

@@ -26,8 +26,10 @@ struct Outcome {
 /// Runs `pendular` with these words as a user's shell would.
 inline Outcome run_pendular(const std::string& words) {
     const pendular::TemporaryFolder folder;
-    const std::string command = std::string(PENDULAR_PROGRAM) + " " + words + " >" + (folder.path() / "out").string() +
-                                " 2>" + (folder.path() / "err").string();
+    const std::string command = std::string(PENDULAR_PROGRAM) + " " + words + " >" +
+                                (folder.path() / "out").string() + " 2>" +
+                                (folder.path() / "err").string();
     const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(folder.path() / "out"), content_of(folder.path() / "err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(folder.path() / "out"),
+            content_of(folder.path() / "err")};
 }

@@ -27,12 +27,15 @@ class Linear : public Model {
         const Eigen::MatrixXd root = 0.05 * Eigen::MatrixXd::Random(2 * readings, 2 * readings);
         noise = root * root.transpose();
         for (Eigen::Index k = 0; k < count; ++k) {
-            names.push_back({.name = fmt::format("p{}", k), .lower = -10, .upper = 10, .start = 0.1});
+            names.push_back(
+                {.name = fmt::format("p{}", k), .lower = -10, .upper = 10, .start = 0.1});
         }
     }
     const std::vector<Parameter>& parameters() const override { return names; }
-    Prediction predict(const Eigen::VectorXd& p) const override { return {matrix * p + offset, matrix, noise}; }
-    void improve(const Eigen::VectorXd&) override {}
+    Prediction predict(const Eigen::VectorXd& p) const override {
+        return {matrix * p + offset, matrix, noise};
+    }
+    void improve(const Eigen::VectorXd&, double) override {}
     Supported supported() const override {
         const auto n = static_cast<Eigen::Index>(names.size());
         return {Eigen::VectorXd::Constant(n, -100), Eigen::VectorXd::Constant(n, 100)};
@@ -43,7 +46,8 @@ Measured some_readings(const Linear& model, unsigned seed) {
     std::srand(seed);
     const auto n = model.matrix.rows();
     const Eigen::MatrixXd root = 0.2 * Eigen::MatrixXd::Random(n, n);
-    return {Eigen::VectorXd::Random(n), root * root.transpose() + 0.01 * Eigen::MatrixXd::Identity(n, n)};
+    return {Eigen::VectorXd::Random(n),
+            root * root.transpose() + 0.01 * Eigen::MatrixXd::Identity(n, n)};
 }
 
 }  // namespace
@@ -54,7 +58,8 @@ TEST(Fit, IsGeneralisedLeastSquares) {
     const Fit result = fit(model, measured, Eigen::VectorXd::Zero(3));
     const Eigen::MatrixXd weight = (measured.covariance + model.noise).inverse();
     const Eigen::MatrixXd covariance = (model.matrix.transpose() * weight * model.matrix).inverse();
-    const Eigen::VectorXd best = covariance * model.matrix.transpose() * weight * (measured.value - model.offset);
+    const Eigen::VectorXd best =
+        covariance * model.matrix.transpose() * weight * (measured.value - model.offset);
     const Eigen::VectorXd left = measured.value - model.offset - model.matrix * best;
     EXPECT_TRUE(result.converged) << result.message;
     EXPECT_LT((result.parameters - best).norm(), 1e-7);
@@ -72,8 +77,8 @@ TEST(Fit, SplitsItsErrorIntoMeasurementAndSimulation) {
     for (Eigen::Index k = 0; k < 2; ++k) {
         EXPECT_NEAR(std::pow(result.measurement_error(k), 2),
                     (estimator * measured.covariance * estimator.transpose())(k, k), 1e-9);
-        EXPECT_NEAR(std::pow(result.simulation_error(k), 2), (estimator * model.noise * estimator.transpose())(k, k),
-                    1e-9);
+        EXPECT_NEAR(std::pow(result.simulation_error(k), 2),
+                    (estimator * model.noise * estimator.transpose())(k, k), 1e-9);
     }
 }
 
@@ -95,8 +100,10 @@ TEST(Profile, IsTheStandardErrorWhereTheModelIsLinear) {
         const Measured measured = some_readings(model, 8);
         const Fit best = fit(model, measured, Eigen::VectorXd::Zero(count));
         const auto [low, high] = profile_interval(model, measured, best, 0);
-        EXPECT_NEAR(best.parameters(0) - low, best.standard_error(0), 1e-4 * best.standard_error(0));
-        EXPECT_NEAR(high - best.parameters(0), best.standard_error(0), 1e-4 * best.standard_error(0));
+        EXPECT_NEAR(best.parameters(0) - low, best.standard_error(0),
+                    1e-4 * best.standard_error(0));
+        EXPECT_NEAR(high - best.parameters(0), best.standard_error(0),
+                    1e-4 * best.standard_error(0));
     }
 }
 
@@ -112,18 +119,20 @@ class NoisyModel : public Model {
     Prediction predict(const Eigen::VectorXd& p) const override {
         const Eigen::Matrix3d inverse = (design().transpose() * design()).inverse();
         const Eigen::RowVector3d row(1, p(0), p(0) * p(0)), slope(0, 1, 2 * p(0));
-        Prediction prediction{Eigen::VectorXd(2), Eigen::MatrixXd(2, 1), Eigen::MatrixXd::Zero(2, 2)};
+        Prediction prediction{Eigen::VectorXd(2), Eigen::MatrixXd(2, 1),
+                              Eigen::MatrixXd::Zero(2, 2)};
         for (Eigen::Index o = 0; o < 2; ++o) {
             const Eigen::Vector3d c =
                 inverse * design().transpose() *
-                Eigen::Map<const Eigen::VectorXd>(y_[static_cast<std::size_t>(o)].data(), static_cast<Eigen::Index>(x_.size()));
+                Eigen::Map<const Eigen::VectorXd>(y_[static_cast<std::size_t>(o)].data(),
+                                                  static_cast<Eigen::Index>(x_.size()));
             prediction.value(o) = row.dot(c);
             prediction.jacobian(o, 0) = slope.dot(c);
             prediction.covariance(o, o) = noise_ * noise_ * row.dot(inverse * row.transpose());
         }
         return prediction;
     }
-    void improve(const Eigen::VectorXd& p) override {
+    void improve(const Eigen::VectorXd& p, double) override {
         ++rounds;
         const double width = x_.empty() ? 0.5 : 0.15;
         for (const double x : {p(0) - width, p(0), p(0) + width}) {
@@ -165,7 +174,8 @@ TEST(Calibrate, ReportsTheErrorItReallyMakesOnANoisySimulator) {
         std::mt19937_64 random(1000 + study);
         std::normal_distribution<double> normal;
         const double truth = 0.3 + 0.8 * study / studies;
-        Measured measured{Eigen::Vector2d(truth * truth, 1 - truth), Eigen::Matrix2d::Identity() * 4e-4};
+        Measured measured{Eigen::Vector2d(truth * truth, 1 - truth),
+                          Eigen::Matrix2d::Identity() * 4e-4};
         measured.value += 0.02 * Eigen::Vector2d(normal(random), normal(random));
         NoisyModel model(study, 0.03);
         const Fit result = calibrate(model, measured, {});
@@ -183,15 +193,17 @@ TEST(Calibrate, ReportsTheErrorItReallyMakesOnANoisySimulator) {
 TEST(Calibrate, AsksForMoreSimulationWhereTheReadingsAreSharper) {
     const auto rounds = [](double error) {
         NoisyModel model(1, 0.03);
-        calibrate(model, {Eigen::Vector2d(0.49, 0.3), Eigen::Matrix2d::Identity() * error * error}, {});
+        calibrate(model, {Eigen::Vector2d(0.49, 0.3), Eigen::Matrix2d::Identity() * error * error},
+                  {});
         return model.rounds;
     };
     EXPECT_GT(rounds(0.018), rounds(0.1));
 }
 
 TEST(Calibrate, SaysWhenItDidNotConverge) {
-    NoisyModel model(1, 0.5);   // hopelessly noisy for these readings
-    const Fit result = calibrate(model, {Eigen::Vector2d(0.49, 0.3), Eigen::Matrix2d::Identity() * 1e-8}, {});
+    NoisyModel model(1, 0.5);  // hopelessly noisy for these readings
+    const Fit result =
+        calibrate(model, {Eigen::Vector2d(0.49, 0.3), Eigen::Matrix2d::Identity() * 1e-8}, {});
     EXPECT_FALSE(result.converged);
     EXPECT_FALSE(result.message.empty());
 }

@@ -18,7 +18,8 @@ const Fidelity tiny{"tiny", 150, 300, 0.03, 2};
 
 Study stiff_study() {
     Study study;
-    study.grains = {.diameter = 5e-4, .density = 1050, .youngs_modulus = 3.3e9, .poisson_ratio = 0.3};
+    study.grains = {
+        .diameter = 5e-4, .density = 1050, .youngs_modulus = 3.3e9, .poisson_ratio = 0.3};
     return study;
 }
 Study raw_study() {
@@ -31,12 +32,15 @@ Condition condition(double normal_stress, double inertial_number) {
     return {.normal_stress = normal_stress, .inertial_number = inertial_number};
 }
 
-Eigen::VectorXd at(double friction) { return Eigen::VectorXd::Constant(1, friction); }
+Eigen::VectorXd at(double friction) {
+    return Eigen::VectorXd::Constant(1, friction);
+}
 
 }  // namespace
 
 TEST(InertialNumbers, AreOneWhereReadingsAgree) {
-    EXPECT_EQ(inertial_numbers_for({condition(1e3, 0.0101), condition(2e3, 0.0099)}, 1e-3).size(), 1u);
+    EXPECT_EQ(inertial_numbers_for({condition(1e3, 0.0101), condition(2e3, 0.0099)}, 1e-3).size(),
+              1u);
 }
 
 TEST(InertialNumbers, SpanTheReadings) {
@@ -59,15 +63,18 @@ TEST(ResponseSurface, FindsThePolynomialItsRunsCameFrom) {
     std::normal_distribution<double> normal;
     std::vector<SurfacePoint> points;
     const auto truth = [](double friction, double inertial_number) {
-        const double x = ResponseSurface::coordinate(friction, 0.1), q = std::pow(inertial_number, 0.75);
-        return Eigen::Vector2d(0.25 + 0.1 * x - 0.02 * x * x + q, 0.61 - 0.02 * x + 0.001 * x * x - 0.1 * q);
+        const double x = ResponseSurface::coordinate(friction, 0.1),
+                     q = std::pow(inertial_number, 0.75);
+        return Eigen::Vector2d(0.25 + 0.1 * x - 0.02 * x * x + q,
+                               0.61 - 0.02 * x + 0.001 * x * x - 0.1 * q);
     };
     for (const double friction : {0.05, 0.08, 0.1, 0.13, 0.18}) {
         for (const double inertial_number : {3e-3, 1e-2}) {
             SurfacePoint p{.friction = friction, .inertial_number = inertial_number};
             p.covariance << 4e-6, -2e-7, -2e-7, 9e-8;
             const Eigen::Matrix2d root = p.covariance.llt().matrixL();
-            p.value = truth(friction, inertial_number) + root * Eigen::Vector2d(normal(random), normal(random));
+            p.value = truth(friction, inertial_number) +
+                      root * Eigen::Vector2d(normal(random), normal(random));
             points.push_back(p);
         }
     }
@@ -80,7 +87,8 @@ TEST(ResponseSurface, FindsThePolynomialItsRunsCameFrom) {
         const Eigen::Vector2d error(
             std::sqrt(row * surface.covariance().topLeftCorner(5, 5) * row.transpose()),
             std::sqrt(row * surface.covariance().bottomRightCorner(5, 5) * row.transpose()));
-        const Eigen::Vector2d off = surface.value(0.09, inertial_number) - truth(0.09, inertial_number);
+        const Eigen::Vector2d off =
+            surface.value(0.09, inertial_number) - truth(0.09, inertial_number);
         EXPECT_LT(std::abs(off(0)), 3 * error(0));
         EXPECT_LT(std::abs(off(1)), 3 * error(1));
         EXPECT_LT(error(0), 0.01);
@@ -99,32 +107,38 @@ TEST(ResponseSurface, HasTheSlopeOfItsOwnValues) {
     }
     const ResponseSurface s(points, 0.1, 0.75, 10);
     const double d = 1e-5;
-    const Eigen::RowVectorXd numeric = (s.basis(0.12 + d, 5e-3) - s.basis(0.12 - d, 5e-3)) / (2 * d);
+    const Eigen::RowVectorXd numeric =
+        (s.basis(0.12 + d, 5e-3) - s.basis(0.12 - d, 5e-3)) / (2 * d);
     EXPECT_LT((numeric - s.basis_slope(0.12, 5e-3)).norm(), 1e-7);
 }
 
 TEST(DirectSimulation, PredictsWhatTheSolverDoes) {
     // The prediction at a friction where it made no run agrees with fresh runs of other seeds.
     DirectSimulation model(raw_study(), {condition(1000, 0.03)}, tiny, 1, {});
-    model.improve(at(0.2)), model.improve(at(0.2));
+    model.improve(at(0.2), 1), model.improve(at(0.2), 1);
     const Prediction predicted = model.predict(at(0.22));
     double ratio = 0, fraction = 0;
     const int runs = 6;
     for (std::uint64_t seed = 500; seed < 500 + runs; ++seed) {
-        const auto run = dem::run({.friction = 0.22, .inertial_number = 0.03, .stiffness_number = 300, .beads = 150,
-                                   .strain = 2, .seed = seed});
+        const auto run = dem::run({.friction = 0.22,
+                                   .inertial_number = 0.03,
+                                   .stiffness_number = 300,
+                                   .beads = 150,
+                                   .strain = 2,
+                                   .seed = seed});
         ratio += run[dem::Observable::stress_ratio].value / runs;
         fraction += run[dem::Observable::solid_fraction].value / runs;
     }
     // 4 standard errors of the prediction, and the scatter of six runs' mean (0.003, 0.001).
-    EXPECT_NEAR(predicted.value(0) / 1000, ratio, 4 * std::sqrt(predicted.covariance(0, 0)) / 1000 + 0.01);
+    EXPECT_NEAR(predicted.value(0) / 1000, ratio,
+                4 * std::sqrt(predicted.covariance(0, 0)) / 1000 + 0.01);
     EXPECT_NEAR(predicted.value(1), fraction, 4 * std::sqrt(predicted.covariance(1, 1)) + 0.003);
 }
 
 TEST(DirectSimulation, CorrectsTheSolidFractionToTheStudysStiffness) {
     DirectSimulation raw(raw_study(), {condition(1000, 0.03)}, tiny, 1, {});
     DirectSimulation stiff(stiff_study(), {condition(1000, 0.03)}, tiny, 1, {});
-    raw.improve(at(0.2)), stiff.improve(at(0.2));
+    raw.improve(at(0.2), 1), stiff.improve(at(0.2), 1);
     const Prediction soft = raw.predict(at(0.2)), hard = stiff.predict(at(0.2));
     EXPECT_DOUBLE_EQ(soft.value(0), hard.value(0));
     // Phi rises by about 4/kappa: at kappa 300 by 0.013, of which kappa 23,600 keeps 1 %.
@@ -133,10 +147,12 @@ TEST(DirectSimulation, CorrectsTheSolidFractionToTheStudysStiffness) {
 }
 
 TEST(DirectSimulation, HasDerivativesOfItsOwnPredictions) {
-    DirectSimulation model(stiff_study(), {condition(1000, 0.03), condition(500, 0.1)}, tiny, 1, {});
-    model.improve(at(0.2));
+    DirectSimulation model(stiff_study(), {condition(1000, 0.03), condition(500, 0.1)}, tiny, 1,
+                           {});
+    model.improve(at(0.2), 1);
     const double d = 1e-5;
-    const Eigen::VectorXd numeric = (model.predict(at(0.2 + d)).value - model.predict(at(0.2 - d)).value) / (2 * d);
+    const Eigen::VectorXd numeric =
+        (model.predict(at(0.2 + d)).value - model.predict(at(0.2 - d)).value) / (2 * d);
     EXPECT_LT((numeric - model.predict(at(0.2)).jacobian.col(0)).norm(), 1e-5 * numeric.norm());
 }
 
@@ -146,8 +162,12 @@ TEST(CalibrateStudy, FindsAPlantedFrictionThroughTheSolver) {
     Measurements measurements;
     double ratio = 0, fraction = 0;
     for (std::uint64_t seed = 900; seed < 906; ++seed) {
-        const auto run = dem::run({.friction = truth, .inertial_number = 0.03, .stiffness_number = 300, .beads = 200,
-                                   .strain = 4, .seed = seed});
+        const auto run = dem::run({.friction = truth,
+                                   .inertial_number = 0.03,
+                                   .stiffness_number = 300,
+                                   .beads = 200,
+                                   .strain = 4,
+                                   .seed = seed});
         ratio += run[dem::Observable::stress_ratio].value / 6;
         fraction += run[dem::Observable::solid_fraction].value / 6;
     }
@@ -158,7 +178,8 @@ TEST(CalibrateStudy, FindsAPlantedFrictionThroughTheSolver) {
         reading.covariance << std::pow(0.02 * ratio * stress, 2), 0, 0, std::pow(0.003, 2);
         measurements.readings.push_back(reading);
     }
-    const Calibration c = calibrate_study(raw_study(), measurements, {.fidelity = tiny, .seed = 1}, {.threads = 2});
+    const Calibration c =
+        calibrate_study(raw_study(), measurements, {.fidelity = tiny, .seed = 1}, {.threads = 2});
     EXPECT_TRUE(c.fit.converged);
     EXPECT_NEAR(c.fit.parameters(0), truth, 3 * c.fit.standard_error(0));
     EXPECT_LT(c.fit.standard_error(0), 0.05);
@@ -167,7 +188,8 @@ TEST(CalibrateStudy, FindsAPlantedFrictionThroughTheSolver) {
     // Made again from its runs, the model says the same.
     const Prediction again = model_of(raw_study(), c).predict(c.fit.parameters);
     EXPECT_LT((again.value - c.fit.prediction.value).norm(), 1e-12 * again.value.norm());
-    EXPECT_LT((again.covariance - c.fit.prediction.covariance).norm(), 1e-9 * again.covariance.norm());
+    EXPECT_LT((again.covariance - c.fit.prediction.covariance).norm(),
+              1e-9 * again.covariance.norm());
 }
 
 TEST(CalibrateStudy, NeedsADryReading) {

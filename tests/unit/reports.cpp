@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app_support.h"
 #include "analysis/compare.h"
+#include "app_support.h"
 #include "data/input_error.h"
 #include "reports/comparison_figures.h"
 #include "reports/json.h"
@@ -57,10 +57,11 @@ TEST(Compare, SplitsChi2SoThatItsPartsAddUp) {
     const Comparison c = compare(e.readings, e.prediction, 1);
     const Measured measured = stack(e.readings);
     const Eigen::VectorXd misfit = measured.value - e.prediction.value;
-    const double chi2 = misfit.dot((measured.covariance + e.prediction.covariance).inverse() * misfit);
+    const double chi2 =
+        misfit.dot((measured.covariance + e.prediction.covariance).inverse() * misfit);
     EXPECT_NEAR(c.chi2, chi2, 1e-9 * chi2);
     EXPECT_EQ(c.dof, 11);
-    EXPECT_EQ(c.by_condition.size(), 3u);   // replicates share a condition
+    EXPECT_EQ(c.by_condition.size(), 3u);  // replicates share a condition
     double by_condition = 0, by_reading = 0;
     for (const auto& group : c.by_condition) {
         by_condition += group.chi2;
@@ -78,19 +79,24 @@ TEST(Compare, SplitsChi2SoThatItsPartsAddUp) {
 TEST(Compare, SeesAResidualThatGoesWithTheNormalStress) {
     Example e;
     for (std::size_t k = 0; k < e.readings.size(); ++k) {
-        e.readings[k].value(0) = e.prediction.value(static_cast<Eigen::Index>(2 * k)) + 20;   // a constant offset
+        e.readings[k].value(0) =
+            e.prediction.value(static_cast<Eigen::Index>(2 * k)) + 20;  // a constant offset
     }
     const Comparison c = compare(e.readings, e.prediction, 1);
     const auto trend = std::ranges::find(c.trends, "normal_stress", &Trend::covariate);
     ASSERT_NE(trend, c.trends.end());
-    EXPECT_LT(trend->correlation[0], -0.9);   // 20 Pa counts for more where the stress is low
+    EXPECT_LT(trend->correlation[0], -0.9);  // 20 Pa counts for more where the stress is low
     EXPECT_LT(trend->p[0], 0.02);
     EXPECT_GT(trend->p[1], 0.05);
 }
 
 TEST(Json, GivesARunBackAsItWas) {
-    const auto run = dem::run({.friction = 0.2, .inertial_number = 0.05, .stiffness_number = 300, .beads = 100,
-                               .strain = 1, .seed = 5});
+    const auto run = dem::run({.friction = 0.2,
+                               .inertial_number = 0.05,
+                               .stiffness_number = 300,
+                               .beads = 100,
+                               .strain = 1,
+                               .seed = 5});
     const auto back = run_from_json(nlohmann::ordered_json::parse(to_json(run).dump()));
     for (std::size_t k = 0; k < dem::observable_count; ++k) {
         EXPECT_EQ(back.means[k].value, run.means[k].value);
@@ -113,7 +119,8 @@ Study study() {
 Calibration small_calibration() {
     Measurements m;
     m.readings = {reading(500, 0.05, 0.36, 0.60), reading(1000, 0.05, 0.36, 0.60)};
-    return calibrate_study(study(), m, {.fidelity = {"tiny", 100, 300, 0.03, 1}, .seed = 2}, {.threads = 2});
+    return calibrate_study(study(), m, {.fidelity = {"tiny", 100, 300, 0.03, 1}, .seed = 2},
+                           {.threads = 2});
 }
 
 }  // namespace
@@ -146,15 +153,18 @@ TEST(Figures, AreDrawnInEveryFormatWithTheirNumbers) {
     for (const auto& figure : figures) {
         draw(figure, folder.path());
         for (const std::string extension : {".svg", ".png", ".pdf", ".csv"}) {
-            EXPECT_GT(std::filesystem::file_size(folder.path() / (figure.name + extension)), 300u) << figure.name;
+            EXPECT_GT(std::filesystem::file_size(folder.path() / (figure.name + extension)), 300u)
+                << figure.name;
         }
     }
-    EXPECT_THAT(content_of(folder.path() / "calibration.csv"), HasSubstr("panel,curve,x,y,y_error"));
+    EXPECT_THAT(content_of(folder.path() / "calibration.csv"),
+                HasSubstr("panel,curve,x,y,y_error"));
     EXPECT_THAT(content_of(folder.path() / "calibration.svg"), HasSubstr("intergranular friction"));
 }
 
 TEST(Figures, SayWhenNothingCouldBeDrawn) {
-    Figure figure{.name = "missing/folder/name", .title = "", .panels = {{.x_label = "x", .y_label = "y"}}};
+    Figure figure{
+        .name = "missing/folder/name", .title = "", .panels = {{.x_label = "x", .y_label = "y"}}};
     EXPECT_THROW(draw(figure, "/proc/pendular"), std::exception);
 }
 

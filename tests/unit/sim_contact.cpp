@@ -48,13 +48,14 @@ struct Collision {
 
 TEST(HertzContact, LastsAsLongAsHertzSays) {
     // F = (E~/3) h^(3/2), m_eff = 1/2: with k = E~/3 the collision lasts
-    // 2.9432 (h_max/v), h_max = (5 m_eff v^2/(4 k))^(2/5).       Landau & Lifshitz, Elasticity, section 9
+    // 2.9432 (h_max/v), h_max = (5 m_eff v^2/(4 k))^(2/5).       Landau & Lifshitz, Elasticity,
+    // section 9
     const double modulus = 1e5, speed = 0.1;
     const double deepest = std::pow(5 * 0.5 * speed * speed / (4 * modulus / 3), 0.4);
     Collision collision(modulus, 0, speed, 1e-6);
     collision.until_parted();
     EXPECT_NEAR(collision.contact_time, 2.9432 * deepest / speed, 2e-3 * 2.9432 * deepest / speed);
-    EXPECT_NEAR(collision.separation_speed(), speed, 1e-4 * speed);   // elastic
+    EXPECT_NEAR(collision.separation_speed(), speed, 1e-4 * speed);  // elastic
 }
 
 TEST(HertzContact, ReboundsWithTheRestitutionOfItsDashpot) {
@@ -83,8 +84,8 @@ TEST(HertzContact, SticksTogetherNoLongerThanItIsDamped) {
 }
 
 TEST(MindlinContact, SlidesAtTheCoulombLimitAndSpinsTheBeadsUp) {
-    // Pressed together and dragged past one another: the elastic normal force is that of the overlap,
-    // the tangential force mu times it, and both beads turn the same way.
+    // Pressed together and dragged past one another: the elastic normal force is that of the
+    // overlap, the tangential force mu times it, and both beads turn the same way.
     Collision c(1e5, 0.98, 0, 1e-5);
     c.material.friction = 0.2;
     c.beads.x = {9.5, 10.49};

@@ -52,7 +52,8 @@ TEST(FindPairs, FallsBackOnSmallSamples) {
         }
     }
     const Cell cell{3.2, 3.2, 3.2, 1.0};
-    EXPECT_EQ(keys(find_pairs(beads, cell, 1.1)), keys(find_pairs_by_brute_force(beads, cell, 1.1)));
+    EXPECT_EQ(keys(find_pairs(beads, cell, 1.1)),
+              keys(find_pairs_by_brute_force(beads, cell, 1.1)));
 }
 
 TEST(PairList, MissesNoContactUnderShearAndHeightChange) {

@@ -14,10 +14,17 @@ namespace {
 
 /// A small, fast and soft sample: enough to see behaviour, not to measure.
 RunParameters small_run() {
-    return {.friction = 0.2, .inertial_number = 0.05, .stiffness_number = 300, .beads = 150, .strain = 1.5, .seed = 3};
+    return {.friction = 0.2,
+            .inertial_number = 0.05,
+            .stiffness_number = 300,
+            .beads = 150,
+            .strain = 1.5,
+            .seed = 3};
 }
 
-double of(const RunResult& run, Observable which) { return run[which].value; }
+double of(const RunResult& run, Observable which) {
+    return run[which].value;
+}
 
 }  // namespace
 
@@ -38,7 +45,8 @@ TEST(Run, HoldsItsNormalStressAndAveragesWhatWasAskedFor) {
     EXPECT_GT(r[Observable::stress_ratio].standard_error, 0);
     EXPECT_GT(r[Observable::solid_fraction].standard_error, 0);
     EXPECT_TRUE(r.steady);
-    EXPECT_LT(of(r, Observable::fabric_12_contact), 0);   // contacts point into the compression quadrants
+    EXPECT_LT(of(r, Observable::fabric_12_contact),
+              0);  // contacts point into the compression quadrants
 }
 
 TEST(Run, IsStrongerAndLooserWithMoreFriction) {
@@ -47,7 +55,8 @@ TEST(Run, IsStrongerAndLooserWithMoreFriction) {
     const RunResult a = run(smooth), b = run(rough);
     EXPECT_GT(of(b, Observable::stress_ratio), of(a, Observable::stress_ratio) + 0.1);
     EXPECT_LT(of(b, Observable::solid_fraction), of(a, Observable::solid_fraction) - 0.015);
-    EXPECT_LT(of(b, Observable::contact_coordination), of(a, Observable::contact_coordination) - 0.5);
+    EXPECT_LT(of(b, Observable::contact_coordination),
+              of(a, Observable::contact_coordination) - 0.5);
 }
 
 TEST(Run, NamesTheParameterThatIsOutOfRange) {
@@ -64,12 +73,16 @@ TEST(Run, NamesTheParameterThatIsOutOfRange) {
         change(p);
         return p;
     };
-    EXPECT_NE(complaint(with([](auto& p) { p.friction = -0.1; })).find("friction"), std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.friction = -0.1; })).find("friction"),
+              std::string::npos);
     EXPECT_NE(complaint(with([](auto& p) { p.beads = 63; })).find("beads"), std::string::npos);
-    EXPECT_NE(complaint(with([](auto& p) { p.inertial_number = 2; })).find("inertial number"), std::string::npos);
-    EXPECT_NE(complaint(with([](auto& p) { p.stiffness_number = 1; })).find("stiffness"), std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.inertial_number = 2; })).find("inertial number"),
+              std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.stiffness_number = 1; })).find("stiffness"),
+              std::string::npos);
     EXPECT_NE(complaint(with([](auto& p) { p.strain = 0.1; })).find("strain"), std::string::npos);
-    EXPECT_NE(complaint(with([](auto& p) { p.friction = std::nan(""); })).find("friction"), std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.friction = std::nan(""); })).find("friction"),
+              std::string::npos);
 }
 
 TEST(Run, StopsWhenAskedTo) {

@@ -19,8 +19,10 @@ Structure around_one_bead(const std::vector<std::array<double, 3>>& directions) 
     for (std::size_t k = 0; k < directions.size(); ++k) {
         const auto& [x, y, z] = directions[k];
         const double length = std::hypot(x, y, z);
-        beads.x[k + 1] = 50 + x / length, beads.y[k + 1] = 50 + y / length, beads.z[k + 1] = 50 + z / length;
-        pairs.add(0, static_cast<std::int32_t>(k + 1), static_cast<std::uint8_t>(image_code::of({})));
+        beads.x[k + 1] = 50 + x / length, beads.y[k + 1] = 50 + y / length,
+                    beads.z[k + 1] = 50 + z / length;
+        pairs.add(0, static_cast<std::int32_t>(k + 1),
+                  static_cast<std::uint8_t>(image_code::of({})));
         pairs.root.back() = 0.05;
     }
     return structure_of(beads, {100, 100, 100, 0}, pairs);
@@ -75,7 +77,7 @@ TEST(BondOrder, VanishesForRandomDirections) {
     for (auto& d : directions) {
         d = {normal(random), normal(random), normal(random)};
     }
-    EXPECT_LT(around_one_bead(directions).bond_order, 0.04);   // 1/sqrt(4000) = 0.016 expected
+    EXPECT_LT(around_one_bead(directions).bond_order, 0.04);  // 1/sqrt(4000) = 0.016 expected
 }
 
 TEST(Structure, CountsContactsFromBothSidesAndSignsTheFabric) {
@@ -91,12 +93,14 @@ TEST(Localization, IsZeroForUniformShearAndOneForAThinBand) {
     for (std::size_t i = 0; i < 2000; ++i) {
         const double y = height * (static_cast<double>(i) + 0.5) / 2000;
         uniform.y[i] = band.y[i] = y;
-        // Two blocks that slide on one another at mid-height: v1 = +-rate H/2, peculiar v1 - rate x2.
+        // Two blocks that slide on one another at mid-height: v1 = +-rate H/2, peculiar v1 - rate
+        // x2.
         band.vx[i] = (y < height / 2 ? -1 : 1) * rate * height / 2 - rate * (y - height / 2);
     }
     VelocityProfile flat, sharp;
     flat.add(uniform, height);
     sharp.add(band, height);
     EXPECT_DOUBLE_EQ(flat.localization(height, rate), 0);
-    EXPECT_NEAR(sharp.localization(height, rate), 1, 0.01);   // bins of one diameter smear it a little
+    EXPECT_NEAR(sharp.localization(height, rate), 1,
+                0.01);  // bins of one diameter smear it a little
 }

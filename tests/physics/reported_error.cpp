@@ -1,0 +1,81 @@
+// Is the reported standard error the scatter there really is? Many planted frictions on small, soft
+// samples: what is tested is the chain of errors, from the runs' averages to ceres::Covariance, not
+// the physics. tests/long/planted_truths.cpp does the same at the size of real calibrations.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <random>
+
+#include "calib/calibration.h"
+
+using namespace pendular;
+
+namespace {
+
+constexpr int studies = 36;
+const Fidelity small{"small", 200, 300, 0.05, 3};
+
+/// Steady state at a friction from many runs with seeds of their own [stress ratio, solid
+/// fraction].
+Eigen::Vector2d truth_at(double friction) {
+    std::vector<dem::RunParameters> runs;
+    for (std::uint64_t k = 0; k < 75; ++k) {
+        runs.push_back({.friction = friction,
+                        .inertial_number = 0.05,
+                        .stiffness_number = 300,
+                        .beads = 200,
+                        .strain = 5,
+                        .seed = 1'000'000 + k});
+    }
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const auto& run : run_all(runs, {.threads = 1})) {
+        sum += Eigen::Vector2d(run[dem::Observable::stress_ratio].value,
+                               run[dem::Observable::solid_fraction].value);
+    }
+    return sum / 75;
+}
+
+}  // namespace
+
+TEST(ReportedError, IsTheScatterOfPlantedFrictions) {
+    std::map<double, Eigen::Vector2d> truths;
+    for (const double friction : {0.08, 0.15, 0.25}) {
+        truths[friction] = truth_at(friction);
+    }
+    double square = 0, mean = 0;
+    for (int k = 0; k < studies; ++k) {
+        const auto& [friction, state] = *std::next(truths.begin(), k % 3);
+        std::mt19937_64 random(40'000 + static_cast<unsigned>(k));
+        std::normal_distribution<double> normal;
+        Measurements measurements;
+        for (const double stress : {500.0, 2000.0}) {
+            const double ratio_error = 0.03 * state(0), fraction_error = 0.003;
+            Reading reading;
+            reading.condition = {.normal_stress = stress, .inertial_number = 0.05};
+            reading.value << (state(0) + ratio_error * normal(random)) * stress,
+                state(1) + fraction_error * normal(random);
+            reading.covariance << std::pow(ratio_error * stress, 2), 0, 0,
+                std::pow(fraction_error, 2);
+            measurements.readings.push_back(reading);
+        }
+        Study study;
+        study.grains = {.diameter = 5e-4, .density = 1050};
+        const Calibration c = calibrate_study(
+            study, measurements, {.fidelity = small, .seed = static_cast<std::uint64_t>(500 + k)},
+            {.threads = 1});
+        EXPECT_TRUE(c.fit.converged);
+        const double z = (c.fit.parameters(0) - friction) / c.fit.standard_error(0);
+        std::printf("%.3f: %.4f +- %.4f, z = %+.2f, %zu runs\n", friction, c.fit.parameters(0),
+                    c.fit.standard_error(0), z, c.runs.size());
+        square += z * z / studies;
+        mean += z / studies;
+    }
+    std::printf("variance of (fitted - planted)/reported error over %d studies: %.2f, mean %.2f\n",
+                studies, square, mean);
+    // The variance of 36 has a standard error of 0.24; three of them either way.
+    EXPECT_GT(square, 0.29);
+    EXPECT_LT(square, 1.71);
+    EXPECT_NEAR(mean, 0, 3 / std::sqrt(studies));
+}
