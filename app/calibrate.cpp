@@ -55,7 +55,12 @@ int calibrate(const std::vector<std::string>& arguments) {
                     "  pendular calibrate examples/polystyrene --fidelity quick\n"
                     "  pendular calibrate my-study --profile --json -\n",
                     true);
-    options.add("seed", &request.seed, "seed of the simulations (default 1)");
+    std::int64_t seed = 1;
+    options.add("seed", &seed, "seed of the simulations (default 1)");
+    bool no_confirm = false, cold = false;
+    options.add_switch("no-confirm", &no_confirm,
+                       "fewer rounds: do not demand a last round that confirms the optimum");
+    options.add_switch("cold", &cold, "read no earlier runs (this version keeps none: always so)");
     options.add_switch("profile", &request.profile,
                        "profile likelihood interval of the friction as well");
     const auto common = options.parse(arguments);
@@ -64,11 +69,10 @@ int calibrate(const std::vector<std::string>& arguments) {
     }
     const InterruptGuard guard;
     Console console(*common);
+    request.seed = checked_seed(seed);
     request.fidelity = common->fidelity;
+    request.options.fewest_rounds -= no_confirm;
     const auto [study, measurements] = read_input(common->study);
-    for (const auto& note : measurements.notes) {
-        console.note(note);
-    }
     std::string what = "round 1";
     const Workers workers{common->threads, guard.token(),
                           [&](const EnsembleProgress& p) { console.progress(what, p); }};
@@ -86,6 +90,14 @@ int calibrate(const std::vector<std::string>& arguments) {
     const auto json = to_json(c, comparison);
     write_json(common->out_folder() / "fit.json", json);
     print_result(console, c, comparison);
+    for (const auto& note : measurements.notes) {
+        console.note(note);
+    }
+    if (!measurements.excluded.empty()) {
+        console.note(fmt::format(
+            "{} ranges of rows were left out of the readings; 'pendular import' lists them",
+            measurements.excluded.size()));
+    }
     console.json(json);
     return c.fit.converged ? done : not_converged;
 }

@@ -31,7 +31,8 @@ int compare(const std::vector<std::string>& arguments) {
     Console console(*common);
     const auto [study, measurements] = read_input(common->study);
     const auto out = common->out_folder();
-    const Calibration c = read_calibration(out / "fit.json", fitted_readings(measurements));
+    const Calibration c =
+        read_calibration(out / "fit.json", study.grains, fitted_readings(measurements));
     const Prediction prediction = model_of(study, c).predict(c.fit.parameters);
     const Comparison comparison =
         compare(c.readings, prediction, static_cast<int>(c.fit.parameters.size()));
@@ -45,6 +46,15 @@ int compare(const std::vector<std::string>& arguments) {
         comparison.rms_percent[1]));
     for (const auto& line : comparison_table(comparison)) {
         console.line(line);
+    }
+    for (const auto& note : measurements.notes) {
+        console.note(note);
+    }
+    for (const auto& note : c.notes) {
+        console.note(note);
+    }
+    if (!c.fit.converged) {
+        console.note("the calibration had not converged");
     }
     for (const auto& figure : comparison_figures(study, c, comparison)) {
         draw(figure, out / "figures");

@@ -1,8 +1,11 @@
 #include "app/options.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <iostream>
 #include <thread>
 
@@ -29,7 +32,39 @@ std::filesystem::path study_folder(const std::filesystem::path& study) {
     return study.has_parent_path() ? study.parent_path() : std::filesystem::path(".");
 }
 
+/// Long work must not end in a place that cannot be written.
+void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    if (path.empty()) {
+        throw InputError(fmt::format("{} needs a name", option));
+    }
+    if (fs::exists(path, error) && fs::is_directory(path, error) != folder) {
+        throw InputError(
+            fmt::format("{} {} is {} folder", option, path.string(), folder ? "no" : "a"));
+    }
+    fs::path there = fs::absolute(path, error);
+    while (!fs::exists(there, error) && there.has_relative_path()) {
+        there = there.parent_path();
+    }
+    if (there != fs::absolute(path, error) && !fs::is_directory(there, error)) {
+        throw InputError(fmt::format("{} {} cannot be written: {} is no folder", option,
+                                     path.string(), there.string()));
+    }
+    if (access(there.c_str(), W_OK) != 0) {
+        throw InputError(fmt::format("{} {} cannot be written: {}", option, path.string(),
+                                     std::strerror(errno)));
+    }
+}
+
 }  // namespace
+
+std::uint64_t checked_seed(std::int64_t seed) {
+    if (seed < 0) {
+        throw InputError(fmt::format("--seed {}: a seed is 0 or more", seed));
+    }
+    return static_cast<std::uint64_t>(seed);
+}
 
 std::filesystem::path CommonOptions::out_folder() const {
     return out ? *out : study_folder(study) / "out";
@@ -56,7 +91,7 @@ void Options::print_help(const po::options_description& common) const {
 
 std::optional<CommonOptions> Options::parse(const std::vector<std::string>& arguments) {
     CommonOptions result;
-    std::string json, out, fidelity, study;
+    std::string json, out, fidelity, store, study;
     po::options_description common("Common options", 100);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     common.add_options()("json", po::value(&json)->value_name("FILE"),
@@ -66,6 +101,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
         "quick, standard or paper: beads / stiffness number / lowest inertial number / averaged "
         "strain "
         "1000/1000/3e-3/5, 2000/1000/2e-3/10, 4000/8400/1e-3/20")(
+        "store", po::value(&store)->value_name("FILE"), "store of runs (this version keeps none)")(
         "threads", po::value(&result.threads)->default_value(cores)->value_name("N"),
         "runs carried out side by side")("quiet", po::bool_switch(&result.quiet),
                                          "no progress on standard error")("help", "this text");
@@ -108,11 +144,17 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
     }
     result.study = study;
     result.fidelity = fidelity_named(fidelity);
-    if (!json.empty()) {
+    if (variables_.count("json") > 0) {
         result.json = json;
+        if (json != "-") {
+            demand_writable(json, "--json", false);
+        }
     }
-    if (!out.empty()) {
+    if (variables_.count("out") > 0) {
         result.out = out;
+    }
+    if (takes_study_ && std::filesystem::exists(study)) {
+        demand_writable(result.out_folder(), "--out", true);
     }
     return result;
 }

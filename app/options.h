@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/program_options.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,6 +10,10 @@
 #include "sim/fidelity.h"
 
 namespace pendular::app {
+
+/// A seed as the user gave it.
+/// @throws InputError if it is negative
+std::uint64_t checked_seed(std::int64_t seed);
 
 /// What every command understands.
 struct CommonOptions {

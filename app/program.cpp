@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdio>
 #include <exception>
 #include <string>
 
@@ -45,7 +46,9 @@ const Command& command_named(const std::string& name) {
 
 }  // namespace
 
-int run_program(const std::vector<std::string>& arguments) {
+namespace {
+
+int run_command(const std::vector<std::string>& arguments) {
     try {
         if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h" ||
             arguments[0] == "help") {
@@ -67,6 +70,17 @@ int run_program(const std::vector<std::string>& arguments) {
         fmt::print(stderr, "pendular failed: {}\n", error.what());
         return program_failed;
     }
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments) {
+    const int code = run_command(arguments);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        fmt::print(stderr, "pendular failed: standard output cannot be written\n");
+        return program_failed;
+    }
+    return code;
 }
 
 }  // namespace pendular::app

@@ -71,12 +71,14 @@ int simulate(const std::vector<std::string>& arguments) {
     options.add("beads", &run.beads, "number of beads (default: the fidelity's)");
     options.add("strain", &run.strain,
                 "averaged strain, after the transient [1] (default: the fidelity's)");
-    options.add("seed", &run.seed, "seed of the random initial state (default 1)");
+    std::int64_t seed = 1;
+    options.add("seed", &seed, "seed of the random initial state (default 1)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
     }
     const auto& f = common->fidelity;
+    run.seed = checked_seed(seed);
     run.inertial_number =
         options.given("inertial-number") ? run.inertial_number : f.lowest_inertial_number;
     run.stiffness_number =
@@ -93,6 +95,9 @@ int simulate(const std::vector<std::string>& arguments) {
                                  }})[0];
     } catch (const std::invalid_argument& error) {
         throw InputError(error.what());
+    }
+    if (!result.failure.empty()) {
+        throw dem::SimulationError(result.failure);
     }
     print_result(console, result);
     console.json(to_json(result));

@@ -18,6 +18,7 @@ namespace pendular {
 /// The calibration of a study and everything it rests on.
 struct Calibration {
     std::vector<Reading> readings;  ///< those fitted, in run order
+    Grains grains;                  ///< those of the study when it was fitted
     Fidelity fidelity;
     std::uint64_t seed = 1;
     std::vector<Parameter> parameters;

@@ -22,6 +22,9 @@ constexpr double whole_range = 1e9;
 constexpr double offsets[][3] = {
     {-0.4, 0, 0.4}, {-0.2, 0.1, 0.25}, {-0.3, -0.1, 0.3}, {-0.15, 0.05, 0.15}};
 
+/// Sets of three runs that one round may order at each inertial number.
+constexpr double most_sets = 8;
+
 /// Short runs over the whole range, to find the neighbourhood of the answer.
 constexpr double scout_frictions[] = {0.02, 0.07, 0.15, 0.3, 0.6};
 constexpr double scout_share_of_strain = 0.4;
@@ -82,8 +85,7 @@ void DirectSimulation::improve(const Eigen::VectorXd& parameters, double excess)
     }
     // The variance falls as one over the number of runs.
     const auto done = static_cast<double>(placed_);
-    const int sets =
-        static_cast<int>(std::clamp(std::ceil((excess - 1) * done), 1.0, std::max(1.0, 2 * done)));
+    const int sets = static_cast<int>(std::clamp(std::ceil((excess - 1) * done), 1.0, most_sets));
     std::vector<double> frictions;
     for (int set = 0; set < sets; ++set) {
         for (const double offset : offsets[placed_++ % std::size(offsets)]) {
@@ -103,6 +105,10 @@ void DirectSimulation::restore(const std::vector<dem::RunResult>& runs, double c
 }
 
 void DirectSimulation::renew_surfaces(double centre, double half_width) {
+    if (points_.size() < 3) {
+        throw dem::SimulationError("fewer than three runs succeeded; the last: " +
+                                   (notes_.empty() ? std::string("none was made") : notes_.back()));
+    }
     centre_ = centre;
     surfaces_.clear();
     for (const double exponent : {best_exponent, extreme_exponents[0], extreme_exponents[1]}) {
@@ -120,7 +126,7 @@ void DirectSimulation::carry_out(const std::vector<double>& frictions, double st
                               .poisson_ratio = grains_.poisson_ratio,
                               .beads = fidelity_.beads,
                               .strain = strain,
-                              .seed = seed_of_run(seed_, runs_.size() + wanted.size())});
+                              .seed = seed_of_run(seed_, ordered_++)});
         }
     }
     for (const auto& run : run_all(wanted, workers_)) {
@@ -129,6 +135,12 @@ void DirectSimulation::carry_out(const std::vector<double>& frictions, double st
 }
 
 void DirectSimulation::add(const dem::RunResult& run) {
+    if (!run.failure.empty()) {
+        notes_.push_back(fmt::format(
+            "a run at friction {:.3g}, inertial number {:.3g} failed and is left out: {}",
+            run.parameters.friction, run.parameters.inertial_number, run.failure));
+        return;
+    }
     runs_.push_back(run);
     const auto& p = run.parameters;
     if (run.crystallised) {
@@ -199,8 +211,8 @@ Prediction DirectSimulation::predict(const Eigen::VectorXd& parameters,
                 surfaces_[2].value(friction, condition.inertial_number)) /
             2;
     }
-    prediction.covariance = rows * surface.covariance() * rows.transpose() +
-                            stiffness_error * stiffness_error.transpose() +
+    prediction.run_noise = rows * surface.covariance() * rows.transpose();
+    prediction.covariance = prediction.run_noise + stiffness_error * stiffness_error.transpose() +
                             form_error * form_error.transpose();
     return prediction;
 }

@@ -42,15 +42,16 @@ class DirectSimulation : public Model {
     /// Friction at which the response surface is centred.
     double centre() const { return centre_; }
 
-    /// Prediction (stress ratio, solid fraction) and its covariance for any dry condition, for
-    /// curves.
+    /// (stress ratio, solid fraction) with their covariance.
     struct Point {
         Eigen::Vector2d value;
         Eigen::Matrix2d covariance;
     };
+    /// Prediction for any dry condition, for curves.
+    Point predict_at(double friction, const Condition& condition) const;
+
     /// Share of the rigidity shift that separates the simulated from the study's stiffness [1].
     double stiffness_share(const Condition& condition) const;
-    Point predict_at(double friction, const Condition& condition) const;
 
   private:
     void carry_out(const std::vector<double>& frictions, double strain);
@@ -71,7 +72,8 @@ class DirectSimulation : public Model {
     std::vector<ResponseSurface> surfaces_;  ///< best exponent first, then the two extreme ones
     std::vector<std::string> notes_;
     double centre_ = 0;
-    std::size_t placed_ = 0;  ///< sets of runs placed around a centre so far
+    std::uint64_t ordered_ = 0;  ///< runs ordered so far, each with a seed of its own
+    std::size_t placed_ = 0;     ///< sets of runs placed around a centre so far
 };
 
 /// Inertial numbers to simulate for readings at these: one where they agree within 5 %, else

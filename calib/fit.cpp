@@ -77,7 +77,7 @@ struct Minimum {
     std::string message;
 };
 
-/// Minimises with Ceres; a parameter number >= 0 is held at its start.
+/// Minimises with Ceres within the range.
 Minimum minimise(ceres::Problem& problem, Eigen::VectorXd& parameters, const Supported& range) {
     for (Eigen::Index k = 0; k < parameters.size(); ++k) {
         problem.SetParameterLowerBound(parameters.data(), static_cast<int>(k), range.lower(k));
@@ -117,14 +117,14 @@ Eigen::MatrixXd parameter_covariance(ceres::Problem& problem, const Eigen::Vecto
     return result;
 }
 
-/// Share of the parameters' covariance that comes from the measurement: K Sigma_m K' with the
-/// estimator K = C J' Sigma^-1.
-Eigen::MatrixXd measurement_part(const Eigen::MatrixXd& covariance, const Whitening& whitening,
-                                 const Prediction& prediction, const Measured& measured) {
-    const Eigen::MatrixXd jacobian = whitening.apply(prediction.jacobian);
-    const Eigen::MatrixXd half = whitening.apply(measured.covariance);   // L^-1 S
+/// Share of the parameters' covariance that comes from a part S of the readings' covariance: K S K'
+/// with the estimator K = C J' Sigma^-1.
+Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const Whitening& whitening,
+                        const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& part) {
+    const Eigen::MatrixXd whitened_jacobian = whitening.apply(jacobian);
+    const Eigen::MatrixXd half = whitening.apply(part);                  // L^-1 S
     const Eigen::MatrixXd whitened = whitening.apply(half.transpose());  // L^-1 S L^-T
-    return covariance * jacobian.transpose() * whitened * jacobian * covariance;
+    return covariance * whitened_jacobian.transpose() * whitened * whitened_jacobian * covariance;
 }
 
 }  // namespace
@@ -162,8 +162,11 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     result.parameters = parameters;
     result.covariance = parameter_covariance(problem, parameters);
     result.prediction = model.predict(parameters);
-    result.measurement_part =
-        measurement_part(result.covariance, whitening, result.prediction, measured);
+    const auto caused_by = [&](const Eigen::MatrixXd& part) {
+        return part_of(result.covariance, whitening, result.prediction.jacobian, part);
+    };
+    result.measurement_part = caused_by(measured.covariance);
+    result.run_part = caused_by(result.prediction.run_noise);
     result.chi2 = minimum.chi2;
     result.dof = static_cast<int>(measured.value.size() - parameters.size());
     result.converged = minimum.usable && minimum.converged;
@@ -216,14 +219,13 @@ Fit calibrate(Model& model, const Measured& measured, const CalibrationOptions& 
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         at(static_cast<Eigen::Index>(k)) = parameters[k].start;
     }
-    // Largest ratio of a parameter's simulation variance to what the option allows.
+    // Largest ratio of the variance that the runs' noise causes in a parameter to what is allowed.
     const auto excess_of = [&](const Fit& fit) {
+        const double allowed = options.simulation_share / (1 - options.simulation_share);
         double excess = 0;
         for (Eigen::Index k = 0; k < at.size(); ++k) {
-            const double share = std::pow(fit.simulation_error(k) / fit.standard_error(k), 2);
-            const double ratio = share / (1 - share),
-                         allowed = options.simulation_share / (1 - options.simulation_share);
-            excess = std::max(excess, std::isfinite(ratio) ? ratio / allowed : 1e3);
+            const double noise = fit.run_part(k, k), rest = fit.covariance(k, k) - noise;
+            excess = std::max(excess, rest > 0 ? noise / rest / allowed : 1e3);
         }
         return excess;
     };

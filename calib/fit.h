@@ -21,10 +21,10 @@ Measured stack(const std::vector<Reading>& readings);
 /// Outcome of one least-squares fit.
 struct Fit {
     Eigen::VectorXd parameters;
-    Eigen::MatrixXd
-        covariance;  ///< of the parameters, from ceres::Covariance, not scaled by chi2/dof
-    Eigen::MatrixXd
-        measurement_part;  ///< what of it the measurement alone causes; the rest is simulation
+    /// Of the parameters, from ceres::Covariance; not scaled by chi2/dof.
+    Eigen::MatrixXd covariance;
+    Eigen::MatrixXd measurement_part;  ///< what of it the measurement alone causes
+    Eigen::MatrixXd run_part;  ///< what of it the runs' noise causes; the rest are corrections
     double chi2 = 0;
     int dof = 0;
     bool converged = false;
@@ -50,7 +50,7 @@ std::pair<double, double> profile_interval(const Model& model, const Measured& m
 
 /// When a calibration is good enough, and when it gives up.
 struct CalibrationOptions {
-    double simulation_share = 0.2;  ///< of the variance of a parameter that simulation may cause
+    double simulation_share = 0.2;  ///< of a parameter's variance that noise of the runs may cause
     double settled = 0.5;           ///< largest last move, in standard errors
     int fewest_rounds = 3;
     int most_rounds = 8;

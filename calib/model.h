@@ -20,8 +20,9 @@ struct Parameter {
 struct Prediction {
     Eigen::VectorXd value;     ///< 2 n
     Eigen::MatrixXd jacobian;  ///< 2 n x parameters
-    Eigen::MatrixXd
-        covariance;  ///< 2 n x 2 n, of `value`: simulation noise and every correction's error
+    /// 2 n x 2 n, of `value`: noise of the runs and the error of every correction.
+    Eigen::MatrixXd covariance;
+    Eigen::MatrixXd run_noise;  ///< the part of `covariance` that more runs would reduce
 };
 
 /// The range of parameters over which a model's predictions are supported by simulation.

@@ -147,6 +147,8 @@ Reading reading_of(const Points& points, const Row& row) {
     set_stress(points, row, reading);
     set_solid_fraction(points, row, reading);
     set_correlation(points, row, reading);
+    if (!reading.value.allFinite() || !reading.covariance.allFinite())
+        throw InputError(reading.origin, "a value or its deviation is too large to compute with");
     reading.sampled_seconds = points.columns.value_if_any(row, "sampled_seconds").value_or(0);
     reading.error_assumed = points.columns.value_if_any(row, "error_assumed").value_or(0) != 0;
     return reading;

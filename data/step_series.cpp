@@ -76,9 +76,12 @@ void space_evenly(StepSeries& series) {
     series.interpolated = true;
 }
 
-/// Whether the values of one sign are more than noise around zero: not just a few, and either
-/// clear of zero as a group, or, where they change slowly, clear of the noise.
+/// Whether the values of one sign are more than noise around zero: one of them far outside it, or
+/// not just a few that are clear of zero as a group or, where they change slowly, clear of the
+/// noise.
 bool significant(const std::vector<double>& magnitudes, std::span<const double> series) {
+    const double far = 5 * robust_deviation(series);
+    if (std::ranges::any_of(magnitudes, [&](double value) { return value > far; })) return true;
     if (magnitudes.size() < std::max<std::size_t>(3, series.size() / 50)) return false;
     const double typical = median(magnitudes);
     return typical > 3 * robust_deviation(magnitudes) || typical > 5 * sample_noise(series);

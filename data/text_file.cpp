@@ -88,20 +88,35 @@ std::vector<std::string> read_lines(const std::filesystem::path& path) {
     return lines;
 }
 
+namespace {
+
+void write_into(const std::filesystem::path& path, const std::string& content) {
+    std::ofstream stream(path, std::ios::binary);
+    stream << content;
+    stream.close();
+    if (!stream) cannot_write(path, std::strerror(errno));
+}
+
+}  // namespace
+
 void write_whole(const std::filesystem::path& path, const std::string& content) {
     std::error_code error;
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
     if (error) cannot_write(path, error.message());
-    const std::filesystem::path temporary = fmt::format("{}.{}.part", path.string(), getpid());
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << content;
-    stream.close();
-    if (!stream) {
-        const std::string reason = std::strerror(errno);
-        std::filesystem::remove(temporary, error);
-        cannot_write(path, reason);
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+        write_into(path, content);  // a device or a pipe has no whole to keep
+        return;
     }
-    std::filesystem::rename(temporary, path, error);
+    // A link keeps pointing where it did: the file behind it is the one replaced.
+    const std::filesystem::path target = std::filesystem::weakly_canonical(path);
+    const std::filesystem::path temporary = fmt::format("{}.{}.part", target.string(), getpid());
+    try {
+        write_into(temporary, content);
+    } catch (...) {
+        std::filesystem::remove(temporary, error);
+        throw;
+    }
+    std::filesystem::rename(temporary, target, error);
     if (error) {
         const std::string reason = error.message();
         std::filesystem::remove(temporary, error);

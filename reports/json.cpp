@@ -45,6 +45,17 @@ Json prediction_json(const ReadingMisfit& misfit) {
             {"chi2", misfit.chi2.sum()}};
 }
 
+Json grains_json(const Grains& g) {
+    Json json = {{"diameter", g.diameter},
+                 {"density", g.density},
+                 {"youngs_modulus", nullptr},
+                 {"poisson_ratio", g.poisson_ratio}};
+    if (g.youngs_modulus) {
+        json["youngs_modulus"] = *g.youngs_modulus;
+    }
+    return json;
+}
+
 Json fidelity_json(const Fidelity& f) {
     return {{"name", f.name},
             {"beads", f.beads},
@@ -167,6 +178,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
     for (const auto& misfit : comparison.readings) {
         json["predictions"].push_back(prediction_json(misfit));
     }
+    json["grains"] = grains_json(c.grains);
     json["fidelity"] = fidelity_json(c.fidelity);
     json["seed"] = c.seed;
     json["rounds"] = c.rounds;
@@ -195,19 +207,21 @@ bool made_from(const Json& entry, const Reading& reading) {
            same(measured.at("solid_fraction").at("stderr"), std::sqrt(reading.covariance(1, 1)));
 }
 
-Calibration parse_calibration(const Json& json, const std::vector<Reading>& readings,
-                              const Position& where) {
+Calibration parse_calibration(const Json& json, const Grains& grains,
+                              const std::vector<Reading>& readings, const Position& where) {
     const Json& entries = json.at("predictions");
     const bool same_readings =
         entries.size() == readings.size() &&
         std::ranges::equal(entries, readings,
                            [](const Json& e, const Reading& r) { return made_from(e, r); });
-    if (!same_readings) {
-        throw InputError(where,
-                         "this fit was made from other readings than the study holds now; run "
-                         "'pendular calibrate' again");
+    if (!same_readings || json.at("grains") != grains_json(grains)) {
+        throw InputError(
+            where,
+            "this fit was made from other readings or grains than the study holds now; run "
+            "'pendular calibrate' again");
     }
     Calibration c;
+    c.grains = grains;
     c.readings = readings;
     const Json& f = json.at("fidelity");
     c.fidelity = {f.at("name"), f.at("beads"), f.at("stiffness_number"),
@@ -229,12 +243,15 @@ Calibration parse_calibration(const Json& json, const std::vector<Reading>& read
     for (const auto& run : json.at("runs")) {
         c.runs.push_back(run_from_json(run));
     }
+    if (c.runs.size() < 3) {
+        throw InputError(where, "the runs of this fit are missing; run 'pendular calibrate' again");
+    }
     return c;
 }
 
 }  // namespace
 
-Calibration read_calibration(const std::filesystem::path& file,
+Calibration read_calibration(const std::filesystem::path& file, const Grains& grains,
                              const std::vector<Reading>& readings) {
     std::ifstream stream(file);
     if (!stream) {
@@ -242,8 +259,10 @@ Calibration read_calibration(const std::filesystem::path& file,
                          "there is no calibration yet; run 'pendular calibrate' first");
     }
     try {
-        return parse_calibration(Json::parse(stream), readings, {file.string()});
-    } catch (const Json::exception& error) {
+        return parse_calibration(Json::parse(stream), grains, readings, {file.string()});
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
         throw InputError(
             {file.string()},
             fmt::format("not a calibration of this version ({}); run 'pendular calibrate' again",

@@ -22,10 +22,10 @@ nlohmann::ordered_json to_json(const Measurements& measurements);
 /// What `calibrate` prints and `out/fit.json` holds.
 nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
 
-/// A calibration back from `out/fit.json`; its readings come from the study and must be those that
-/// were fitted.
-/// @throws InputError where the file is missing, malformed, or was made from other readings
-Calibration read_calibration(const std::filesystem::path& file,
+/// A calibration back from `out/fit.json`; its grains and readings come from the study and must
+/// be those that were fitted.
+/// @throws InputError where the file is missing, malformed, or was made from others
+Calibration read_calibration(const std::filesystem::path& file, const Grains& grains,
                              const std::vector<Reading>& readings);
 
 /// What `compare` prints and `out/compare.json` holds.

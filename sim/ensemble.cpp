@@ -68,6 +68,11 @@ class Ensemble {
                         note(k, std::min(0.999, strain / expected));
                     });
                 note(k, 1.0);
+            } catch (const dem::SimulationError& error) {
+                // One sample that fails costs itself only.
+                results_[k].parameters = runs_[k];
+                results_[k].failure = error.what();
+                note(k, 1.0);
             } catch (...) {
                 const std::lock_guard lock(mutex_);
                 if (!failure_) {
@@ -80,7 +85,8 @@ class Ensemble {
 
     void note(std::size_t k, double fraction) {
         const std::lock_guard lock(mutex_);
-        done_[k] = fraction;
+        // A run may find that it needs more strain; the progress shown never goes back.
+        done_[k] = std::max(done_[k], fraction);
         if (!workers_.report) {
             return;
         }

@@ -25,8 +25,10 @@ struct Workers {
 };
 
 /// Carries out independent runs side by side, one core each, the longest first. The results come in
-/// the order asked for and do not depend on the number of threads.
-/// @throws whatever the first run to fail threw, after the others have stopped
+/// the order asked for and do not depend on the number of threads. A run whose simulation fails has
+/// RunResult::failure set and nothing else.
+/// @throws std::invalid_argument, dem::Interrupted: the first of them, after the others have
+/// stopped
 std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers);
 

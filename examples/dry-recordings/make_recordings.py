@@ -4,7 +4,7 @@ state is known from an independent simulation.
 
 The truth is the row of tests/physics/reference/dry-lammps.csv with friction 0.15, inertial number
 0.003 and stiffness number 1000 (LAMMPS, 2000 beads): stress ratio 0.2929 +- 0.0028, solid fraction
-0.6119 +- 0.0003. Its own standard errors are common to all recordings and not part of their scatter.
+0.6119 +- 0.0002. Its own standard errors are common to all recordings and not part of their scatter.
 
 Three replicates of three steps (0.5, 1 and 2 kPa), each with a start-up transient, noise correlated
 over 0.4 s, and scatter between the replicates of 4 % in torque and 0.4 % in solid fraction.

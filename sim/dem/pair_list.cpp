@@ -261,7 +261,6 @@ void PairList::select_narrow(Beads& beads, const Cell& cell) {
         displacement->assign(beads.size(), 0.0);
     }
     narrow_strain_ = 0;
-    ++narrow_rebuilds_;
 }
 
 }  // namespace pendular::dem

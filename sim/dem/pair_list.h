@@ -50,7 +50,6 @@ class PairList {
     /// Pairs of the narrow list that are real; the rest only fills up the last batch.
     std::size_t live() const { return wide_index_.size(); }
     std::size_t wide_rebuilds() const { return wide_rebuilds_; }
-    std::size_t narrow_rebuilds() const { return narrow_rebuilds_; }
 
   private:
     void select_narrow(Beads& beads, const Cell& cell);
@@ -61,7 +60,7 @@ class PairList {
     std::vector<double> moved_x_, moved_y_,
         moved_z_;  ///< peculiar displacements, wide to narrow list
     double wide_strain_ = 0, narrow_strain_ = 0;
-    std::size_t wide_rebuilds_ = 0, narrow_rebuilds_ = 0;
+    std::size_t wide_rebuilds_ = 0;
 };
 
 /// All pairs closer than `range`, each once and ordered by first bead. Cells are sheared with the

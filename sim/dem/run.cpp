@@ -30,8 +30,9 @@ void check(const RunParameters& p) {
     };
     demand(p.friction >= 0 && p.friction <= 2,
            fmt::format("friction {} is not between 0 and 2", p.friction));
-    demand(p.inertial_number >= 1e-5 && p.inertial_number <= 0.5,
-           fmt::format("inertial number {} is not between 1e-5 and 0.5", p.inertial_number));
+    demand(p.inertial_number >= 1e-5 && p.inertial_number <= largest_inertial_number,
+           fmt::format("inertial number {} is not between 1e-5 and {}", p.inertial_number,
+                       largest_inertial_number));
     demand(p.stiffness_number >= 100 && p.stiffness_number <= 1e6,
            fmt::format("stiffness number {} is not between 100 and 1e6", p.stiffness_number));
     demand(p.poisson_ratio > -1 && p.poisson_ratio <= 0.5,
@@ -51,6 +52,7 @@ void check(const RunParameters& p) {
 
 /// Averages over one block of strain.
 struct Block {
+    double strain = 0;
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
     Structure structure;
 };
@@ -76,16 +78,14 @@ Block shear_block(ShearCell& sample, const std::stop_token& stop) {
             profile.add(sample.beads(), sample.cell().height);
         }
         if (sample.strain() - begin >= block_strain * (structures + 1) / structures_per_block) {
-            const Structure now =
-                structure_of(sample.beads(), sample.cell(), sample.pairs().narrow());
-            block.structure.contact_coordination += now.contact_coordination / structures_per_block;
-            block.structure.fabric_12 += now.fabric_12 / structures_per_block;
-            block.structure.mean_overlap += now.mean_overlap / structures_per_block;
-            block.structure.bond_order += now.bond_order / structures_per_block;
+            block.structure += structure_of(sample.beads(), sample.cell(), sample.pairs().narrow());
+            profile.add(sample.beads(), sample.cell().height);
             ++structures;
         }
         steps += 1;
     }
+    block.structure /= structures;
+    block.strain = sample.strain() - begin;
     for (double* sum : {&block.s11, &block.s22, &block.s33, &block.s12, &block.solid_fraction}) {
         *sum /= steps;
     }
@@ -98,6 +98,15 @@ class Series {
   public:
     void add(const Block& block) { blocks_.push_back(block); }
     std::size_t size() const { return blocks_.size(); }
+
+    /// Strain of the blocks [from, to).
+    double strain(std::size_t from, std::size_t to) const {
+        double sum = 0;
+        for (std::size_t k = from; k < to; ++k) {
+            sum += blocks_[k].strain;
+        }
+        return sum;
+    }
 
     template <typename Value>
     std::vector<double> values(std::size_t from, Value value) const {
@@ -193,8 +202,8 @@ void average(const Series& series, std::size_t from, RunResult& result) {
     set(Observable::normal_stress, series.values(from, s22));
     result.covariance = covariance_of_means(stress_ratio, solid_fraction);
     result.crystallised = crystallised(series, from);
-    result.strain_transient = static_cast<double>(from) * block_strain;
-    result.strain_averaged = static_cast<double>(series.size() - from) * block_strain;
+    result.strain_transient = series.strain(0, from);
+    result.strain_averaged = series.strain(from, series.size());
 }
 
 }  // namespace
@@ -211,7 +220,7 @@ RunResult run(const RunParameters& parameters, std::stop_token stop, const Progr
                             .friction = parameters.friction,
                             .damping = parameters.damping};
     ShearCell sample(parameters.beads, material, parameters.inertial_number, parameters.seed);
-    if (!sample.compress()) {
+    if (!sample.compress(stop)) {
         throw SimulationError(
             "the sample never reached its normal stress; use more beads or another seed");
     }

@@ -14,6 +14,9 @@
 
 namespace pendular::dem {
 
+/// Fastest shear that is still a dense flow, to which the height servo can hold the stress.
+constexpr double largest_inertial_number = 0.5;
+
 /// Everything that determines one run of steady shear, reduced units.
 struct RunParameters {
     double friction = 0.09;          ///< mu
@@ -65,6 +68,7 @@ struct RunResult {
     double wall_seconds = 0;
     bool crystallised = false;
     bool steady = false;
+    std::string failure;  ///< why there are no averages (run_all); empty: there are
 
     const Mean& operator[](Observable which) const {
         return means[static_cast<std::size_t>(which)];
@@ -72,12 +76,6 @@ struct RunResult {
     double particle_steps_per_second() const {
         return static_cast<double>(steps) * parameters.beads / wall_seconds;
     }
-};
-
-/// The user asked to stop.
-class Interrupted : public std::runtime_error {
-  public:
-    Interrupted() : std::runtime_error("interrupted") {}
 };
 
 /// Called about once per strain of 0.02 with the strain done and the strain expected in all.

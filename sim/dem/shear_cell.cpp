@@ -242,18 +242,21 @@ void ShearCell::advance() {
 
 void ShearCell::follow_stiffest_contact() {
     const double stiffness = Hertz::at(recent_overlap_, material_.modulus).normal_stiffness;
-    const double wanted = fraction_ / std::sqrt(stiffness);
+    const double wanted = fraction_ / std::sqrt(stiffness) / std::max(1.0, material_.damping);
     // It may shrink at once but grows slowly, so that one quiet moment does not lengthen it.
     time_step_ = time_step_ == 0 ? wanted : std::min(wanted, 1.01 * time_step_);
     recent_overlap_ = std::max(largest_overlap_, overlap_at(0.1, material_.modulus));
 }
 
-bool ShearCell::compress() {
+bool ShearCell::compress(const std::stop_token& stop) {
     flow_.height_rate = -initial_closing_rate;
     while (stress_.s22 < 1) {
         step();
         if (!(solid_fraction() < 0.8)) {
             return false;
+        }
+        if (stop.stop_requested()) {
+            throw Interrupted();
         }
     }
     servo_ = true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 
 #include "sim/dem/beads.h"
 #include "sim/dem/cell.h"
@@ -18,12 +19,13 @@ struct Stress {
 /// s22 stays at 1. Reduced units: bead diameter, mass and imposed normal stress are 1, so that the
 /// shear rate is the inertial number.
 ///
-/// Height servo, first order: (dH/dt)/H = (s22 - 1)/(B t0), with B = 0.4 kappa the order of the
-/// packing's modulus at stiffness number kappa and t0 = sqrt(m/(a s22)), the time a bead needs to
-/// move its own size. The stress then relaxes to its target within about t0 at every stiffness and
-/// nothing is left to tune; as ln H is bounded, the time average of s22 is 1 exactly.
+/// Height servo, first order: (dH/dt)/H = (s22 - 1)/(B t0), with B = 0.05 kappa, about an eighth of
+/// the packing's modulus at stiffness number kappa, and t0 = sqrt(m/(a s22)), the time a bead needs
+/// to move its own size. The stress then returns to its target within a fraction of t0 at every
+/// stiffness and nothing is left to tune; as ln H is bounded, the time average of s22 is 1 exactly.
 ///
-/// Time step: a fixed fraction of sqrt(m/K_N) of the stiffest contact, followed as it changes.
+/// Time step: a fixed fraction of sqrt(m/K_N) of the stiffest contact, followed as it changes; less
+/// where the damping is more than critical.
 class ShearCell {
   public:
     /// `count` beads at random, without contact, at solid fraction 0.3 and at rest.
@@ -39,17 +41,16 @@ class ShearCell {
 
     /// Closes the gaps of the initial state at a constant rate until s22 first reaches its target.
     /// @return false where it was not reached before the beads would fill the cell
-    bool compress();
+    /// @throws Interrupted when a stop is requested
+    bool compress(const std::stop_token& stop = {});
 
     const Beads& beads() const { return beads_; }
     const Cell& cell() const { return cell_; }
     const PairList& pairs() const { return pairs_; }
-    const Material& material() const { return material_; }
     const Stress& stress() const { return stress_; }
     double shear_rate() const { return flow_.shear_rate; }
     double strain() const { return strain_; }
     double time_step() const { return time_step_; }
-    double largest_overlap() const { return largest_overlap_; }
     std::uint64_t steps() const { return steps_; }
     double solid_fraction() const;
 

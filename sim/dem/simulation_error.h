@@ -10,4 +10,10 @@ class SimulationError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The user asked to stop.
+class Interrupted : public std::runtime_error {
+  public:
+    Interrupted() : std::runtime_error("interrupted") {}
+};
+
 }  // namespace pendular::dem

@@ -78,6 +78,21 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& pairs)
     return structure;
 }
 
+Structure& Structure::operator+=(const Structure& other) {
+    contact_coordination += other.contact_coordination;
+    fabric_12 += other.fabric_12;
+    mean_overlap += other.mean_overlap;
+    bond_order += other.bond_order;
+    return *this;
+}
+
+Structure& Structure::operator/=(double count) {
+    for (double* value : {&contact_coordination, &fabric_12, &mean_overlap, &bond_order}) {
+        *value /= count;
+    }
+    return *this;
+}
+
 void VelocityProfile::add(const Beads& beads, double height) {
     if (velocity_.empty()) {
         velocity_.assign(static_cast<std::size_t>(std::lround(height)), 0.0);

@@ -14,6 +14,10 @@ struct Structure {
     double fabric_12 = 0;             ///< mean of n1 n2 over the contacts [1], eq:defF12
     double mean_overlap = 0;          ///< mean overlap over the contacts [diameters]
     double bond_order = 0;            ///< global Steinhardt Q6 of the contacts [1]
+
+    /// Sums and means over several states.
+    Structure& operator+=(const Structure& other);
+    Structure& operator/=(double count);
 };
 
 /// Contacts, fabric, overlap and bond order of a state; pairs with a remembered overlap are

@@ -74,6 +74,9 @@ TEST(Program, RefusesWhatItCannotSimulate) {
     EXPECT_EQ(run_pendular("simulate --friction much").code, 2);
     EXPECT_EQ(run_pendular("simulate --beads 10 --quiet").code, 2);
     EXPECT_EQ(run_pendular("simulate --threads 0 --quiet").code, 2);
+    EXPECT_EQ(run_pendular("simulate --seed=-1 --quiet").code, 2);
+    EXPECT_EQ(run_pendular("simulate --json / --quiet").code, 2);
+    EXPECT_EQ(run_pendular("simulate --json /dev/null/none/run.json --quiet").code, 2);
     EXPECT_EQ(run_pendular("calibrate").code, 2);
     EXPECT_EQ(run_pendular("calibrate /nowhere/at/all").code, 2);
 }

@@ -33,7 +33,7 @@ class Linear : public Model {
     }
     const std::vector<Parameter>& parameters() const override { return names; }
     Prediction predict(const Eigen::VectorXd& p) const override {
-        return {matrix * p + offset, matrix, noise};
+        return {matrix * p + offset, matrix, noise, noise};
     }
     void improve(const Eigen::VectorXd&, double) override {}
     Supported supported() const override {
@@ -119,8 +119,8 @@ class NoisyModel : public Model {
     Prediction predict(const Eigen::VectorXd& p) const override {
         const Eigen::Matrix3d inverse = (design().transpose() * design()).inverse();
         const Eigen::RowVector3d row(1, p(0), p(0) * p(0)), slope(0, 1, 2 * p(0));
-        Prediction prediction{Eigen::VectorXd(2), Eigen::MatrixXd(2, 1),
-                              Eigen::MatrixXd::Zero(2, 2)};
+        Prediction prediction{
+            Eigen::VectorXd(2), Eigen::MatrixXd(2, 1), Eigen::MatrixXd::Zero(2, 2), {}};
         for (Eigen::Index o = 0; o < 2; ++o) {
             const Eigen::Vector3d c =
                 inverse * design().transpose() *
@@ -130,6 +130,7 @@ class NoisyModel : public Model {
             prediction.jacobian(o, 0) = slope.dot(c);
             prediction.covariance(o, o) = noise_ * noise_ * row.dot(inverse * row.transpose());
         }
+        prediction.run_noise = prediction.covariance;
         return prediction;
     }
     void improve(const Eigen::VectorXd& p, double) override {

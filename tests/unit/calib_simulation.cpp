@@ -146,6 +146,62 @@ TEST(DirectSimulation, CorrectsTheSolidFractionToTheStudysStiffness) {
     EXPECT_GT(hard.covariance(1, 1), soft.covariance(1, 1));
 }
 
+TEST(DirectSimulation, LeavesOutRunsThatFailedOrCrystallisedAndSaysSo) {
+    DirectSimulation model(raw_study(), {condition(1000, 0.03)}, tiny, 1, {});
+    model.improve(at(0.2), 1);
+    auto runs = model.runs();
+    dem::RunResult failed = runs.front(), crystal = runs.front();
+    failed.failure = "the simulation blew up";
+    crystal.crystallised = true;
+    crystal.means[static_cast<std::size_t>(dem::Observable::solid_fraction)].value = 0.74;
+    runs.push_back(failed);
+    runs.push_back(crystal);
+    DirectSimulation again(raw_study(), {condition(1000, 0.03)}, tiny, 1, {});
+    again.restore(runs, 0.2);
+    ASSERT_EQ(again.notes().size(), 2u);
+    EXPECT_NE(again.notes()[0].find("blew up"), std::string::npos);
+    EXPECT_NE(again.notes()[1].find("crystallised"), std::string::npos);
+    EXPECT_LT((again.predict(at(0.2)).value - model.predict(at(0.2)).value).norm(),
+              0.02 * model.predict(at(0.2)).value.norm());
+    EXPECT_THROW(
+        DirectSimulation(raw_study(), {condition(1000, 0.03)}, tiny, 1, {}).restore({failed}, 0.2),
+        dem::SimulationError);
+}
+
+TEST(CalibrateStudy, DoesNotRunAfterErrorsThatRunsCannotLower) {
+    // A stiff study in the quasi-static limit with sharp readings: the corrections' errors
+    // dominate. The fit must converge and say so, not order runs without end.
+    const Fidelity coarse{"coarse", 150, 300, 0.03, 4};
+    Measurements m;
+    Reading reading;
+    reading.condition = condition(1000, 0);
+    reading.value << 300, 0.60;
+    reading.covariance << std::pow(3.0, 2), 0, 0, std::pow(2e-4, 2);
+    m.readings = {reading};
+    const Calibration c = calibrate_study(stiff_study(), m, {.fidelity = coarse}, {.threads = 2});
+    EXPECT_TRUE(c.fit.converged) << c.fit.message;
+    EXPECT_LT(c.runs.size(), 150u);
+    EXPECT_LT(c.fit.run_part(0, 0), 0.2 * c.fit.covariance(0, 0));
+    EXPECT_GT(c.fit.simulation_error(0), 2 * c.fit.measurement_error(0));
+    ASSERT_FALSE(c.notes.empty());
+    EXPECT_NE(c.notes[0].find("corrections"), std::string::npos) << c.notes[0];
+}
+
+TEST(CalibrateStudy, RefusesBeadsSofterThanItsCorrectionHolds) {
+    Study soft = stiff_study();
+    soft.grains.youngs_modulus = 3.3e3;  // kPa written for GPa, say
+    Measurements m;
+    m.readings.resize(1);
+    m.readings[0].condition = condition(1000, 0.03);
+    try {
+        calibrate_study(soft, m, {.fidelity = tiny}, {});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("youngs_modulus"), std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(DirectSimulation, HasDerivativesOfItsOwnPredictions) {
     DirectSimulation model(stiff_study(), {condition(1000, 0.03), condition(500, 0.1)}, tiny, 1,
                            {});
@@ -190,6 +246,19 @@ TEST(CalibrateStudy, FindsAPlantedFrictionThroughTheSolver) {
     EXPECT_LT((again.value - c.fit.prediction.value).norm(), 1e-12 * again.value.norm());
     EXPECT_LT((again.covariance - c.fit.prediction.covariance).norm(),
               1e-9 * again.covariance.norm());
+}
+
+TEST(CalibrateStudy, RefusesAReadingTooFastToSimulate) {
+    Measurements fast;
+    fast.readings.resize(1);
+    fast.readings[0].origin = {"fast.csv", 7};
+    fast.readings[0].condition = condition(1000, 0.8);
+    try {
+        calibrate_study(raw_study(), fast, {.fidelity = tiny}, {});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("fast.csv:7"), std::string::npos) << error.what();
+    }
 }
 
 TEST(CalibrateStudy, NeedsADryReading) {

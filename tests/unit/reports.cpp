@@ -130,7 +130,7 @@ TEST(FitFile, IsReadBackForTheSameReadingsOnly) {
     const Calibration c = small_calibration();
     const auto file = folder.path() / "fit.json";
     write_json(file, to_json(c, compare(c.readings, c.fit.prediction, 1)));
-    const Calibration back = read_calibration(file, c.readings);
+    const Calibration back = read_calibration(file, study().grains, c.readings);
     EXPECT_EQ(back.fit.parameters(0), c.fit.parameters(0));
     EXPECT_EQ(back.runs.size(), c.runs.size());
     const Prediction again = model_of(study(), back).predict(back.fit.parameters);
@@ -138,10 +138,15 @@ TEST(FitFile, IsReadBackForTheSameReadingsOnly) {
 
     auto others = c.readings;
     others[0].value(0) *= 1.01;
-    EXPECT_THROW(read_calibration(file, others), InputError);
-    EXPECT_THROW(read_calibration(folder.path() / "none.json", c.readings), InputError);
+    EXPECT_THROW(read_calibration(file, study().grains, others), InputError);
+    Grains stiffer = study().grains;
+    stiffer.youngs_modulus = 3e9;
+    EXPECT_THROW(read_calibration(file, stiffer, c.readings), InputError);
+    EXPECT_THROW(read_calibration(folder.path() / "none.json", study().grains, c.readings),
+                 InputError);
     folder.write("cut.json", content_of(file).substr(0, 200));
-    EXPECT_THROW(read_calibration(folder.path() / "cut.json", c.readings), InputError);
+    EXPECT_THROW(read_calibration(folder.path() / "cut.json", study().grains, c.readings),
+                 InputError);
 }
 
 TEST(Figures, AreDrawnInEveryFormatWithTheirNumbers) {

@@ -115,6 +115,65 @@ TEST(MindlinContact, IsAsStiffAsTheRatioOfMindlinSays) {
     EXPECT_NEAR(c.beads.fz[1], -stiffness * 10 * 1e-4 * 0.001, 1e-6 * stiffness * 1e-6);
 }
 
+namespace {
+
+/// A pair at rest, overlapping by 0.01 along x, that remembers a tangential force of (0, 1, 0).
+Collision stuck_pair(double step) {
+    Collision c(1e5, 0, 0, step);
+    c.material.friction = 10;
+    c.beads.x = {9.505, 10.495};
+    c.beads.vx = {0, 0};
+    pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);  // into contact
+    c.pairs.sy[0] = 1;
+    return c;
+}
+
+}  // namespace
+
+TEST(MindlinContact, TurnsItsTangentialForceWithThePair) {
+    // A rigid quarter turn about z: no surface moves against the other, and the remembered force
+    // turns from +y to -x with the pair. Each step errs by (rate dt)^2.
+    const int steps = 20000;
+    const double angle = 0.5 * std::numbers::pi, rate = 1, dt = angle / rate / steps;
+    Collision c = stuck_pair(dt);
+    c.beads.wz = {rate, rate};
+    for (int step = 1; step <= steps; ++step) {
+        const double phi = angle * step / steps, x = 0.495 * std::cos(phi),
+                     y = 0.495 * std::sin(phi);
+        c.beads.x = {10 - x, 10 + x}, c.beads.y = {10 - y, 10 + y};
+        c.beads.vx = {rate * y, -rate * y}, c.beads.vy = {-rate * x, rate * x};
+        pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);
+    }
+    EXPECT_NEAR(c.pairs.sx[0], -1, 1e-2);
+    EXPECT_NEAR(c.pairs.sy[0], 0, 1e-2);
+    EXPECT_NEAR(c.pairs.sz[0], 0, 1e-9);
+}
+
+TEST(MindlinContact, SpinsItsTangentialForceAboutItsNormal) {
+    // Both beads spin about the normal at the same rate: the force goes round with them, from +y to
+    // +z after a quarter turn about x.
+    const int steps = 20000;
+    const double dt = 0.5 * std::numbers::pi / steps;
+    Collision c = stuck_pair(dt);
+    c.beads.wx = {1, 1};
+    for (int step = 0; step < steps; ++step) {
+        pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);
+    }
+    EXPECT_NEAR(c.pairs.sy[0], 0, 1e-2);
+    EXPECT_NEAR(c.pairs.sz[0], 1, 1e-2);
+}
+
+TEST(MindlinContact, LosesTangentialForceInTheLoopAsItUnloads) {
+    // From overlap 0.01 to 0.0025 K_T halves, and so does the force; back again it stays.
+    Collision c = stuck_pair(1e-4);
+    c.beads.x = {9.50125, 10.49875};
+    pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);
+    EXPECT_NEAR(c.pairs.sy[0], 0.5, 1e-9);
+    c.beads.x = {9.505, 10.495};
+    pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);
+    EXPECT_NEAR(c.pairs.sy[0], 0.5, 1e-9);
+}
+
 TEST(MindlinContact, LosesTangentialForceInProportionAsItUnloads) {
     EXPECT_DOUBLE_EQ(unloading_factor(0.5, 1.0), 0.5);
     EXPECT_DOUBLE_EQ(unloading_factor(2.0, 1.0), 1.0);
