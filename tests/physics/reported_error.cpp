@@ -79,3 +79,49 @@ TEST(ReportedError, IsTheScatterOfPlantedFrictions) {
     EXPECT_LT(square, 1.71);
     EXPECT_NEAR(mean, 0, 3 / std::sqrt(studies));
 }
+
+TEST(ReportedError, CoversTheCorrectionsInStiffnessAndInertialNumber) {
+    // Readings slower and stiffer than anything the fit simulates (I 0.02 against 0.05 and up,
+    // stiffness number 2000 against 300): both corrections are at work, 0.011 in solid fraction
+    // alone.
+    const double friction = 0.15, stress = 1000, stiffness = 2000;
+    std::vector<dem::RunParameters> runs;
+    for (std::uint64_t k = 0; k < 24; ++k) {
+        runs.push_back({.friction = friction,
+                        .inertial_number = 0.02,
+                        .stiffness_number = stiffness,
+                        .beads = 200,
+                        .strain = 5,
+                        .seed = 2'000'000 + k});
+    }
+    Eigen::Vector2d state = Eigen::Vector2d::Zero();
+    for (const auto& run : run_all(runs, {.threads = 1})) {
+        state += Eigen::Vector2d(run[dem::Observable::stress_ratio].value,
+                                 run[dem::Observable::solid_fraction].value) /
+                 24;
+    }
+    Study study;
+    study.grains = {.diameter = 5e-4, .density = 1050};
+    study.grains.youngs_modulus = stress * std::pow(stiffness, 1.5) * (1 - 0.3 * 0.3);
+    Measurements measurements;
+    Reading reading;
+    reading.condition = {.normal_stress = stress, .inertial_number = 0.02};
+    reading.value << state(0) * stress, state(1);
+    reading.covariance << std::pow(0.02 * reading.value(0), 2), 0, 0, std::pow(0.001, 2);
+    measurements.readings = {reading};
+    double mean = 0;
+    const int fits = 6;
+    for (std::uint64_t seed = 1; seed <= fits; ++seed) {
+        const Calibration c =
+            calibrate_study(study, measurements, {.fidelity = small, .seed = seed}, {.threads = 1});
+        const double z = (c.fit.parameters(0) - friction) / c.fit.standard_error(0);
+        std::printf("%.4f +- %.4f (measurement %.4f), %zu runs\n", c.fit.parameters(0),
+                    c.fit.standard_error(0), c.fit.measurement_error(0), c.runs.size());
+        EXPECT_TRUE(c.fit.converged);
+        EXPECT_LT(std::abs(z), 3);
+        EXPECT_GT(c.fit.simulation_error(0), 0.3 * c.fit.measurement_error(0));
+        mean += z / fits;
+    }
+    // The readings carry no drawn error, and the corrections' errors are common to all fits.
+    EXPECT_LT(std::abs(mean), 2);
+}

@@ -87,6 +87,43 @@ TEST(PairList, MissesNoContactUnderShearAndHeightChange) {
     EXPECT_LT(sample.pairs().wide_rebuilds(), sample.steps() / 5);
 }
 
+TEST(PairList, FollowsAnAffineShearInWhichNoBeadMovesOfItself) {
+    // Only the imposed shear brings beads together: no peculiar displacement warns the list.
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> at(0, 1);
+    Cell cell{7, 7, 7, 0};
+    Beads beads(300);
+    for (std::size_t i = 0; i < beads.size(); ++i) {
+        beads.x[i] = cell.length * at(random), beads.y[i] = cell.height * at(random);
+        beads.z[i] = cell.width * at(random);
+    }
+    PairList list;
+    list.rebuild(beads, cell);
+    const double step = 2e-3;
+    for (int k = 0; k < 1500; ++k) {
+        for (std::size_t i = 0; i < beads.size(); ++i) {
+            beads.x[i] += step * beads.y[i];
+        }
+        cell.offset += step * cell.height;
+        list.update(beads, cell, step);
+        std::set<std::pair<int, int>> listed;
+        for (std::size_t n = 0; n < list.live(); ++n) {
+            listed.insert({list.narrow().first[n], list.narrow().second[n]});
+        }
+        Beads wrapped = beads;
+        Cell reduced = cell;
+        reduced.reduce_offset();
+        for (std::size_t i = 0; i < wrapped.size(); ++i) {
+            reduced.wrap(wrapped.x[i], wrapped.y[i], wrapped.z[i]);
+        }
+        const Pairs touching = find_pairs_by_brute_force(wrapped, reduced, 1.0);
+        for (std::size_t n = 0; n < touching.size(); ++n) {
+            ASSERT_TRUE(listed.contains({touching.first[n], touching.second[n]}))
+                << "strain " << k * step;
+        }
+    }
+}
+
 TEST(PairList, KeepsWhatContactsRemember) {
     ShearCell sample(200, {.modulus = 5e3, .friction = 0.2}, 0.05, 6);
     ASSERT_TRUE(sample.compress());
