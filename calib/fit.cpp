@@ -103,6 +103,8 @@ void add_residuals(ceres::Problem& problem, const Model& model, const Measured& 
                              parameters.data());
 }
 
+/// Covariance of the parameters by Ceres; a variance of zero stands for one that the residuals do not
+/// determine.
 Eigen::MatrixXd parameter_covariance(ceres::Problem& problem, const Eigen::VectorXd& parameters) {
     ceres::Covariance::Options options;
     options.algorithm_type = ceres::DENSE_SVD;
@@ -171,6 +173,13 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     result.dof = static_cast<int>(measured.value.size() - parameters.size());
     result.converged = minimum.usable && minimum.converged;
     result.message = minimum.message;
+    for (Eigen::Index k = 0; k < parameters.size(); ++k) {
+        if (!(result.covariance(k, k) > 0)) {
+            result.converged = false;
+            result.message = "the readings do not determine " +
+                             model.parameters()[static_cast<std::size_t>(k)].name;
+        }
+    }
     for (Eigen::Index k = 0; k < parameters.size(); ++k) {
         const Parameter& p = model.parameters()[static_cast<std::size_t>(k)];
         const double close = 1e-6 * (p.upper - p.lower);
@@ -247,7 +256,8 @@ Fit calibrate(Model& model, const Measured& measured, const CalibrationOptions& 
         excess = excess_of(best);
         const bool done = round >= options.fewest_rounds && settled(best) && excess <= 1;
         at = best.parameters;
-        if (done) {
+        // What the readings do not determine, more simulation cannot.
+        if (done || (round >= options.fewest_rounds && !best.converged)) {
             return best;
         }
     }

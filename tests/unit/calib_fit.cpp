@@ -82,6 +82,14 @@ TEST(Fit, SplitsItsErrorIntoMeasurementAndSimulation) {
     }
 }
 
+TEST(Fit, SaysWhenTheReadingsDoNotDetermineAParameter) {
+    Linear model(6, 2, 9);
+    model.matrix.col(1).setZero();
+    const Fit result = fit(model, some_readings(model, 10), Eigen::VectorXd::Zero(2));
+    EXPECT_FALSE(result.converged);
+    EXPECT_EQ(result.message, "the readings do not determine p1");
+}
+
 TEST(Fit, SaysWhenAParameterEndsAtItsBound) {
     Linear model(6, 1, 5);
     const Measured measured = some_readings(model, 6);
