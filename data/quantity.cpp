@@ -73,6 +73,8 @@ const std::vector<Quantity>& table() {
         {"second_normal_stress_difference", "N2", "1", "(s22 - s33)/s22"},
         {"overlap", "h/a", "1", "mean overlap of contacts over the bead diameter"},
         {"bond_order", "Q6", "1", "0 for random directions of contacts, 0.57 for an fcc crystal"},
+        {"held_normal_stress", "σ22/σ22 set", "1",
+         "normal stress of the simulated sample over the imposed one"},
         {"reduced_cohesion", "c*", "1", "a^2 times the cohesion over the pull-off force"},
         // What a rheometer records.
         {"time", "t", "s", "time since the recording began", {"t", "elapsed time"}},

@@ -199,7 +199,7 @@ void average(const Series& series, std::size_t from, RunResult& result) {
         series.values(from, [](const Block& b) { return b.structure.mean_overlap; }));
     set(Observable::bond_order,
         series.values(from, [](const Block& b) { return b.structure.bond_order; }));
-    set(Observable::normal_stress, series.values(from, s22));
+    set(Observable::held_normal_stress, series.values(from, s22));
     result.covariance = covariance_of_means(stress_ratio, solid_fraction);
     result.crystallised = crystallised(series, from);
     result.strain_transient = series.strain(0, from);
@@ -259,8 +259,8 @@ RunResult run(const RunParameters& parameters, std::stop_token stop, const Progr
                        static_cast<double>(sample.steps() - first_step);
     result.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    const double held = result[Observable::normal_stress].value;
-    if (std::abs(held - 1) > 0.02 + 4 * result[Observable::normal_stress].standard_error) {
+    const double held = result[Observable::held_normal_stress].value;
+    if (std::abs(held - 1) > 0.02 + 4 * result[Observable::held_normal_stress].standard_error) {
         throw SimulationError(
             fmt::format("the sample did not hold its normal stress: {:.3f} of the imposed one "
                         "over a strain of {:.3g}; use more beads or a longer strain",

@@ -40,7 +40,7 @@ enum class Observable {
     localization,
     mean_overlap,
     bond_order,
-    normal_stress,
+    held_normal_stress,
 };
 constexpr std::size_t observable_count = 10;
 constexpr std::array<std::string_view, observable_count> observable_names = {
@@ -53,7 +53,7 @@ constexpr std::array<std::string_view, observable_count> observable_names = {
     "localization",
     "overlap",
     "bond_order",
-    "normal_stress"};
+    "held_normal_stress"};
 
 /// Time averages of one run over its steady part, each with a standard error from block averages
 /// over strain that respects their autocorrelation.
