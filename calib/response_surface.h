@@ -22,8 +22,8 @@ struct SurfacePoint {
 /// (fewer than three frictions, fewer than three inertial numbers) are left out. Where the runs
 /// scatter about it more than their standard errors allow, the covariance grows by chi2/dof.
 ///
-/// The logarithm makes both observables nearly straight from friction 0 to 0.6: over that range
-/// their slopes in x change by less than a factor 2, in friction itself by a factor 10.
+/// The logarithm makes both observables nearly straight: from friction 0 to 0.4 their slopes in x
+/// change by about a factor 2, that of the stress ratio in friction itself by 9.
 class ResponseSurface {
   public:
     /// Uses the points within `window` in x of the centre, all of them where those are too few.

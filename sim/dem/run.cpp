@@ -19,7 +19,7 @@ constexpr double first_look_strain = 1.0;  // before that no state is called ste
 constexpr double look_every_strain = 0.25;
 constexpr int structures_per_block = 4;
 constexpr int steps_between_profiles = 16;
-/// Global Q6 of sheared random samples stays below 0.05 from 500 beads on, sampling noise included.
+/// Sheared random samples showed 0.04 to 0.05 with 1000 beads, 0.10 with 100, crystals 0.3 to 0.55.
 constexpr double crystal_bond_order = 0.2;
 
 void check(const RunParameters& p) {

@@ -19,7 +19,7 @@ struct Stress {
 /// s22 stays at 1. Reduced units: bead diameter, mass and imposed normal stress are 1, so that the
 /// shear rate is the inertial number.
 ///
-/// Height servo, first order: (dH/dt)/H = (s22 - 1)/(B t0), with B = 0.05 kappa, about an eighth of
+/// Height servo, first order: (dH/dt)/H = (s22 - 1)/(B t0), with B = 0.05 kappa, well below
 /// the packing's modulus at stiffness number kappa, and t0 = sqrt(m/(a s22)), the time a bead needs
 /// to move its own size. The stress then returns to its target within a fraction of t0 at every
 /// stiffness and nothing is left to tune; as ln H is bounded, the time average of s22 is 1 exactly.
