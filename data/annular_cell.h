@@ -2,10 +2,9 @@
 
 #include <Eigen/Core>
 
-namespace pendular {
+#include "data/form.h"
 
-/// Which form of a formula that the source misprints: the derived one or the printed one.
-enum class Form { derived, as_printed };
+namespace pendular {
 
 /// Annular shear cell between radii inner < outer [m], holding beads of a total volume [m^3].
 struct AnnularCell {

@@ -77,8 +77,7 @@ std::optional<double> bead_volume(const StudyTable& table, const Grains& grains)
 }
 
 Form form(const StudyTable& table, std::string_view key) {
-    return table.choice(key, {"derived", "as_printed"}) == "as_printed" ? Form::as_printed
-                                                                        : Form::derived;
+    return form_named(table.choice(key, form_names()));
 }
 
 std::optional<AnnularCell> read_cell(const StudyTable& root, const Grains& grains) {

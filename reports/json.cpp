@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "data/form.h"
 #include "data/input_error.h"
 #include "data/text_file.h"
 
@@ -18,15 +19,6 @@ using Json = nlohmann::ordered_json;
 Json uncertain(double value, double error) {
     return {{"value", value}, {"stderr", error}};
 }
-
-constexpr std::string_view bridge_observables[] = {"distant_coordination",
-                                                   "liquid_content",
-                                                   "distant_force",
-                                                   "capillary_stress_22",
-                                                   "capillary_shear_stress",
-                                                   "capillary_shear_stress_contact",
-                                                   "capillary_shear_stress_distant",
-                                                   "fabric_12_distant"};
 
 Json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance) {
     return {{"shear_stress", uncertain(value(0), std::sqrt(covariance(0, 0)))},
@@ -72,9 +64,6 @@ Json to_json(const dem::RunResult& run) {
         json[std::string(dem::observable_names[k])] =
             uncertain(run.means[k].value, run.means[k].standard_error);
     }
-    for (const auto name : bridge_observables) {
-        json[std::string(name)] = uncertain(0, 0);
-    }
     const auto& p = run.parameters;
     json["covariance_stress_ratio_solid_fraction"] = run.covariance;
     json["friction"] = p.friction;
@@ -82,6 +71,12 @@ Json to_json(const dem::RunResult& run) {
     json["stiffness_number"] = p.stiffness_number;
     json["poisson_ratio"] = p.poisson_ratio;
     json["damping"] = p.damping;
+    json["reduced_pressure"] = nullptr;
+    if (p.wetting) {
+        json["reduced_pressure"] = p.wetting->reduced_pressure;
+        json["bridge_volume"] = p.wetting->bridge_volume;
+        json["bridge_force"] = to_string(p.wetting->bridge_force);
+    }
     json["beads"] = p.beads;
     json["strain"] = p.strain;
     json["seed"] = p.seed;
@@ -110,6 +105,10 @@ dem::RunResult run_from_json(const Json& json) {
     p.stiffness_number = json.at("stiffness_number");
     p.poisson_ratio = json.at("poisson_ratio");
     p.damping = json.at("damping");
+    if (!json.at("reduced_pressure").is_null()) {
+        p.wetting = {json.at("reduced_pressure"), json.at("bridge_volume"),
+                     form_named(json.at("bridge_force").get<std::string>())};
+    }
     p.beads = json.at("beads");
     p.strain = json.at("strain");
     p.seed = json.at("seed");

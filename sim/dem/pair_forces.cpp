@@ -59,14 +59,17 @@ Shifts image_shifts(const Cell& cell) {
     }
 }
 
-/// Contact forces of a batch; pairs that do not touch get zeros without a branch.
-[[gnu::always_inline]] inline void contact_forces(Batch& b, Pairs& pairs, std::size_t begin,
-                                                  const Material& material, double dt,
-                                                  LaneSums& sums) {
+/// Contact and capillary forces of a batch; pairs that do not touch get zeros without a branch.
+/// Without bridges nothing of them is computed.
+template <bool wet>
+[[gnu::always_inline]] inline void near_forces(Batch& b, Pairs& pairs, std::size_t begin,
+                                               const Material& material, const BridgeLaw& bridges,
+                                               double dt, LaneSums& sums) {
     double* __restrict sx = pairs.sx.data() + begin;
     double* __restrict sy = pairs.sy.data() + begin;
     double* __restrict sz = pairs.sz.data() + begin;
     double* __restrict root = pairs.root.data() + begin;
+    double* __restrict bridge = pairs.bridge.data() + begin;
     const double modulus = material.modulus, damping = material.damping;
     const double friction = material.friction;
     const double ratio = tangential_ratio(material.poisson_ratio);
@@ -82,7 +85,12 @@ Shifts image_shifts(const Cell& cell) {
         // Normal motion: elastic and viscous force.
         const double normal_speed = b.vx[k] * nx + b.vy[k] * ny + b.vz[k] * nz;
         const Hertz hertz = Hertz::at(overlap, modulus);
-        const double normal_force = hertz.elastic + hertz.viscous(-normal_speed, damping);
+        double normal_force = hertz.elastic + hertz.viscous(-normal_speed, damping);
+        if constexpr (wet) {
+            const double gap = distance > 1 ? distance - 1 : 0.0;
+            bridge[k] = bridges.joined(overlap, gap, bridge[k]);
+            normal_force -= bridge[k] * bridges.pull_off_force * bridges.relative_force(gap);
+        }
 
         // Tangential velocity of the two surfaces where they touch, at the middle of the branch.
         const double arm = distance * 0.5;
@@ -144,6 +152,49 @@ Shifts image_shifts(const Cell& cell) {
     }
 }
 
+/// Attraction of a batch of distant pairs.
+[[gnu::always_inline]] inline void distant_batch(const Beads& beads, Pairs& pairs,
+                                                 std::size_t begin, const Shifts& shifts,
+                                                 const BridgeLaw& bridges, Batch& b,
+                                                 LaneSums& sums) {
+    const std::int32_t* first = pairs.first.data() + begin;
+    const std::int32_t* second = pairs.second.data() + begin;
+    const std::uint8_t* image = pairs.image.data() + begin;
+    double* __restrict bridge = pairs.bridge.data() + begin;
+    for (std::size_t k = 0; k < lanes; ++k) {
+        const auto i = first[k], j = second[k];
+        const auto& shift = shifts[image[k]];
+        b.rx[k] = beads.x[j] - beads.x[i] + shift[0];
+        b.ry[k] = beads.y[j] - beads.y[i] + shift[1];
+        b.rz[k] = beads.z[j] - beads.z[i] + shift[2];
+    }
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < lanes; ++k) {
+        const double distance =
+            std::sqrt(b.rx[k] * b.rx[k] + b.ry[k] * b.ry[k] + b.rz[k] * b.rz[k]);
+        const double gap = distance > 1 ? distance - 1 : 0.0;
+        bridge[k] = bridges.joined(0.0, gap, bridge[k]);
+        const double over_distance =
+            -bridge[k] * bridges.pull_off_force * bridges.relative_force(gap) / distance;
+        b.fx[k] = over_distance * b.rx[k];
+        b.fy[k] = over_distance * b.ry[k];
+        b.fz[k] = over_distance * b.rz[k];
+        sums.virial_11[k] += b.fx[k] * b.rx[k];
+        sums.virial_22[k] += b.fy[k] * b.ry[k];
+        sums.virial_33[k] += b.fz[k] * b.rz[k];
+        sums.virial_12[k] += b.fx[k] * b.ry[k];
+    }
+}
+
+[[gnu::always_inline]] inline void scatter_forces(const Batch& b, const Pairs& pairs,
+                                                  std::size_t begin, Beads& beads) {
+    for (std::size_t k = 0; k < lanes; ++k) {
+        const auto i = pairs.first[begin + k], j = pairs.second[begin + k];
+        beads.fx[j] += b.fx[k], beads.fy[j] += b.fy[k], beads.fz[j] += b.fz[k];
+        beads.fx[i] -= b.fx[k], beads.fy[i] -= b.fy[k], beads.fz[i] -= b.fz[k];
+    }
+}
+
 double sum(const Lane& lane) {
     double total = 0;
     for (const double value : lane) {
@@ -156,7 +207,7 @@ double sum(const Lane& lane) {
 
 PENDULAR_SIMD_CLONES
 PairSums pair_forces(Beads& beads, Pairs& pairs, const Cell& cell, const Flow& flow,
-                     const Material& material, double dt) {
+                     const Material& material, double dt, const BridgeLaw& bridges) {
     for (auto* column : {&beads.fx, &beads.fy, &beads.fz, &beads.tx, &beads.ty, &beads.tz}) {
         std::fill(column->begin(), column->end(), 0.0);
     }
@@ -165,11 +216,31 @@ PairSums pair_forces(Beads& beads, Pairs& pairs, const Cell& cell, const Flow& f
     LaneSums sums;
     for (std::size_t begin = 0; begin < pairs.size(); begin += lanes) {
         gather(beads, pairs, begin, shifts, flow, batch);
-        contact_forces(batch, pairs, begin, material, dt, sums);
+        if (bridges.wet()) {
+            near_forces<true>(batch, pairs, begin, material, bridges, dt, sums);
+        } else {
+            near_forces<false>(batch, pairs, begin, material, bridges, dt, sums);
+        }
         scatter(batch, pairs, begin, beads);
     }
     return {sum(sums.virial_11), sum(sums.virial_22), sum(sums.virial_33), sum(sums.virial_12),
             *std::ranges::max_element(sums.largest_overlap)};
+}
+
+PENDULAR_SIMD_CLONES
+void distant_forces(Beads& beads, Pairs& distant, const Cell& cell, const BridgeLaw& bridges,
+                    PairSums& total) {
+    const Shifts shifts = image_shifts(cell);
+    Batch batch;
+    LaneSums sums;
+    for (std::size_t begin = 0; begin < distant.size(); begin += lanes) {
+        distant_batch(beads, distant, begin, shifts, bridges, batch, sums);
+        scatter_forces(batch, distant, begin, beads);
+    }
+    total.virial_11 += sum(sums.virial_11);
+    total.virial_22 += sum(sums.virial_22);
+    total.virial_33 += sum(sums.virial_33);
+    total.virial_12 += sum(sums.virial_12);
 }
 
 }  // namespace pendular::dem

@@ -118,17 +118,17 @@ void neighbours_of(std::size_t i, const Beads& beads, const Cell& cell, const Bi
 
 void Pairs::clear() {
     first.clear(), second.clear(), image.clear();
-    sx.clear(), sy.clear(), sz.clear(), root.clear();
+    sx.clear(), sy.clear(), sz.clear(), root.clear(), bridge.clear();
 }
 
 void Pairs::add(std::int32_t i, std::int32_t j, std::uint8_t code) {
     first.push_back(i), second.push_back(j), image.push_back(code);
-    sx.push_back(0), sy.push_back(0), sz.push_back(0), root.push_back(0);
+    sx.push_back(0), sy.push_back(0), sz.push_back(0), root.push_back(0), bridge.push_back(0);
 }
 
 void Pairs::remember(std::size_t to, const Pairs& other, std::size_t from) {
     sx[to] = other.sx[from], sy[to] = other.sy[from], sz[to] = other.sz[from];
-    root[to] = other.root[from];
+    root[to] = other.root[from], bridge[to] = other.bridge[from];
 }
 
 Pairs find_pairs_by_brute_force(const Beads& beads, const Cell& cell, double range) {
@@ -198,11 +198,11 @@ void PairList::update(Beads& beads, Cell& cell, double affine_strain) {
     }
     const double moved = std::sqrt(largest_squared(moved_x_, moved_y_, moved_z_));
     // The wide list need only hold whatever the narrow list is to be chosen from.
-    if (outdated(moved, wide_strain_, wide_skin, 1 + narrow_skin)) {
+    if (outdated(moved, wide_strain_, wide_skin_, 1 + narrow_skin)) {
         rebuild(beads, cell);
     } else {
         write_back();
-        select_narrow(beads, cell);
+        select(beads, cell);
     }
 }
 
@@ -212,7 +212,7 @@ void PairList::rebuild(Beads& beads, Cell& cell) {
     for (std::size_t i = 0; i < beads.size(); ++i) {
         cell.wrap(beads.x[i], beads.y[i], beads.z[i]);
     }
-    Pairs fresh = find_pairs(beads, cell, 1 + wide_skin);
+    Pairs fresh = find_pairs(beads, cell, 1 + wide_skin_);
     // Both lists are ordered by first and second bead: one pass carries the memory over.
     std::size_t old = 0;
     for (std::size_t k = 0; k < fresh.size() && old < wide_.size(); ++k) {
@@ -232,18 +232,23 @@ void PairList::rebuild(Beads& beads, Cell& cell) {
     }
     wide_strain_ = 0;
     ++wide_rebuilds_;
-    select_narrow(beads, cell);
+    select(beads, cell);
 }
 
 void PairList::write_back() {
-    for (std::size_t k = 0; k < wide_index_.size(); ++k) {
-        wide_.remember(wide_index_[k], narrow_, k);
+    for (std::size_t k = 0; k < narrow_index_.size(); ++k) {
+        wide_.remember(narrow_index_[k], narrow_, k);
     }
-    wide_index_.clear();
+    for (std::size_t k = 0; k < distant_index_.size(); ++k) {
+        wide_.bridge[distant_index_[k]] = distant_.bridge[k];
+    }
+    narrow_index_.clear();
+    distant_index_.clear();
 }
 
-void PairList::select_narrow(Beads& beads, const Cell& cell) {
+void PairList::select(Beads& beads, const Cell& cell) {
     narrow_.clear();
+    distant_.clear();
     const double range_squared = (1 + narrow_skin) * (1 + narrow_skin);
     for (std::size_t k = 0; k < wide_.size(); ++k) {
         const auto i = wide_.first[k], j = wide_.second[k];
@@ -251,11 +256,17 @@ void PairList::select_narrow(Beads& beads, const Cell& cell) {
             range_squared) {
             narrow_.add(i, j, wide_.image[k]);
             narrow_.remember(narrow_.size() - 1, wide_, k);
-            wide_index_.push_back(k);
+            narrow_index_.push_back(k);
+        } else if (wide_.bridge[k] > 0) {
+            distant_.add(i, j, wide_.image[k]);
+            distant_.bridge.back() = 1;
+            distant_index_.push_back(k);
         }
     }
-    while (narrow_.size() % batch != 0) {
-        narrow_.add(0, 0, image_code::nowhere);
+    for (auto* list : {&narrow_, &distant_}) {
+        while (list->size() % batch != 0) {
+            list->add(0, 0, image_code::nowhere);
+        }
     }
     for (auto* displacement : {&beads.ux, &beads.uy, &beads.uz}) {
         displacement->assign(beads.size(), 0.0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -16,6 +17,7 @@ struct Pairs {
     std::vector<std::uint8_t> image;  ///< image_code of the second bead
     std::vector<double> sx, sy, sz;   ///< tangential force on the second bead
     std::vector<double> root;         ///< sqrt(overlap) of the last step, 0 without contact
+    std::vector<double> bridge;       ///< 1 where a liquid bridge joins the beads, else 0
 
     std::size_t size() const { return first.size(); }
     void clear();
@@ -24,8 +26,9 @@ struct Pairs {
     void remember(std::size_t to, const Pairs& other, std::size_t from);
 };
 
-/// Neighbours at two ranges. The wide list holds the pairs that may come close; the narrow list
-/// those that touch or may touch soon, so that the force loop sees hardly anything else.
+/// Neighbours at two ranges. The wide list holds the pairs that may come close and those a bridge
+/// may join; the narrow list those that touch or may touch soon, so that the force loop sees hardly
+/// anything else; the distant list those of the others that a bridge joins.
 ///
 /// Both stay valid while no missing pair can have come too close. Two beads that were further
 /// apart than 1 + skin remain further apart than a distance d while
@@ -35,8 +38,12 @@ struct Pairs {
 class PairList {
   public:
     static constexpr std::size_t batch = 64;  ///< the narrow list is filled up to whole batches
-    static constexpr double wide_skin = 0.15;
+    static constexpr double shortest_wide_skin = 0.15;
     static constexpr double narrow_skin = 0.02;
+
+    /// Bridges live up to this gap [diameters], 0 without.
+    explicit PairList(double rupture_distance = 0)
+        : wide_skin_(std::max(shortest_wide_skin, rupture_distance)) {}
 
     /// Notes the displacement and affine strain of a step just made, and renews what they make
     /// invalid. Wraps the beads into the cell when the wide list is renewed.
@@ -48,15 +55,19 @@ class PairList {
     Pairs& narrow() { return narrow_; }
     const Pairs& narrow() const { return narrow_; }
     /// Pairs of the narrow list that are real; the rest only fills up the last batch.
-    std::size_t live() const { return wide_index_.size(); }
+    std::size_t live() const { return narrow_index_.size(); }
+    /// Pairs that a bridge joined when the list was made, none of which can have come to touch.
+    Pairs& distant() { return distant_; }
+    const Pairs& distant() const { return distant_; }
     std::size_t wide_rebuilds() const { return wide_rebuilds_; }
 
   private:
-    void select_narrow(Beads& beads, const Cell& cell);
+    void select(Beads& beads, const Cell& cell);
     void write_back();
 
-    Pairs wide_, narrow_;
-    std::vector<std::size_t> wide_index_;  ///< of each live pair of the narrow list
+    double wide_skin_;
+    Pairs wide_, narrow_, distant_;
+    std::vector<std::size_t> narrow_index_, distant_index_;  ///< in the wide list, of live pairs
     std::vector<double> moved_x_, moved_y_,
         moved_z_;  ///< peculiar displacements, wide to narrow list
     double wide_strain_ = 0, narrow_strain_ = 0;

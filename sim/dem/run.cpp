@@ -15,19 +15,34 @@ namespace pendular::dem {
 namespace {
 
 constexpr double block_strain = 0.02;
-constexpr double first_look_strain = 1.0;  // before that no state is called steady
+/// Before that no state is called steady; bridges live a strain of order 1.
+constexpr double first_look_strain = 1.0, first_wet_look_strain = 2.0;
 constexpr double look_every_strain = 0.25;
 constexpr int structures_per_block = 4;
 constexpr int steps_between_profiles = 16;
 /// Sheared random samples showed 0.04 to 0.05 with 1000 beads, 0.10 with 100, crystals 0.3 to 0.55.
 constexpr double crystal_bond_order = 0.2;
 
+void demand(bool holds, const std::string& what) {
+    if (!holds) {
+        throw std::invalid_argument(what);
+    }
+}
+
+void check(const Wetting& w, double edge) {
+    demand(w.reduced_pressure >= 0.05 && w.reduced_pressure <= 1e6,
+           fmt::format("reduced pressure {} is not between 0.05 and 1e6", w.reduced_pressure));
+    demand(w.bridge_volume >= 1e-6,
+           fmt::format("bridge volume {} a^3 is not at least 1e-6", w.bridge_volume));
+    const double rupture_distance = BridgeLaw(w).rupture_distance;
+    demand(rupture_distance <= edge / 4,
+           fmt::format("the rupture distance of a bridge of volume {} a^3, {:.3g} diameters, is "
+                       "beyond a quarter of the box, {:.3g} diameters: use more beads or a smaller "
+                       "bridge volume",
+                       w.bridge_volume, rupture_distance, edge));
+}
+
 void check(const RunParameters& p) {
-    const auto demand = [](bool holds, const std::string& what) {
-        if (!holds) {
-            throw std::invalid_argument(what);
-        }
-    };
     demand(p.friction >= 0 && p.friction <= 2,
            fmt::format("friction {} is not between 0 and 2", p.friction));
     demand(p.inertial_number >= 1e-5 && p.inertial_number <= largest_inertial_number,
@@ -48,6 +63,9 @@ void check(const RunParameters& p) {
             "averaged strain {} is not between 0.5 and 10000; solid fractions decorrelate over a "
             "strain of 0.1 to 0.2",
             p.strain));
+    if (p.wetting) {
+        check(*p.wetting, ShearCell::edge(p.beads));
+    }
 }
 
 /// Averages over one block of strain.
@@ -78,7 +96,9 @@ Block shear_block(ShearCell& sample, const std::stop_token& stop) {
             profile.add(sample.beads(), sample.cell().height);
         }
         if (sample.strain() - begin >= block_strain * (structures + 1) / structures_per_block) {
-            block.structure += structure_of(sample.beads(), sample.cell(), sample.pairs().narrow());
+            block.structure +=
+                structure_of(sample.beads(), sample.cell(), sample.pairs().narrow(),
+                             sample.pairs().distant(), sample.material(), sample.bridges());
             profile.add(sample.beads(), sample.cell().height);
             ++structures;
         }
@@ -138,15 +158,25 @@ class Series {
     std::vector<double> solid_fraction(std::size_t from) const {
         return values(from, [](const Block& b) { return b.solid_fraction; });
     }
-    /// Blocks to leave out as transient, judged on stress ratio and solid fraction; empty: not
-    /// steady yet.
-    std::optional<std::size_t> transient() const {
-        const auto by_stress = end_of_transient(stress_ratio(0));
-        const auto by_density = end_of_transient(solid_fraction(0));
-        if (!by_stress || !by_density) {
-            return std::nullopt;
+    std::vector<double> structure(std::size_t from, double Structure::*which) const {
+        return values(from, [&](const Block& b) { return b.structure.*which; });
+    }
+    /// Blocks to leave out as transient, judged on stress ratio, solid fraction and, where there
+    /// are bridges, Z_d, which is the slowest; empty: not steady yet.
+    std::optional<std::size_t> transient(bool wet) const {
+        std::size_t end = 0;
+        std::vector<std::vector<double>> all = {stress_ratio(0), solid_fraction(0)};
+        if (wet) {
+            all.push_back(structure(0, &Structure::distant_coordination));
         }
-        return std::max(*by_stress, *by_density);
+        for (const auto& series : all) {
+            const auto found = end_of_transient(series);
+            if (!found) {
+                return std::nullopt;
+            }
+            end = std::max(end, *found);
+        }
+        return end;
     }
 
   private:
@@ -174,6 +204,26 @@ bool crystallised(const Series& series, std::size_t from) {
     return false;
 }
 
+/// Observables that are plain means over the networks.
+constexpr std::pair<Observable, double Structure::*> of_structure[] = {
+    {Observable::contact_coordination, &Structure::contact_coordination},
+    {Observable::distant_coordination, &Structure::distant_coordination},
+    {Observable::fabric_12_contact, &Structure::fabric_12},
+    {Observable::fabric_12_distant, &Structure::fabric_12_distant},
+    {Observable::force_anisotropy_12_contact, &Structure::force_anisotropy_12_contact},
+    {Observable::force_anisotropy_12_distant, &Structure::force_anisotropy_12_distant},
+    {Observable::length_anisotropy_12_distant, &Structure::length_anisotropy_12_distant},
+    {Observable::contact_force, &Structure::contact_force},
+    {Observable::distant_force, &Structure::distant_force},
+    {Observable::distant_force_gap, &Structure::distant_force_gap},
+    {Observable::distant_length, &Structure::distant_length},
+    {Observable::mean_overlap, &Structure::mean_overlap},
+    {Observable::bond_order, &Structure::bond_order},
+    {Observable::capillary_stress_22, &Structure::capillary_stress_22},
+    {Observable::capillary_pressure, &Structure::capillary_pressure},
+    {Observable::capillary_shear_stress_contact, &Structure::capillary_shear_stress_contact},
+    {Observable::capillary_shear_stress_distant, &Structure::capillary_shear_stress_distant}};
+
 void average(const Series& series, std::size_t from, RunResult& result) {
     const auto set = [&](Observable which, const std::vector<double>& samples) {
         result.means[static_cast<std::size_t>(which)] = mean_of_correlated(samples);
@@ -183,10 +233,25 @@ void average(const Series& series, std::size_t from, RunResult& result) {
     const auto solid_fraction = series.solid_fraction(from);
     set(Observable::stress_ratio, stress_ratio);
     set(Observable::solid_fraction, solid_fraction);
-    set(Observable::contact_coordination,
-        series.values(from, [](const Block& b) { return b.structure.contact_coordination; }));
-    set(Observable::fabric_12_contact,
-        series.values(from, [](const Block& b) { return b.structure.fabric_12; }));
+    for (const auto& [which, member] : of_structure) {
+        set(which, series.structure(from, member));
+    }
+    set(Observable::capillary_shear_stress, series.values(from, [](const Block& b) {
+        return b.structure.capillary_shear_stress_contact +
+               b.structure.capillary_shear_stress_distant;
+    }));
+    // eq:defzstar: Z* F0 = Z_c F0 + Z_d F_d.
+    set(Observable::effective_coordination, series.values(from, [](const Block& b) {
+        return b.structure.contact_coordination +
+               b.structure.distant_coordination * b.structure.distant_force;
+    }));
+    if (result.parameters.wetting) {
+        const double volume = result.parameters.wetting->bridge_volume;
+        set(Observable::liquid_content, series.values(from, [&](const Block& b) {
+            return liquid_content(
+                volume, b.structure.contact_coordination + b.structure.distant_coordination);
+        }));
+    }
     set(Observable::first_normal_stress_difference,
         series.ratio(
             from, [](const Block& b) { return b.s11 - b.s22; }, s22));
@@ -195,10 +260,6 @@ void average(const Series& series, std::size_t from, RunResult& result) {
             from, [](const Block& b) { return b.s22 - b.s33; }, s22));
     set(Observable::localization,
         series.values(from, [](const Block& b) { return b.localization; }));
-    set(Observable::mean_overlap,
-        series.values(from, [](const Block& b) { return b.structure.mean_overlap; }));
-    set(Observable::bond_order,
-        series.values(from, [](const Block& b) { return b.structure.bond_order; }));
     set(Observable::held_normal_stress, series.values(from, s22));
     result.covariance = covariance_of_means(stress_ratio, solid_fraction);
     result.crystallised = crystallised(series, from);
@@ -207,6 +268,28 @@ void average(const Series& series, std::size_t from, RunResult& result) {
 }
 
 }  // namespace
+
+bool needs_bridges(Observable which) {
+    using enum Observable;
+    switch (which) {
+        case distant_coordination:
+        case liquid_content:
+        case fabric_12_distant:
+        case force_anisotropy_12_distant:
+        case length_anisotropy_12_distant:
+        case distant_force:
+        case distant_force_gap:
+        case distant_length:
+        case capillary_stress_22:
+        case capillary_pressure:
+        case capillary_shear_stress:
+        case capillary_shear_stress_contact:
+        case capillary_shear_stress_distant:
+            return true;
+        default:
+            return false;
+    }
+}
 
 double rigidity_shift(double solid_fraction, double mean_overlap) {
     return rigidity_factor * 3 * solid_fraction * mean_overlap;
@@ -219,7 +302,9 @@ RunResult run(const RunParameters& parameters, std::stop_token stop, const Progr
                             .poisson_ratio = parameters.poisson_ratio,
                             .friction = parameters.friction,
                             .damping = parameters.damping};
-    ShearCell sample(parameters.beads, material, parameters.inertial_number, parameters.seed);
+    const bool wet = parameters.wetting.has_value();
+    ShearCell sample(parameters.beads, material, parameters.inertial_number, parameters.seed,
+                     wet ? BridgeLaw(*parameters.wetting) : BridgeLaw());
     if (!sample.compress(stop)) {
         throw SimulationError(
             "the sample never reached its normal stress; use more beads or another seed");
@@ -235,7 +320,8 @@ RunResult run(const RunParameters& parameters, std::stop_token stop, const Progr
     Series series;
     RunResult result;
     result.parameters = parameters;
-    std::size_t transient = blocks_in(first_look_strain);
+    const std::size_t first_look = blocks_in(wet ? first_wet_look_strain : first_look_strain);
+    std::size_t transient = first_look;
     while (series.size() < most) {
         series.add(shear_block(sample, stop));
         if (progress) {
@@ -243,8 +329,8 @@ RunResult run(const RunParameters& parameters, std::stop_token stop, const Progr
                      static_cast<double>(transient + wanted) * block_strain);
         }
         const bool look = series.size() % blocks_in(look_every_strain) == 0;
-        if (look && series.size() >= wanted + blocks_in(first_look_strain)) {
-            const auto found = series.transient();
+        if (look && series.size() >= wanted + first_look) {
+            const auto found = series.transient(wet);
             transient = found ? *found : series.size() - wanted + blocks_in(look_every_strain);
             if (found && series.size() - transient >= wanted) {
                 result.steady = true;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "data/time_series.h"
+#include "sim/dem/bridge_law.h"
 #include "sim/dem/simulation_error.h"
 
 namespace pendular::dem {
@@ -24,17 +26,35 @@ struct RunParameters {
     double stiffness_number = 1000;  ///< kappa
     double poisson_ratio = 0.3;      ///< nu
     double damping = 0.98;           ///< zeta, fraction of critical
+    std::optional<Wetting> wetting;  ///< liquid bridges; none: dry
     int beads = 2000;
     double strain = 10;  ///< averaged strain, after the transient
     std::uint64_t seed = 1;
 };
 
-/// What a run measures. Names, symbols and meanings stand in `observable_names`.
+/// What a run measures. Names, symbols and meanings stand in `observable_names`. Capillary
+/// observables are zero in dry runs.
 enum class Observable {
     stress_ratio,
     solid_fraction,
     contact_coordination,
+    distant_coordination,
+    liquid_content,
     fabric_12_contact,
+    fabric_12_distant,
+    force_anisotropy_12_contact,
+    force_anisotropy_12_distant,
+    length_anisotropy_12_distant,
+    contact_force,
+    distant_force,
+    distant_force_gap,
+    distant_length,
+    effective_coordination,
+    capillary_stress_22,
+    capillary_pressure,
+    capillary_shear_stress,
+    capillary_shear_stress_contact,
+    capillary_shear_stress_distant,
     first_normal_stress_difference,
     second_normal_stress_difference,
     localization,
@@ -42,18 +62,38 @@ enum class Observable {
     bond_order,
     held_normal_stress,
 };
-constexpr std::size_t observable_count = 10;
-constexpr std::array<std::string_view, observable_count> observable_names = {
-    "stress_ratio",
-    "solid_fraction",
-    "contact_coordination",
-    "fabric_12_contact",
-    "first_normal_stress_difference",
-    "second_normal_stress_difference",
-    "localization",
-    "overlap",
-    "bond_order",
-    "held_normal_stress"};
+constexpr std::array observable_names =
+    std::to_array<std::string_view>({"stress_ratio",
+                                     "solid_fraction",
+                                     "contact_coordination",
+                                     "distant_coordination",
+                                     "liquid_content",
+                                     "fabric_12_contact",
+                                     "fabric_12_distant",
+                                     "force_anisotropy_12_contact",
+                                     "force_anisotropy_12_distant",
+                                     "length_anisotropy_12_distant",
+                                     "contact_force",
+                                     "distant_force",
+                                     "distant_force_gap",
+                                     "distant_length",
+                                     "effective_coordination",
+                                     "capillary_stress_22",
+                                     "capillary_pressure",
+                                     "capillary_shear_stress",
+                                     "capillary_shear_stress_contact",
+                                     "capillary_shear_stress_distant",
+                                     "first_normal_stress_difference",
+                                     "second_normal_stress_difference",
+                                     "localization",
+                                     "overlap",
+                                     "bond_order",
+                                     "held_normal_stress"});
+constexpr std::size_t observable_count = observable_names.size();
+static_assert(static_cast<std::size_t>(Observable::held_normal_stress) + 1 == observable_count);
+
+/// Whether an observable says nothing of dry beads.
+bool needs_bridges(Observable which);
 
 /// Time averages of one run over its steady part, each with a standard error from block averages
 /// over strain that respects their autocorrelation.

@@ -161,8 +161,12 @@ class RandomPlacement {
 
 }  // namespace
 
-ShearCell::ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed)
-    : beads_(static_cast<std::size_t>(count < fewest_beads ? 0 : count)), material_(material) {
+ShearCell::ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
+                     const BridgeLaw& bridges)
+    : beads_(static_cast<std::size_t>(count < fewest_beads ? 0 : count)),
+      pairs_(bridges.rupture_distance),
+      material_(material),
+      bridges_(bridges) {
     if (count < fewest_beads) {
         throw std::invalid_argument("a sample needs at least 64 beads");
     }
@@ -173,10 +177,14 @@ ShearCell::ShearCell(int count, const Material& material, double shear_rate, std
     pairs_.rebuild(beads_, cell_);
 }
 
+double ShearCell::edge(int count) {
+    return std::cbrt(count * bead_volume / steady_solid_fraction);
+}
+
 void ShearCell::place_at_random(std::uint64_t seed) {
     // Tall enough that the sample is a cube once it flows.
     const double solid = static_cast<double>(beads_.size()) * bead_volume;
-    const double base = std::cbrt(solid / steady_solid_fraction);
+    const double base = edge(static_cast<int>(beads_.size()));
     cell_ = {base, solid / initial_solid_fraction / (base * base), base, 0};
     RandomPlacement placement({cell_.length, cell_.height, cell_.width});
     std::mt19937_64 random(seed);
@@ -194,7 +202,12 @@ double ShearCell::solid_fraction() const {
 }
 
 void ShearCell::step() {
-    const PairSums sums = pair_forces(beads_, pairs_.narrow(), cell_, flow_, material_, time_step_);
+    const BridgeLaw bridges = servo_ ? bridges_ : BridgeLaw();
+    PairSums sums =
+        pair_forces(beads_, pairs_.narrow(), cell_, flow_, material_, time_step_, bridges);
+    if (bridges.wet()) {
+        distant_forces(beads_, pairs_.distant(), cell_, bridges, sums);
+    }
     measure_stress(sums);
     check_state();
     if (servo_) {

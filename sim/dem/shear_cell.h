@@ -4,13 +4,14 @@
 #include <stop_token>
 
 #include "sim/dem/beads.h"
+#include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/pair_forces.h"
 #include "sim/dem/pair_list.h"
 
 namespace pendular::dem {
 
-/// Stress over the imposed normal stress [1]; compression positive, contacts plus kinetic term.
+/// Stress over the imposed normal stress [1]; compression positive, pair forces plus kinetic term.
 struct Stress {
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0;
 };
@@ -28,9 +29,14 @@ struct Stress {
 /// where the damping is more than critical.
 class ShearCell {
   public:
-    /// `count` beads at random, without contact, at solid fraction 0.3 and at rest.
+    /// `count` beads at random, without contact, at solid fraction 0.3 and at rest. Bridges form
+    /// from the end of `compress` on.
     /// @throws std::invalid_argument for fewer than `fewest_beads`
-    ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed);
+    ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
+              const BridgeLaw& bridges = {});
+
+    /// Edge of the cube that so many beads fill once they flow [diameters].
+    static double edge(int count);
 
     static constexpr int fewest_beads = 64;
     static constexpr double time_step_fraction = 0.2;
@@ -47,6 +53,8 @@ class ShearCell {
     const Beads& beads() const { return beads_; }
     const Cell& cell() const { return cell_; }
     const PairList& pairs() const { return pairs_; }
+    const Material& material() const { return material_; }
+    const BridgeLaw& bridges() const { return bridges_; }
     const Stress& stress() const { return stress_; }
     double shear_rate() const { return flow_.shear_rate; }
     double strain() const { return strain_; }
@@ -69,6 +77,7 @@ class ShearCell {
     Cell cell_;
     PairList pairs_;
     Material material_;
+    BridgeLaw bridges_;
     Flow flow_;
     Stress stress_;
     bool servo_ = false;

@@ -1,5 +1,6 @@
 #include "sim/dem/structure.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,47 +49,147 @@ class BondOrder {
     double count_ = 0;
 };
 
-}  // namespace
+/// Directions of one network of pairs, and how quantities depend on them.
+class Network {
+  public:
+    /// A pair along the unit vector n with its force and the distance of its centres.
+    void add(const Eigen::Vector3d& n, double force, double length) {
+        // Spherical harmonics of order 0 and 2, up to factors.
+        Eigen::Matrix<double, 6, 1> y;
+        y << 1, n[0] * n[1], n[0] * n[2], n[1] * n[2], n[0] * n[0] - n[1] * n[1],
+            n[2] * n[2] - 1.0 / 3;
+        normal_ += y * y.transpose();
+        force_ += y * force;
+        length_ += y * length;
+        ++count_;
+    }
+    double count() const { return count_; }
+    double mean(double sum) const { return count_ > 0 ? sum / count_ : 0; }
+    double fabric_12() const { return mean(normal_(0, 1)); }
+    double force() const { return mean(force_(0)); }
+    double length() const { return mean(length_(0)); }
+    double force_anisotropy_12() const { return anisotropy(force_); }
+    double length_anisotropy_12() const { return anisotropy(length_); }
 
-Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& pairs) {
-    Structure structure;
-    BondOrder order;
-    double contacts = 0;
+  private:
+    /// With q(n) = b0 + b1 n1 n2 + ..., (1/4 pi) times the integral of q n1 n2 over the sphere is
+    /// b1/15.
+    double anisotropy(const Eigen::Matrix<double, 6, 1>& sums) const {
+        if (count_ < fewest_pairs || !(sums(0) > 0)) {
+            return 0;
+        }
+        return normal_.ldlt().solve(sums)(1) / 15 / mean(sums(0));
+    }
+    static constexpr double fewest_pairs = 12;  // twice the harmonics fitted
+
+    Eigen::Matrix<double, 6, 6> normal_ = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 1> force_ = Eigen::Matrix<double, 6, 1>::Zero(), length_ = force_;
+    double count_ = 0;
+};
+
+/// Calls visit(pair, r) with the separation r of each pair.
+template <typename Visit>
+void for_each_pair(const Beads& beads, const Cell& cell, const Pairs& pairs, const Visit& visit) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-        if (pairs.root[k] <= 0) {
+        if (pairs.image[k] == image_code::nowhere) {
             continue;
         }
         const auto i = pairs.first[k], j = pairs.second[k];
         const Image n = image_code::image(pairs.image[k]);
-        const double x = beads.x[j] - beads.x[i] + n.n1 * cell.length + n.n2 * cell.offset;
-        const double y = beads.y[j] - beads.y[i] + n.n2 * cell.height;
-        const double z = beads.z[j] - beads.z[i] + n.n3 * cell.width;
-        const double distance = std::sqrt(x * x + y * y + z * z);
-        contacts += 1;
-        structure.fabric_12 += x * y / (distance * distance);
-        structure.mean_overlap += pairs.root[k] * pairs.root[k];
-        order.add(x / distance, y / distance, z / distance);
+        visit(k, Eigen::Vector3d(beads.x[j] - beads.x[i] + n.n1 * cell.length + n.n2 * cell.offset,
+                                 beads.y[j] - beads.y[i] + n.n2 * cell.height,
+                                 beads.z[j] - beads.z[i] + n.n3 * cell.width));
     }
-    structure.contact_coordination = 2 * contacts / static_cast<double>(beads.size());
-    if (contacts > 0) {
-        structure.fabric_12 /= contacts;
-        structure.mean_overlap /= contacts;
-    }
-    structure.bond_order = order.q6();
-    return structure;
+}
+
+}  // namespace
+
+Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
+                       const Pairs& distant_pairs, const Material& material,
+                       const BridgeLaw& bridges) {
+    Structure s;
+    BondOrder order;
+    Network contacts, distant;
+    const double capillary_unit = bridges.pull_off_force / cell.volume();
+    const auto note_capillary = [&](const Eigen::Vector3d& n, double moment, double& shear) {
+        s.capillary_stress_22 -= moment * n[1] * n[1];
+        s.capillary_pressure -= moment / 3;
+        shear -= moment * n[0] * n[1];
+    };
+    const auto note_distant = [&](const Eigen::Vector3d& r) {
+        const double length = r.norm(), gap = std::max(0.0, length - 1);
+        const double force = bridges.relative_force(gap);
+        distant.add(r / length, force, length);
+        s.distant_force_gap += force * gap;
+        note_capillary(r / length, capillary_unit * force * length,
+                       s.capillary_shear_stress_distant);
+    };
+    for_each_pair(beads, cell, near, [&](std::size_t k, const Eigen::Vector3d& r) {
+        if (near.root[k] > 0) {
+            const double length = r.norm(), overlap = near.root[k] * near.root[k];
+            const Eigen::Vector3d n = r / length;
+            contacts.add(n, Hertz::at(overlap, material.modulus).elastic, length);
+            s.mean_overlap += overlap;
+            order.add(n[0], n[1], n[2]);
+            note_capillary(n, capillary_unit * length, s.capillary_shear_stress_contact);
+        } else if (near.bridge[k] > 0) {
+            note_distant(r);
+        }
+    });
+    for_each_pair(beads, cell, distant_pairs, [&](std::size_t k, const Eigen::Vector3d& r) {
+        if (distant_pairs.bridge[k] > 0) {
+            note_distant(r);
+        }
+    });
+    const auto per_bead = 2 / static_cast<double>(beads.size());
+    s.contact_coordination = per_bead * contacts.count();
+    s.fabric_12 = contacts.fabric_12();
+    s.mean_overlap = contacts.mean(s.mean_overlap);
+    s.bond_order = order.q6();
+    s.contact_force = contacts.force();
+    s.force_anisotropy_12_contact = contacts.force_anisotropy_12();
+    s.distant_coordination = per_bead * distant.count();
+    s.distant_force = distant.force();
+    s.distant_force_gap = distant.mean(s.distant_force_gap);
+    s.distant_length = distant.length();
+    s.fabric_12_distant = distant.fabric_12();
+    s.force_anisotropy_12_distant = distant.force_anisotropy_12();
+    s.length_anisotropy_12_distant = distant.length_anisotropy_12();
+    return s;
+}
+
+const std::vector<double Structure::*>& Structure::members() {
+    static const std::vector<double Structure::*> all = {
+        &Structure::contact_coordination,
+        &Structure::fabric_12,
+        &Structure::mean_overlap,
+        &Structure::bond_order,
+        &Structure::contact_force,
+        &Structure::force_anisotropy_12_contact,
+        &Structure::distant_coordination,
+        &Structure::distant_force,
+        &Structure::distant_force_gap,
+        &Structure::distant_length,
+        &Structure::fabric_12_distant,
+        &Structure::force_anisotropy_12_distant,
+        &Structure::length_anisotropy_12_distant,
+        &Structure::capillary_stress_22,
+        &Structure::capillary_pressure,
+        &Structure::capillary_shear_stress_contact,
+        &Structure::capillary_shear_stress_distant};
+    return all;
 }
 
 Structure& Structure::operator+=(const Structure& other) {
-    contact_coordination += other.contact_coordination;
-    fabric_12 += other.fabric_12;
-    mean_overlap += other.mean_overlap;
-    bond_order += other.bond_order;
+    for (const auto member : members()) {
+        this->*member += other.*member;
+    }
     return *this;
 }
 
 Structure& Structure::operator/=(double count) {
-    for (double* value : {&contact_coordination, &fabric_12, &mean_overlap, &bond_order}) {
-        *value /= count;
+    for (const auto member : members()) {
+        this->*member /= count;
     }
     return *this;
 }

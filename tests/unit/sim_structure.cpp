@@ -25,7 +25,7 @@ Structure around_one_bead(const std::vector<std::array<double, 3>>& directions) 
                   static_cast<std::uint8_t>(image_code::of({})));
         pairs.root.back() = 0.05;
     }
-    return structure_of(beads, {100, 100, 100, 0}, pairs);
+    return structure_of(beads, {100, 100, 100, 0}, pairs, {}, {.modulus = 3e4}, {});
 }
 
 std::vector<std::array<double, 3>> fcc() {

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "data/form.h"
+
+namespace pendular::dem {
+
+/// Liquid bridges as a user states them.
+struct Wetting {
+    double reduced_pressure = 0;  ///< P* = a^2 s22/F0
+    double bridge_volume = 0;     ///< V0/a^3
+    Form bridge_force = Form::derived;
+};
+
+/// Largest V0/a^3 of the pendular range: from there on the bridges between three beads in contact
+/// with each other merge. Source: Badetti et al. (2018), section 3.1.
+constexpr double largest_pendular_volume = 8e-3;
+
+/// Liquid content Phi_L/Phi_S [1] of a sample whose beads have on average `coordination` bridges of
+/// volume V0/a^3: 3 Z V0/(pi a^3). Source: Badetti et al. (2018), eq:lcont.
+inline double liquid_content(double bridge_volume, double coordination) {
+    return 3 * coordination * bridge_volume / std::numbers::pi;
+}
+/// Bridge volume V0/a^3 [1] that gives a liquid content at this coordination; its inverse.
+inline double bridge_volume(double liquid_content, double coordination) {
+    return std::numbers::pi * liquid_content / (3 * coordination);
+}
+
+/// Capillary attraction of two equal beads joined by a bridge, in reduced units.
+///     F = F0 [1 - 1/sqrt(1 + c/h^2)] = F0 [1 - h/sqrt(h^2 + c)],  c = 4 V0/(pi a)
+/// at a gap h, F0 = pi a Gamma cos(theta) in contact. A bridge forms on contact and lives until the
+/// gap exceeds D0 = V0^(1/3).
+/// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the bead radius in c; Badetti et
+/// al. (2018), eq:Maugis, print half of it (Form::as_printed).
+struct BridgeLaw {
+    double pull_off_force = 0;    ///< F0; 0: dry
+    double rupture_distance = 0;  ///< D0
+    double curvature = 1;         ///< c
+
+    BridgeLaw() = default;
+    explicit BridgeLaw(const Wetting& wetting)
+        : pull_off_force(1 / wetting.reduced_pressure),
+          rupture_distance(std::cbrt(wetting.bridge_volume)),
+          curvature((wetting.bridge_force == Form::as_printed ? 2 : 4) * wetting.bridge_volume /
+                    std::numbers::pi) {}
+
+    bool wet() const { return pull_off_force > 0; }
+
+    /// Force at a gap that is zero or more, over F0 [1].
+    double relative_force(double gap) const { return 1 - gap / std::sqrt(gap * gap + curvature); }
+    /// Energy of a bridge at a gap, zero at rupture.
+    double potential(double gap) const {
+        const double root = std::sqrt(gap * gap + curvature);
+        const double root_at_rupture = std::sqrt(rupture_distance * rupture_distance + curvature);
+        return -pull_off_force * (rupture_distance - gap - (root_at_rupture - root));
+    }
+    /// Whether a bridge is there, 1 or 0, after one was (1) or was not (0) at the step before.
+    double joined(double overlap, double gap, double before) const {
+        return overlap > 0 ? 1.0 : gap > rupture_distance ? 0.0 : before;
+    }
+};
+
+}  // namespace pendular::dem
