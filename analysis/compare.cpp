@@ -77,20 +77,24 @@ std::vector<ConditionMisfit> conditions_of(const std::vector<ReadingMisfit>& rea
 
 }  // namespace
 
-double Comparison::p() const {
+double Misfit::p() const {
     return dof > 0 ? boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), chi2))
                    : 1.0;
 }
 
 Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction,
-                   int parameters) {
+                   int parameters, std::size_t fitted) {
     const Measured measured = stack(readings);
     const Eigen::MatrixXd total = measured.covariance + prediction.covariance;
     const Eigen::VectorXd misfit = measured.value - prediction.value;
     const Eigen::VectorXd terms = misfit.cwiseProduct(total.llt().solve(misfit));
     Comparison result;
-    result.chi2 = terms.sum();
-    result.dof = static_cast<int>(misfit.size()) - parameters;
+    const auto split = 2 * static_cast<Eigen::Index>(fitted);
+    result.fitted = {terms.head(split).sum(), static_cast<int>(split) - parameters};
+    result.predicted = {terms.tail(terms.size() - split).sum(),
+                        static_cast<int>(terms.size() - split)};
+    result.total = {result.fitted.chi2 + result.predicted.chi2,
+                    result.fitted.dof + result.predicted.dof};
     for (std::size_t k = 0; k < readings.size(); ++k) {
         const auto at = static_cast<Eigen::Index>(2 * k);
         const Eigen::Vector2d errors = total.diagonal().segment<2>(at).cwiseSqrt();
@@ -111,6 +115,10 @@ Comparison compare(const std::vector<Reading>& readings, const Prediction& predi
     result.by_condition = conditions_of(result.readings);
     result.trends = trends_of(result.readings);
     return result;
+}
+
+Comparison compare(const Calibration& c) {
+    return compare(c.readings, c.prediction, static_cast<int>(c.parameters.size()), c.fitted);
 }
 
 }  // namespace pendular

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "calib/fit.h"
+#include "calib/calibration.h"
 #include "data/reading.h"
 
 namespace pendular {
@@ -35,6 +35,15 @@ struct Trend {
     std::array<double, 2> p;            ///< probability of a correlation this large by chance
 };
 
+/// chi2 of some readings.
+struct Misfit {
+    double chi2 = 0;
+    int dof = 0;
+
+    /// Probability of a chi2 at least this large if the model and all errors are right [1].
+    double p() const;
+};
+
 /// Measurement beside model.
 struct Comparison {
     std::vector<ReadingMisfit> readings;
@@ -43,17 +52,19 @@ struct Comparison {
         by_observable{};        ///< chi2 of shear stress and solid fraction; they add up too
     std::vector<Trend> trends;  ///< for covariates that were varied, from five readings on
     std::array<double, 2> rms_percent{};  ///< 100 sqrt(mean((predicted/measured - 1)^2))
-    double chi2 = 0;
-    int dof = 0;
-
-    /// Probability of a chi2 at least this large if the model and all errors are right [1].
-    double p() const;
+    Misfit total;
+    Misfit fitted;     ///< readings the parameters were fitted to
+    Misfit predicted;  ///< readings the fit never saw; both add up to the total
 };
 
 /// Puts every reading beside its prediction.
 ///     chi2 = e' (Sigma_measurement + Sigma_simulation)^-1 e,  e = measured - predicted
-/// split so that entry i contributes e_i [Sigma^-1 e]_i.
+/// split so that entry i contributes e_i [Sigma^-1 e]_i. `fitted` of the readings, the first ones,
+/// were fitted with so many parameters.
 Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction,
-                   int parameters);
+                   int parameters, std::size_t fitted);
+
+/// The same for all readings of a calibration.
+Comparison compare(const Calibration& calibration);
 
 }  // namespace pendular

@@ -30,7 +30,15 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     console.line(fmt::format(
         "chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); errors are not scaled by chi2/dof; "
         "{} simulations at {} fidelity in {} rounds",
-        comparison.chi2, comparison.dof, comparison.p(), c.runs.size(), c.fidelity.name, c.rounds));
+        comparison.fitted.chi2, comparison.fitted.dof, comparison.fitted.p(), c.runs.size(),
+        c.fidelity.name, c.rounds));
+    if (c.fitted < c.readings.size()) {
+        console.line(fmt::format(
+            "{} wet readings predicted without any further parameter: chi2 = {:.2f} for {} degrees "
+            "of freedom (p = {:.2g})",
+            c.readings.size() - c.fitted, comparison.predicted.chi2, comparison.predicted.dof,
+            comparison.predicted.p()));
+    }
     for (const auto& line : predictions_table(comparison)) {
         console.line(line);
     }
@@ -49,9 +57,10 @@ int calibrate(const std::vector<std::string>& arguments) {
     Options options("calibrate STUDY [options]",
                     "Fits the intergranular friction to shear stress and solid fraction of all dry "
                     "readings together,\n"
-                    "by discrete-element simulations inside a Ceres least-squares loop. Writes "
-                    "fit.json to the results\n"
-                    "folder.",
+                    "by discrete-element simulations inside a Ceres least-squares loop, and "
+                    "predicts the wet readings\n"
+                    "with it (fit_to = \"all\" in the study fits them too). Writes fit.json to "
+                    "the results folder.",
                     "  pendular calibrate examples/polystyrene --fidelity quick\n"
                     "  pendular calibrate my-study --profile --json -\n",
                     true);
@@ -74,6 +83,7 @@ int calibrate(const std::vector<std::string>& arguments) {
     request.options.fewest_rounds -= no_confirm;
     const auto [study, measurements] = read_input(common->study);
     std::string what = "round 1";
+    request.stage = [&](std::string_view name) { what = name; };
     const Workers workers{common->threads, guard.token(),
                           [&](const EnsembleProgress& p) { console.progress(what, p); }};
     const Calibration c =
@@ -85,8 +95,8 @@ int calibrate(const std::vector<std::string>& arguments) {
             }
             what = fmt::format("round {}", round + 1);
         });
-    const Comparison comparison =
-        compare(c.readings, c.fit.prediction, static_cast<int>(c.parameters.size()));
+    console.end_progress();
+    const Comparison comparison = compare(c);
     const auto json = to_json(c, comparison);
     write_json(common->out_folder() / "fit.json", json);
     print_result(console, c, comparison);

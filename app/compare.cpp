@@ -31,19 +31,24 @@ int compare(const std::vector<std::string>& arguments) {
     Console console(*common);
     const auto [study, measurements] = read_input(common->study);
     const auto out = common->out_folder();
-    const Calibration c =
-        read_calibration(out / "fit.json", study.grains, fitted_readings(measurements));
-    const Prediction prediction = model_of(study, c).predict(c.fit.parameters);
-    const Comparison comparison =
-        compare(c.readings, prediction, static_cast<int>(c.fit.parameters.size()));
+    Calibration c = read_calibration(out / "fit.json", study, dry_first(measurements));
+    const StudyModel model(study, c);
+    c.prediction = predict_readings(model.model(), c);
+    const Comparison comparison = compare(c);
 
     const auto json = to_json(comparison);
     write_json(out / "compare.json", json);
     console.line(fmt::format(
         "chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear stress, "
         "{:.2f} % in solid fraction",
-        comparison.chi2, comparison.dof, comparison.p(), comparison.rms_percent[0],
-        comparison.rms_percent[1]));
+        comparison.total.chi2, comparison.total.dof, comparison.total.p(),
+        comparison.rms_percent[0], comparison.rms_percent[1]));
+    if (c.fitted < c.readings.size()) {
+        console.line(fmt::format(
+            "of which chi2 = {:.2f} for {} from readings that were only "
+            "predicted (p = {:.2g})",
+            comparison.predicted.chi2, comparison.predicted.dof, comparison.predicted.p()));
+    }
     for (const auto& line : comparison_table(comparison)) {
         console.line(line);
     }
@@ -56,7 +61,7 @@ int compare(const std::vector<std::string>& arguments) {
     if (!c.fit.converged) {
         console.note("the calibration had not converged");
     }
-    for (const auto& figure : comparison_figures(study, c, comparison)) {
+    for (const auto& figure : comparison_figures(model, c, comparison)) {
         draw(figure, out / "figures");
         console.line(
             fmt::format("figure: {}", (out / "figures" / (figure.name + ".png")).string()));

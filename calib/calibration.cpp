@@ -12,13 +12,11 @@ namespace {
 /// Lowest stiffness number at which the rigidity shift was measured (dem::rigidity_factor).
 constexpr double softest_corrected = 300;
 
-std::vector<Condition> conditions_of(const std::vector<Reading>& readings) {
-    std::vector<Condition> conditions;
-    for (const auto& reading : readings) {
-        conditions.push_back(reading.condition);
-    }
-    return conditions;
-}
+/// Below this reduced pressure the source saw the flow localise.
+constexpr double uniform_reduced_pressure = 0.5;
+/// Wet runs are made until their noise causes no more than this share of the readings' variance.
+constexpr double wet_noise_share = 0.3;
+constexpr int most_wet_turns = 4;
 
 /// @throws InputError where a reading is outside what can be simulated
 void check_range(const std::vector<Reading>& readings, const Study& study) {
@@ -43,6 +41,24 @@ void check_range(const std::vector<Reading>& readings, const Study& study) {
     }
 }
 
+/// @throws InputError where there is nothing to fit
+void check_fitted(const Study& study, const Measurements& measurements, const Calibration& c) {
+    if (c.fitted > 0) {
+        return;
+    }
+    std::string why;
+    if (!c.readings.empty()) {
+        why = "give dry recordings or readings (liquid_content = 0), or set fit_to = \"all\"";
+    } else if (measurements.excluded.empty()) {
+        why = "give recordings or readings";
+    } else {
+        why = "all were left out, the first one for: " + measurements.excluded.front().reason;
+    }
+    throw InputError({study.file.string()},
+                     fmt::format("there is no {}reading to fit; {}",
+                                 study.model.fit_to == "dry" ? "dry " : "", why));
+}
+
 std::vector<std::string> warnings(const Calibration& c) {
     std::vector<std::string> notes;
     const Eigen::MatrixXd corrections = c.fit.covariance - c.fit.measurement_part - c.fit.run_part;
@@ -51,6 +67,16 @@ std::vector<std::string> warnings(const Calibration& c) {
             "{:.0f} % of the variance comes from the corrections to the study's stiffness and to "
             "the quasi-static limit; a stiffer, slower fidelity lowers it",
             100 * corrections(0, 0) / c.fit.covariance(0, 0)));
+    }
+    const auto localised = std::ranges::count_if(c.readings, [&](const Reading& r) {
+        return !r.condition.dry() && reduced_pressure(r.condition.normal_stress, c.grains,
+                                                      *c.liquid) < uniform_reduced_pressure;
+    });
+    if (localised > 0) {
+        notes.push_back(
+            fmt::format("{} readings have a reduced pressure below {}, where wet beads tend to "
+                        "shear in bands: neither cell nor simulation need be uniform there",
+                        localised, uniform_reduced_pressure));
     }
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         if (c.fit.at_bound[k]) {
@@ -63,72 +89,117 @@ std::vector<std::string> warnings(const Calibration& c) {
     return notes;
 }
 
+std::size_t dry_count(const std::vector<Reading>& readings) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(readings, [](const Reading& r) { return r.condition.dry(); }));
+}
+
+/// Readings [from, to).
+std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from, std::size_t to) {
+    return {readings.begin() + static_cast<std::ptrdiff_t>(from),
+            readings.begin() + static_cast<std::ptrdiff_t>(to)};
+}
+
+/// Fits the model to some readings.
+Fit fit_to(const std::vector<Reading>& readings, FlowModel& model,
+           const CalibrationOptions& options, const CalibrationReport& report) {
+    model.predict_for(conditions_of(readings));
+    return calibrate(model, stack(readings), options, report);
+}
+
+/// Wet runs until their noise is small beside the errors of the readings to predict.
+void learn_wet(FlowModel& model, const Calibration& c) {
+    const auto readings = part(c.readings, c.fitted, c.readings.size());
+    const Eigen::VectorXd measured = stack(readings).covariance.diagonal();
+    for (int turn = 0; turn < most_wet_turns; ++turn) {
+        model.learn_wet(c.fit.parameters);
+        const Eigen::VectorXd noise =
+            model.predict_conditions(c.fit.parameters, conditions_of(readings))
+                .run_noise.diagonal();
+        if (noise.cwiseQuotient(measured).mean() <= wet_noise_share / (1 - wet_noise_share)) {
+            return;
+        }
+    }
+}
+
 }  // namespace
 
-std::vector<Reading> fitted_readings(const Measurements& measurements) {
-    std::vector<Reading> dry;
-    std::ranges::copy_if(measurements.readings, std::back_inserter(dry),
-                         [](const Reading& r) { return r.condition.dry(); });
-    return dry;
+std::vector<Condition> conditions_of(const std::vector<Reading>& readings) {
+    std::vector<Condition> conditions;
+    for (const auto& reading : readings) {
+        conditions.push_back(reading.condition);
+    }
+    return conditions;
+}
+
+std::size_t fitted_count(const Study& study, const std::vector<Reading>& readings) {
+    return study.model.fit_to == "all" ? readings.size() : dry_count(readings);
+}
+
+std::vector<Reading> dry_first(const Measurements& measurements) {
+    auto readings = measurements.readings;
+    std::ranges::stable_partition(readings, [](const Reading& r) { return r.condition.dry(); });
+    return readings;
+}
+
+Prediction predict_readings(const FlowModel& model, const Calibration& c) {
+    Prediction all = model.predict_conditions(c.fit.parameters, conditions_of(c.readings));
+    const auto fitted = 2 * static_cast<Eigen::Index>(c.fitted);
+    const Eigen::Index rest = all.value.size() - fitted;
+    const Eigen::MatrixXd slopes = all.jacobian.bottomRows(rest);
+    all.covariance.topRightCorner(fitted, rest).setZero();
+    all.covariance.bottomLeftCorner(rest, fitted).setZero();
+    all.covariance.bottomRightCorner(rest, rest) += slopes * c.fit.covariance * slopes.transpose();
+    return all;
 }
 
 Calibration calibrate_study(const Study& study, const Measurements& measurements,
                             const CalibrationRequest& request, const Workers& workers,
                             const CalibrationReport& report) {
-    Calibration result{.readings = fitted_readings(measurements),
-                       .fidelity = request.fidelity,
-                       .seed = request.seed};
-    if (result.readings.empty()) {
-        const std::string why =
-            measurements.excluded.empty()
-                ? "give dry recordings or readings (liquid_content = 0)"
-                : "all were left out, the first one for: " + measurements.excluded.front().reason;
-        throw InputError({study.file.string()}, "there is no dry reading to fit; " + why);
-    }
-    if (study.model.base != "dem") {
-        throw InputError(
-            {study.file.string()},
-            fmt::format(
-                "base = \"{}\" is a model of wet readings; dry ones are calibrated with base = "
-                "\"dem\"",
-                study.model.base));
-    }
-    if (study.model.fit_to == "all" && result.readings.size() < measurements.readings.size()) {
-        throw InputError({study.file.string()},
-                         "fit_to = \"all\" needs a model of wet readings; use fit_to = \"dry\"");
-    }
-    check_range(result.readings, study);
-    DirectSimulation model(study, conditions_of(result.readings), request.fidelity, request.seed,
+    Calibration c{.readings = dry_first(measurements),
+                  .grains = study.grains,
+                  .liquid = study.liquid,
+                  .model = study.model,
+                  .fidelity = request.fidelity,
+                  .seed = request.seed};
+    c.fitted = fitted_count(study, c.readings);
+    check_fitted(study, measurements, c);
+    check_range(c.readings, study);
+    StudyModel study_model(study, conditions_of(c.readings), request.fidelity, request.seed,
                            workers);
-    const Measured measured = stack(result.readings);
-    result.fit = calibrate(model, measured, request.options, [&](int round, const Fit& fit) {
-        result.rounds = round;
+    FlowModel& model = study_model.model();
+    const auto counting = [&](int round, const Fit& fit) {
+        c.rounds = round;
         if (report) {
             report(round, fit);
         }
-    });
-    result.parameters = model.parameters();
-    result.surface_centre = model.centre();
-    result.runs = model.runs();
-    result.grains = study.grains;
-    result.notes = model.notes();
-    std::ranges::copy(warnings(result), std::back_inserter(result.notes));
-    if (result.readings.size() < measurements.readings.size()) {
-        result.notes.push_back(
-            fmt::format("{} wet readings were not fitted: the friction comes from the dry ones",
-                        measurements.readings.size() - result.readings.size()));
+    };
+    CalibrationOptions options = request.options;
+    const auto dry = part(c.readings, 0, dry_count(c.readings));
+    if (c.fitted > dry.size() && !dry.empty()) {
+        // Joint fits begin where the dry readings alone lead, so that wet runs are made there.
+        options.start = fit_to(dry, model, request.options, counting).parameters;
     }
+    const auto fitted = part(c.readings, 0, c.fitted);
+    c.fit = fit_to(fitted, model, options, counting);
+    if (c.fitted < c.readings.size()) {
+        if (request.stage) {
+            request.stage("wet readings");
+        }
+        learn_wet(model, c);
+    }
+    c.prediction = predict_readings(model, c);
+    const DirectSimulation& simulation = study_model.simulation();
+    c.parameters = model.parameters();
+    c.surface_centre = simulation.centre();
+    c.runs = simulation.runs();
+    c.notes = simulation.notes();
+    std::ranges::copy(warnings(c), std::back_inserter(c.notes));
     if (request.profile) {
-        result.profile = profile_interval(model, measured, result.fit, 0);
+        model.predict_for(conditions_of(fitted));
+        c.profile = profile_interval(model, stack(fitted), c.fit, 0);
     }
-    return result;
-}
-
-DirectSimulation model_of(const Study& study, const Calibration& calibration) {
-    DirectSimulation model(study, conditions_of(calibration.readings), calibration.fidelity,
-                           calibration.seed, {});
-    model.restore(calibration.runs, calibration.surface_centre);
-    return model;
+    return c;
 }
 
 }  // namespace pendular

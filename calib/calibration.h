@@ -4,11 +4,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "calib/direct_simulation.h"
 #include "calib/fit.h"
+#include "calib/study_model.h"
 #include "data/reading.h"
 #include "data/study.h"
 #include "sim/fidelity.h"
@@ -17,12 +18,20 @@ namespace pendular {
 
 /// The calibration of a study and everything it rests on.
 struct Calibration {
-    std::vector<Reading> readings;  ///< those fitted, in run order
-    Grains grains;                  ///< those of the study when it was fitted
+    /// Dry ones first, then wet ones; each in run order. The first `fitted` are fitted, the others
+    /// only predicted.
+    std::vector<Reading> readings;
+    std::size_t fitted = 0;
+    Grains grains;                 ///< those of the study when it was fitted
+    std::optional<Liquid> liquid;  ///< likewise
+    ModelChoice model;             ///< likewise
     Fidelity fidelity;
     std::uint64_t seed = 1;
     std::vector<Parameter> parameters;
     Fit fit;
+    /// Of all readings. Those only predicted carry the fit's error too: their covariance is that of
+    /// the model plus J Cov(parameters) J'.
+    Prediction prediction;
     int rounds = 0;
     double surface_centre = 0;  ///< friction at which the response surface is centred
     std::vector<dem::RunResult> runs;
@@ -35,18 +44,25 @@ struct CalibrationRequest {
     std::uint64_t seed = 1;
     bool profile = false;
     CalibrationOptions options = {};
+    /// Called with the name of what is simulated next.
+    std::function<void(std::string_view)> stage = {};
 };
 
-/// Fits the study's parameters to its dry readings by direct simulation.
-/// @throws InputError where there is nothing to fit
+/// Fits the study's parameters by direct simulation: to its dry readings, whereupon the wet ones
+/// are predicted (fit_to = "dry"), or to all (fit_to = "all").
+/// @throws InputError where there is nothing to fit, or a reading is outside what can be simulated
 Calibration calibrate_study(const Study& study, const Measurements& measurements,
                             const CalibrationRequest& request, const Workers& workers,
                             const CalibrationReport& report = {});
 
-/// The readings a calibration fits: the dry ones.
-std::vector<Reading> fitted_readings(const Measurements& measurements);
+/// The readings of a study in the order of a calibration: dry ones first.
+std::vector<Reading> dry_first(const Measurements& measurements);
+/// How many of them the study's calibration fits.
+std::size_t fitted_count(const Study& study, const std::vector<Reading>& readings);
 
-/// The simulation model of a finished calibration, made again from its runs.
-DirectSimulation model_of(const Study& study, const Calibration& calibration);
+/// Predictions of all readings of a calibration, with its error in those it did not fit.
+Prediction predict_readings(const FlowModel& model, const Calibration& calibration);
+
+std::vector<Condition> conditions_of(const std::vector<Reading>& readings);
 
 }  // namespace pendular

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace pendular {
 namespace {
@@ -22,6 +23,11 @@ constexpr double whole_range = 1e9;
 constexpr double offsets[][3] = {
     {-0.4, 0, 0.4}, {-0.2, 0.1, 0.25}, {-0.3, -0.1, 0.3}, {-0.15, 0.05, 0.15}};
 
+/// Where wet runs are placed around the centre and around the bridge volume that is to give a
+/// liquid content, in ln(friction + 0.05) and ln V0.
+constexpr std::pair<double, double> wet_offsets[] = {{-0.25, 0.2}, {0.25, -0.2}, {0.1, 0.2},
+                                                     {-0.1, -0.2}, {-0.2, -0.1}, {0.2, 0.1}};
+
 /// Sets of three runs that one round may order at each inertial number.
 constexpr double most_sets = 8;
 
@@ -37,64 +43,87 @@ std::uint64_t seed_of_run(std::uint64_t seed, std::uint64_t run) {
     return z ^ (z >> 31);
 }
 
-}  // namespace
-
-std::vector<double> inertial_numbers_for(const std::vector<Condition>& conditions, double lowest) {
-    if (conditions.empty()) {
-        return {};
+std::string describe(const dem::RunParameters& p) {
+    std::string text = fmt::format("a run at friction {:.3g}, inertial number {:.3g}", p.friction,
+                                   p.inertial_number);
+    if (p.wetting) {
+        text += fmt::format(", reduced pressure {:.3g}, bridge volume {:.3g} a^3",
+                            p.wetting->reduced_pressure, p.wetting->bridge_volume);
     }
-    const auto [slow, fast] = std::ranges::minmax(conditions, {}, &Condition::inertial_number);
-    const double from = std::max(lowest, slow.inertial_number);
-    double to = std::max(from, fast.inertial_number);
-    if (slow.inertial_number < 0.95 * lowest) {
-        to = std::max(to, lowest * 10 / 3);
-    }
-    if (to < 1.05 * from) {
-        return {std::sqrt(from * to)};
-    }
-    const int gaps =
-        std::max(1, static_cast<int>(std::ceil(std::log(to / from) / std::log(10.0 / 3) - 1e-6)));
-    std::vector<double> levels;
-    for (int k = 0; k <= gaps; ++k) {
-        levels.push_back(from * std::pow(to / from, static_cast<double>(k) / gaps));
-    }
-    return levels;
+    return text;
 }
+
+std::vector<SurfacePoint> dry_ones(const std::vector<SurfacePoint>& points) {
+    std::vector<SurfacePoint> dry;
+    std::ranges::copy_if(points, std::back_inserter(dry),
+                         [](const SurfacePoint& p) { return p.state.dry(); });
+    return dry;
+}
+
+}  // namespace
 
 DirectSimulation::DirectSimulation(const Study& study, const std::vector<Condition>& conditions,
                                    const Fidelity& fidelity, std::uint64_t seed, Workers workers)
-    : grains_(study.grains),
-      conditions_(conditions),
+    : study_(study),
       fidelity_(fidelity),
       seed_(seed),
       workers_(std::move(workers)),
       parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}},
-      inertial_numbers_(inertial_numbers_for(conditions, fidelity.lowest_inertial_number)) {
-    if (!std::ranges::all_of(conditions, &Condition::dry)) {
-        throw std::invalid_argument("direct simulation models dry conditions");
-    }
+      inertial_numbers_(inertial_numbers_for(conditions, fidelity.lowest_inertial_number)),
+      wet_settings_(wet_settings_for(conditions, study, fidelity.lowest_inertial_number)),
+      network_({}, 0) {
+    predict_for(conditions);
 }
 
 void DirectSimulation::improve(const Eigen::VectorXd& parameters, double excess) {
     const double centre = parameters(0);
+    const bool wet = !std::ranges::all_of(conditions(), &Condition::dry);
     if (runs_.empty()) {
-        carry_out({std::begin(scout_frictions), std::end(scout_frictions)},
-                  std::max(1.0, scout_share_of_strain * fidelity_.strain));
+        carry_out_dry({std::begin(scout_frictions), std::end(scout_frictions)},
+                      std::max(1.0, scout_share_of_strain * fidelity_.strain));
         renew_surfaces(centre, whole_range);
-        return;
-    }
-    // The variance falls as one over the number of runs.
-    const auto done = static_cast<double>(placed_);
-    const int sets = static_cast<int>(std::clamp(std::ceil((excess - 1) * done), 1.0, most_sets));
-    std::vector<double> frictions;
-    for (int set = 0; set < sets; ++set) {
-        for (const double offset : offsets[placed_++ % std::size(offsets)]) {
-            frictions.push_back(std::clamp(ResponseSurface::friction_at(offset, centre),
-                                           parameters_[0].lower, parameters_[0].upper));
+    } else {
+        // The variance falls as one over the number of runs.
+        const auto done = static_cast<double>(placed_);
+        const int sets =
+            static_cast<int>(std::clamp(std::ceil((excess - 1) * done), 1.0, most_sets));
+        std::vector<double> frictions;
+        for (int set = 0; set < sets; ++set) {
+            for (const double offset : offsets[placed_++ % std::size(offsets)]) {
+                frictions.push_back(std::clamp(friction_at(offset, centre), parameters_[0].lower,
+                                               parameters_[0].upper));
+            }
         }
+        carry_out_dry(frictions, fidelity_.strain);
+        renew_surfaces(centre, window);
     }
-    carry_out(frictions, fidelity_.strain);
-    renew_surfaces(centre, window);
+    if (wet) {
+        learn_wet(parameters);
+    }
+}
+
+void DirectSimulation::learn_wet(const Eigen::VectorXd& parameters) {
+    const double friction = parameters(0);
+    constexpr std::size_t fewest = 6;
+    const std::size_t turns = (fewest + wet_settings_.size() - 1) / wet_settings_.size();
+    std::vector<dem::RunParameters> wanted;
+    for (std::size_t turn = 0; turn < turns; ++turn) {
+        for (const auto& setting : wet_settings_) {
+            const auto [by_friction, by_volume] =
+                wet_offsets[wet_placed_++ % std::size(wet_offsets)];
+            FlowState state{.friction = std::clamp(friction_at(by_friction, friction),
+                                                   parameters_[0].lower, parameters_[0].upper),
+                            .inertial_number = setting.inertial_number,
+                            .inverse_pressure = setting.inverse_pressure};
+            state.bridge_volume =
+                network_.volume_of(setting.liquid_content, state) * std::exp(by_volume);
+            wanted.push_back(run_at(state, fidelity_.strain));
+        }
+        // So that the next turn's offsets fall on other settings.
+        ++wet_placed_;
+    }
+    carry_out(std::move(wanted));
+    renew_surfaces(centre_, half_width_);
 }
 
 void DirectSimulation::restore(const std::vector<dem::RunResult>& runs, double centre) {
@@ -105,29 +134,47 @@ void DirectSimulation::restore(const std::vector<dem::RunResult>& runs, double c
 }
 
 void DirectSimulation::renew_surfaces(double centre, double half_width) {
-    if (points_.size() < 3) {
-        throw dem::SimulationError("fewer than three runs succeeded; the last: " +
+    const auto dry = dry_ones(points_);
+    if (dry.size() < 3) {
+        throw dem::SimulationError("fewer than three dry runs succeeded; the last: " +
                                    (notes_.empty() ? std::string("none was made") : notes_.back()));
     }
     centre_ = centre;
+    half_width_ = half_width;
     surfaces_.clear();
     for (const double exponent : {best_exponent, extreme_exponents[0], extreme_exponents[1]}) {
-        surfaces_.emplace_back(points_, centre, exponent, half_width);
+        surfaces_.push_back({ResponseSurface(dry, centre, exponent, half_width),
+                             ResponseSurface(points_, centre, exponent, half_width)});
     }
+    network_ = BridgeNetwork(runs_, centre);
 }
 
-void DirectSimulation::carry_out(const std::vector<double>& frictions, double strain) {
+dem::RunParameters DirectSimulation::run_at(const FlowState& state, double strain) const {
+    dem::RunParameters run{.friction = state.friction,
+                           .inertial_number = state.inertial_number,
+                           .stiffness_number = fidelity_.stiffness_number,
+                           .poisson_ratio = study_.grains.poisson_ratio,
+                           .beads = fidelity_.beads,
+                           .strain = strain};
+    if (!state.dry()) {
+        run.wetting = {1 / state.inverse_pressure, state.bridge_volume, study_.model.bridge_force};
+    }
+    return run;
+}
+
+void DirectSimulation::carry_out_dry(const std::vector<double>& frictions, double strain) {
     std::vector<dem::RunParameters> wanted;
     for (const double inertial_number : inertial_numbers_) {
         for (const double friction : frictions) {
-            wanted.push_back({.friction = friction,
-                              .inertial_number = inertial_number,
-                              .stiffness_number = fidelity_.stiffness_number,
-                              .poisson_ratio = grains_.poisson_ratio,
-                              .beads = fidelity_.beads,
-                              .strain = strain,
-                              .seed = seed_of_run(seed_, ordered_++)});
+            wanted.push_back(run_at({friction, inertial_number}, strain));
         }
+    }
+    carry_out(std::move(wanted));
+}
+
+void DirectSimulation::carry_out(std::vector<dem::RunParameters> wanted) {
+    for (auto& run : wanted) {
+        run.seed = seed_of_run(seed_, ordered_++);
     }
     for (const auto& run : run_all(wanted, workers_)) {
         add(run);
@@ -135,29 +182,29 @@ void DirectSimulation::carry_out(const std::vector<double>& frictions, double st
 }
 
 void DirectSimulation::add(const dem::RunResult& run) {
+    const auto& p = run.parameters;
     if (!run.failure.empty()) {
-        notes_.push_back(fmt::format(
-            "a run at friction {:.3g}, inertial number {:.3g} failed and is left out: {}",
-            run.parameters.friction, run.parameters.inertial_number, run.failure));
+        notes_.push_back(fmt::format("{} failed and is left out: {}", describe(p), run.failure));
         return;
     }
     runs_.push_back(run);
-    const auto& p = run.parameters;
     if (run.crystallised) {
-        notes_.push_back(fmt::format(
-            "a run at friction {:.3g}, inertial number {:.3g} crystallised and is not used",
-            p.friction, p.inertial_number));
+        notes_.push_back(fmt::format("{} crystallised and is not used", describe(p)));
         return;
     }
     if (!run.steady) {
         notes_.push_back(
-            fmt::format("a run at friction {:.3g}, inertial number {:.3g} was not steady within a "
-                        "strain of {:.3g}; its last part is used",
-                        p.friction, p.inertial_number, run.strain_averaged + run.strain_transient));
+            fmt::format("{} was not steady within a strain of {:.3g}; its last part is "
+                        "used",
+                        describe(p), run.strain_averaged + run.strain_transient));
     }
     const Mean& stress_ratio = run[dem::Observable::stress_ratio];
     const Mean& solid_fraction = run[dem::Observable::solid_fraction];
-    SurfacePoint point{.friction = p.friction, .inertial_number = p.inertial_number};
+    SurfacePoint point{.state = {p.friction, p.inertial_number}};
+    if (p.wetting) {
+        point.state.inverse_pressure = 1 / p.wetting->reduced_pressure;
+        point.state.bridge_volume = p.wetting->bridge_volume;
+    }
     point.value << stress_ratio.value, solid_fraction.value;
     point.covariance << std::pow(stress_ratio.standard_error, 2), run.covariance, run.covariance,
         std::pow(solid_fraction.standard_error, 2);
@@ -167,67 +214,101 @@ void DirectSimulation::add(const dem::RunResult& run) {
 }
 
 double DirectSimulation::stiffness_share(const Condition& condition) const {
-    const auto studied = stiffness_number(condition.normal_stress, grains_);
+    const auto studied = stiffness_number(condition.normal_stress, study_.grains);
     return studied ? 1 - fidelity_.stiffness_number / *studied : 0.0;
 }
 
-Prediction DirectSimulation::predict(const Eigen::VectorXd& parameters) const {
-    return predict(parameters, conditions_);
+FlowState DirectSimulation::state_of(double friction, const Condition& condition) const {
+    FlowState state{friction, condition.inertial_number};
+    if (!condition.dry()) {
+        state.inverse_pressure =
+            1 / reduced_pressure(condition.normal_stress, study_.grains, *study_.liquid);
+        state.bridge_volume = network_.volume_of(condition.liquid_content, state);
+    }
+    return state;
 }
 
-Prediction DirectSimulation::predict(const Eigen::VectorXd& parameters,
-                                     const std::vector<Condition>& conditions) const {
+/// What the prediction of one condition is made of: rows over the terms of its surface.
+struct DirectSimulation::Terms {
+    FlowState state;
+    Eigen::RowVectorXd basis, slope;  ///< slope: by friction, at constant liquid content
+};
+
+DirectSimulation::Terms DirectSimulation::terms_of(double friction,
+                                                   const Condition& condition) const {
+    Terms terms{.state = state_of(friction, condition), .basis = {}, .slope = {}};
+    const ResponseSurface& surface = surfaces_.front().of(terms.state);
+    terms.basis = surface.basis(terms.state);
+    terms.slope = surface.basis_slope(terms.state);
+    if (!terms.state.dry()) {
+        terms.slope +=
+            surface.basis_volume_slope(terms.state) * network_.log_volume_slope(terms.state);
+    }
+    return terms;
+}
+
+Prediction DirectSimulation::predict_conditions(const Eigen::VectorXd& parameters,
+                                                const std::vector<Condition>& conditions) const {
     if (surfaces_.empty()) {
         throw std::logic_error("predictions need runs: call improve first");
     }
     const double friction = parameters(0);
-    const ResponseSurface& surface = surfaces_.front();
+    const Surfaces& best = surfaces_.front();
+    const Eigen::Index dry_terms = 2 * best.dry.terms(), all_terms = 2 * best.all.terms();
     const auto n = static_cast<Eigen::Index>(conditions.size());
-    const Eigen::Index terms = surface.terms();
-    const auto ratio = surface.coefficients().head(terms),
-               fraction = surface.coefficients().tail(terms);
     Prediction prediction{
         .value = Eigen::VectorXd(2 * n), .jacobian = Eigen::MatrixXd(2 * n, 1), .covariance = {}};
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2 * n, 2 * terms);
+    Eigen::MatrixXd dry_rows = Eigen::MatrixXd::Zero(2 * n, dry_terms);
+    Eigen::MatrixXd all_rows = Eigen::MatrixXd::Zero(2 * n, all_terms);
     Eigen::VectorXd stiffness_error = Eigen::VectorXd::Zero(2 * n), form_error = stiffness_error;
     for (Eigen::Index k = 0; k < n; ++k) {
         const Condition& condition = conditions[static_cast<std::size_t>(k)];
         const double stress = condition.normal_stress, share = stiffness_share(condition);
-        const Eigen::RowVectorXd basis = surface.basis(friction, condition.inertial_number);
-        const Eigen::RowVectorXd slope = surface.basis_slope(friction, condition.inertial_number);
-        rows.block(2 * k, 0, 1, terms) = stress * basis;
-        rows.block(2 * k + 1, terms, 1, terms) = basis;
-        const double shift = basis.dot(surface.shift());
-        prediction.value(2 * k) = stress * basis.dot(ratio);
-        prediction.value(2 * k + 1) = basis.dot(fraction) - share * shift;
-        prediction.jacobian(2 * k, 0) = stress * slope.dot(ratio);
+        const Terms terms = terms_of(friction, condition);
+        const ResponseSurface& surface = best.of(terms.state);
+        const Eigen::Index size = surface.terms();
+        const auto ratio = surface.coefficients().head(size),
+                   fraction = surface.coefficients().tail(size);
+        Eigen::MatrixXd& rows = terms.state.dry() ? dry_rows : all_rows;
+        rows.block(2 * k, 0, 1, size) = stress * terms.basis;
+        rows.block(2 * k + 1, size, 1, size) = terms.basis;
+        const double shift = terms.basis.dot(surface.shift());
+        prediction.value(2 * k) = stress * terms.basis.dot(ratio);
+        prediction.value(2 * k + 1) = terms.basis.dot(fraction) - share * shift;
+        prediction.jacobian(2 * k, 0) = stress * terms.slope.dot(ratio);
         prediction.jacobian(2 * k + 1, 0) =
-            slope.dot(fraction) - share * slope.dot(surface.shift());
+            terms.slope.dot(fraction) - share * terms.slope.dot(surface.shift());
         stiffness_error(2 * k + 1) =
             share * shift * dem::rigidity_factor_error / dem::rigidity_factor;
-        form_error.segment<2>(2 * k) =
-            Eigen::Vector2d(stress, 1).cwiseProduct(
-                surfaces_[1].value(friction, condition.inertial_number) -
-                surfaces_[2].value(friction, condition.inertial_number)) /
-            2;
+        form_error.segment<2>(2 * k) = Eigen::Vector2d(stress, 1).cwiseProduct(
+                                           surfaces_[1].of(terms.state).value(terms.state) -
+                                           surfaces_[2].of(terms.state).value(terms.state)) /
+                                       2;
     }
-    prediction.run_noise = rows * surface.covariance() * rows.transpose();
+    // Dry readings rest on the dry runs alone. That wet ones rest on the same runs too is left out:
+    // it could only make their errors a little smaller.
+    prediction.run_noise = dry_rows * best.dry.covariance() * dry_rows.transpose() +
+                           all_rows * best.all.covariance() * all_rows.transpose();
     prediction.covariance = prediction.run_noise + stiffness_error * stiffness_error.transpose() +
                             form_error * form_error.transpose();
     return prediction;
 }
 
-DirectSimulation::Point DirectSimulation::predict_at(double friction,
-                                                     const Condition& condition) const {
-    const Prediction prediction = predict(Eigen::VectorXd::Constant(1, friction), {condition});
-    const Eigen::Vector2d scale(1 / condition.normal_stress, 1);
-    return {scale.cwiseProduct(Eigen::Vector2d(prediction.value)),
-            scale.asDiagonal() * Eigen::Matrix2d(prediction.covariance) * scale.asDiagonal()};
+BridgeNetwork::Response DirectSimulation::effective_coordination(double friction,
+                                                                 const Condition& condition) const {
+    const FlowState state = state_of(friction, condition);
+    return network_.at_constant_content(network_.effective_coordination(state), state);
+}
+
+BridgeNetwork::Response DirectSimulation::capillary_shear_stress(double friction,
+                                                                 const Condition& condition) const {
+    const FlowState state = state_of(friction, condition);
+    return network_.at_constant_content(network_.capillary_shear_stress(state), state);
 }
 
 Supported DirectSimulation::supported() const {
-    return {Eigen::VectorXd::Constant(1, surfaces_.front().lowest_friction()),
-            Eigen::VectorXd::Constant(1, surfaces_.front().highest_friction())};
+    return {Eigen::VectorXd::Constant(1, surfaces_.front().dry.lowest_friction()),
+            Eigen::VectorXd::Constant(1, surfaces_.front().dry.highest_friction())};
 }
 
 }  // namespace pendular

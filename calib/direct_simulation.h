@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "calib/bridge_network.h"
 #include "calib/model.h"
 #include "calib/response_surface.h"
+#include "calib/run_design.h"
 #include "data/reading.h"
 #include "data/study.h"
 #include "sim/ensemble.h"
@@ -12,25 +14,31 @@
 
 namespace pendular {
 
-/// The discrete-element solver as a model of dry readings; its parameter is the friction.
+/// The discrete-element solver as a model of dry and wet readings; its parameter is the friction.
 ///
 /// Runs are made near where a fit has arrived (improve), at a few inertial numbers that span the
-/// readings'; a response surface through all runs so far gives smooth predictions, their
-/// derivatives and their covariance. A reading in the quasi-static limit, or slower than the
-/// fidelity simulates, is extrapolated in the inertial number. Solid fractions are corrected from
-/// the simulated to the study's stiffness number by the overlaps measured in each run. Both
+/// readings' and, for wet readings, at their reduced pressures and liquid contents; a response
+/// surface through all dry runs, and one through all runs for wet readings, give smooth
+/// predictions, their derivatives and their covariance. A reading in the quasi-static limit, or
+/// slower than the fidelity simulates, is extrapolated in the inertial number. A liquid content is
+/// turned into a bridge volume with the simulated coordination. Solid fractions are corrected from
+/// the simulated to the study's stiffness number by the overlaps measured in each run. The
 /// corrections add their errors to the covariance, common to all readings.
-class DirectSimulation : public Model {
+class DirectSimulation : public FlowModel {
   public:
+    /// Predicts `conditions` until `predict_for` says otherwise; runs span all of them.
     DirectSimulation(const Study& study, const std::vector<Condition>& conditions,
                      const Fidelity& fidelity, std::uint64_t seed, Workers workers);
 
     const std::vector<Parameter>& parameters() const override { return parameters_; }
-    Prediction predict(const Eigen::VectorXd& parameters) const override;
+    Prediction predict_conditions(const Eigen::VectorXd& parameters,
+                                  const std::vector<Condition>& conditions) const override;
     void improve(const Eigen::VectorXd& parameters, double excess) override;
     Supported supported() const override;
 
-    /// Inertial numbers at which runs are made.
+    void learn_wet(const Eigen::VectorXd& parameters) override;
+
+    /// Inertial numbers at which dry runs are made.
     const std::vector<double>& inertial_numbers() const { return inertial_numbers_; }
     /// All runs made so far, crystallised ones included: those are not used.
     const std::vector<dem::RunResult>& runs() const { return runs_; }
@@ -42,43 +50,51 @@ class DirectSimulation : public Model {
     /// Friction at which the response surface is centred.
     double centre() const { return centre_; }
 
-    /// (stress ratio, solid fraction) with their covariance.
-    struct Point {
-        Eigen::Vector2d value;
-        Eigen::Matrix2d covariance;
-    };
-    /// Prediction for any dry condition, for curves.
-    Point predict_at(double friction, const Condition& condition) const;
+    /// Z* and a^2 s12cap/F0 at a wet condition; derivatives by friction at constant liquid content.
+    BridgeNetwork::Response effective_coordination(double friction,
+                                                   const Condition& condition) const;
+    BridgeNetwork::Response capillary_shear_stress(double friction,
+                                                   const Condition& condition) const;
+
+    /// State to simulate for a condition: a wet one at the bridge volume that has its liquid
+    /// content.
+    FlowState state_of(double friction, const Condition& condition) const;
 
     /// Share of the rigidity shift that separates the simulated from the study's stiffness [1].
     double stiffness_share(const Condition& condition) const;
 
   private:
-    void carry_out(const std::vector<double>& frictions, double strain);
+    /// Surfaces for one way in which the quasi-static limit is approached.
+    struct Surfaces {
+        ResponseSurface dry;
+        ResponseSurface all;  ///< equal to `dry` where there are no wet runs
+        const ResponseSurface& of(const FlowState& s) const { return s.dry() ? dry : all; }
+    };
+    struct Terms;
+
+    void carry_out(std::vector<dem::RunParameters> wanted);
+    void carry_out_dry(const std::vector<double>& frictions, double strain);
+    dem::RunParameters run_at(const FlowState& state, double strain) const;
     void add(const dem::RunResult& run);
     void renew_surfaces(double centre, double half_width);
-    Prediction predict(const Eigen::VectorXd& parameters,
-                       const std::vector<Condition>& conditions) const;
+    Terms terms_of(double friction, const Condition& condition) const;
 
-    Grains grains_;
-    std::vector<Condition> conditions_;
+    Study study_;
     Fidelity fidelity_;
     std::uint64_t seed_;
     Workers workers_;
     std::vector<Parameter> parameters_;
     std::vector<double> inertial_numbers_;
+    std::vector<WetSetting> wet_settings_;
     std::vector<dem::RunResult> runs_;
     std::vector<SurfacePoint> points_;
-    std::vector<ResponseSurface> surfaces_;  ///< best exponent first, then the two extreme ones
+    std::vector<Surfaces> surfaces_;  ///< best exponent first, then the two extreme ones
+    BridgeNetwork network_;
     std::vector<std::string> notes_;
-    double centre_ = 0;
-    std::uint64_t ordered_ = 0;  ///< runs ordered so far, each with a seed of its own
-    std::size_t placed_ = 0;     ///< sets of runs placed around a centre so far
+    double centre_ = 0, half_width_ = 0;
+    std::uint64_t ordered_ = 0;   ///< runs ordered so far, each with a seed of its own
+    std::size_t placed_ = 0;      ///< sets of dry runs placed around a centre so far
+    std::size_t wet_placed_ = 0;  ///< wet runs placed so far
 };
-
-/// Inertial numbers to simulate for readings at these: one where they agree within 5 %, else
-/// enough, evenly spaced in the logarithm, that neighbours differ by a factor 10/3 at most. Never
-/// below `lowest`; where a reading is, or is quasi-static (0), at least two to extrapolate from.
-std::vector<double> inertial_numbers_for(const std::vector<Condition>& conditions, double lowest);
 
 }  // namespace pendular

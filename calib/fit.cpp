@@ -103,8 +103,8 @@ void add_residuals(ceres::Problem& problem, const Model& model, const Measured& 
                              parameters.data());
 }
 
-/// Covariance of the parameters by Ceres; a variance of zero stands for one that the residuals do not
-/// determine.
+/// Covariance of the parameters by Ceres; a variance of zero stands for one that the residuals do
+/// not determine.
 Eigen::MatrixXd parameter_covariance(ceres::Problem& problem, const Eigen::VectorXd& parameters) {
     ceres::Covariance::Options options;
     options.algorithm_type = ceres::DENSE_SVD;
@@ -221,13 +221,18 @@ std::pair<double, double> profile_interval(const Model& model, const Measured& m
             end(best.parameters(which), range.upper(which))};
 }
 
+Eigen::VectorXd start_of(const Model& model) {
+    const auto& parameters = model.parameters();
+    Eigen::VectorXd start(static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        start(static_cast<Eigen::Index>(k)) = parameters[k].start;
+    }
+    return start;
+}
+
 Fit calibrate(Model& model, const Measured& measured, const CalibrationOptions& options,
               const CalibrationReport& report) {
-    const auto& parameters = model.parameters();
-    Eigen::VectorXd at(static_cast<Eigen::Index>(parameters.size()));
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-        at(static_cast<Eigen::Index>(k)) = parameters[k].start;
-    }
+    Eigen::VectorXd at = options.start.value_or(start_of(model));
     // Largest ratio of the variance that the runs' noise causes in a parameter to what is allowed.
     const auto excess_of = [&](const Fit& fit) {
         const double allowed = options.simulation_share / (1 - options.simulation_share);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,12 +49,16 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
 std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
                                            const Fit& best, Eigen::Index which, double rise = 1);
 
+/// The start of every parameter of a model.
+Eigen::VectorXd start_of(const Model& model);
+
 /// When a calibration is good enough, and when it gives up.
 struct CalibrationOptions {
     double simulation_share = 0.2;  ///< of a parameter's variance that noise of the runs may cause
     double settled = 0.5;           ///< largest last move, in standard errors
     int fewest_rounds = 3;
     int most_rounds = 8;
+    std::optional<Eigen::VectorXd> start = {};  ///< none: each parameter's own
 };
 
 /// Called after each round with the fit so far.

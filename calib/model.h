@@ -2,7 +2,10 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "data/reading.h"
 
 namespace pendular {
 
@@ -47,6 +50,38 @@ class Model {
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
 
     virtual Supported supported() const = 0;
+};
+
+/// A model of any condition of shear, such as the simulation behind the readings of a study.
+class FlowModel : public Model {
+  public:
+    /// Makes these the conditions of the readings that `predict` predicts.
+    void predict_for(std::vector<Condition> conditions) { conditions_ = std::move(conditions); }
+    Prediction predict(const Eigen::VectorXd& parameters) const final {
+        return predict_conditions(parameters, conditions_);
+    }
+
+    /// Predictions at `parameters` of readings at these conditions.
+    virtual Prediction predict_conditions(const Eigen::VectorXd& parameters,
+                                          const std::vector<Condition>& conditions) const = 0;
+
+    /// Makes wet runs around `parameters`, one more for each wet setting at least; predictions of
+    /// dry readings stay as they are.
+    virtual void learn_wet(const Eigen::VectorXd& parameters) = 0;
+
+    /// (stress ratio [1], solid fraction [1]) with their covariance.
+    struct Point {
+        Eigen::Vector2d value;
+        Eigen::Matrix2d covariance;
+    };
+    /// Prediction for one condition, for curves.
+    Point predict_at(const Eigen::VectorXd& parameters, const Condition& condition) const;
+
+  protected:
+    const std::vector<Condition>& conditions() const { return conditions_; }
+
+  private:
+    std::vector<Condition> conditions_;
 };
 
 }  // namespace pendular

@@ -8,31 +8,89 @@
 namespace pendular {
 namespace {
 
-constexpr double friction_scale = 0.05;
-
-/// Number of values that differ by more than one per mille.
-std::size_t distinct(std::vector<double> values) {
-    std::ranges::sort(values);
-    const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-3 * std::abs(b); };
-    return static_cast<std::size_t>(std::unique(values.begin(), values.end(), same) -
-                                    values.begin());
-}
+constexpr double same_setting = 1e-3;
+/// The liquid content follows from the bridge volume only by simulation, so settings of volumes
+/// scatter; so do reduced pressures that readings set.
+constexpr double same_volume = 0.1, same_pressure = 0.03;
+/// From these on curvature in 1/P* to the third order, and in ln V0, is worth a term.
+constexpr double strong_cohesion = 0.6, wide_volumes = 2.0;
+constexpr double friction_offset = 0.05;  // so that frictions near 0 are told apart
 
 std::vector<SurfacePoint> within(const std::vector<SurfacePoint>& points, double centre,
                                  double window) {
     std::vector<SurfacePoint> near;
     std::ranges::copy_if(points, std::back_inserter(near), [&](const SurfacePoint& p) {
-        return std::abs(ResponseSurface::coordinate(p.friction, centre)) <= window;
+        return std::abs(friction_coordinate(p.state.friction, centre)) <= window;
     });
     return near;
 }
 
-std::size_t frictions(const std::vector<SurfacePoint>& points) {
-    std::vector<double> values;
+template <typename Value>
+std::vector<double> settings(const std::vector<SurfacePoint>& points, bool wet_only,
+                             const Value& value) {
+    std::vector<double> result;
     for (const auto& p : points) {
-        values.push_back(p.friction + friction_scale);
+        if (!wet_only || !p.state.dry()) {
+            result.push_back(value(p.state));
+        }
     }
-    return distinct(values);
+    return result;
+}
+
+double shifted_friction(const FlowState& s) {
+    return s.friction + friction_offset;
+}
+double inertia(const FlowState& s) {
+    return s.inertial_number;
+}
+
+/// The dry terms that the points can tell.
+void add_dry_terms(Basis& basis, const std::vector<SurfacePoint>& points) {
+    const std::size_t inertial_numbers = distinct(settings(points, false, inertia), same_setting);
+    basis.add({});
+    basis.add({.x = 1});
+    if (distinct(settings(points, false, shifted_friction), same_setting) >= 3) {
+        basis.add({.x = 2});
+    }
+    if (inertial_numbers >= 2) {
+        basis.add({.q = 1});
+        basis.add({.x = 1, .q = 1});
+    }
+    if (inertial_numbers >= 3) {
+        basis.add({.q = 2});
+    }
+}
+
+/// The wet terms that the points can tell.
+void add_wet_terms(Basis& basis, const std::vector<SurfacePoint>& points) {
+    const auto cohesion =
+        settings(points, true, [](const FlowState& s) { return s.inverse_pressure; });
+    if (cohesion.empty()) {
+        return;
+    }
+    const auto volumes = settings(points, true, [](const FlowState& s) { return s.bridge_volume; });
+    const auto [dryest, wettest] = std::ranges::minmax(volumes);
+    const std::size_t pressures = distinct(cohesion, same_pressure);
+    basis.add({.u = 1});
+    if (distinct(settings(points, true, shifted_friction), same_setting) >= 2) {
+        basis.add({.x = 1, .u = 1});
+    }
+    if (distinct(volumes, same_volume) >= 2) {
+        basis.add({.u = 1, .v = 1});
+    }
+    if (pressures >= 2) {
+        basis.add({.u = 2});
+    }
+    if (distinct(settings(points, true, inertia), same_setting) >= 2) {
+        basis.add({.q = 1, .u = 1});
+    }
+    if (wettest / dryest > std::exp(wide_volumes) && distinct(volumes, same_volume) >= 3) {
+        basis.add({.u = 1, .v = 2});
+    }
+    if (pressures >= 4 && std::ranges::max(cohesion) > strong_cohesion) {
+        basis.add({.u = 2, .v = 1});
+        basis.add({.u = 3});
+    }
 }
 
 /// Mean correlation between the two observables over the runs: a single run knows its own poorly.
@@ -46,14 +104,6 @@ double pooled_correlation(const std::vector<SurfacePoint>& points) {
 
 }  // namespace
 
-double ResponseSurface::coordinate(double friction, double centre) {
-    return std::log((friction + friction_scale) / (centre + friction_scale));
-}
-
-double ResponseSurface::friction_at(double coordinate, double centre) {
-    return (centre + friction_scale) * std::exp(coordinate) - friction_scale;
-}
-
 ResponseSurface::ResponseSurface(const std::vector<SurfacePoint>& points, double centre,
                                  double exponent, double window)
     : centre_(centre), exponent_(exponent) {
@@ -61,86 +111,52 @@ ResponseSurface::ResponseSurface(const std::vector<SurfacePoint>& points, double
         throw std::invalid_argument("a response surface needs at least three runs");
     }
     const auto near = within(points, centre, window);
-    const auto& used = near.size() >= 3 && frictions(near) >= 3 ? near : points;
-    choose_terms(used);
+    const bool enough =
+        near.size() >= 3 && distinct(settings(near, false, shifted_friction), same_setting) >= 3;
+    const auto& used = enough ? near : points;
+    add_dry_terms(basis_, used);
+    add_wet_terms(basis_, used);
+    const auto frictions = settings(used, false, [](const FlowState& s) { return s.friction; });
+    lowest_ = std::ranges::min(frictions);
+    highest_ = std::ranges::max(frictions);
     fit(used);
 }
 
-void ResponseSurface::choose_terms(const std::vector<SurfacePoint>& points) {
-    std::vector<double> inertial_numbers;
-    for (const auto& p : points) {
-        inertial_numbers.push_back(p.inertial_number);
-    }
-    const auto by_friction = std::ranges::minmax(points, {}, &SurfacePoint::friction);
-    lowest_ = by_friction.min.friction;
-    highest_ = by_friction.max.friction;
-    quadratic_ = frictions(points) >= 3;
-    inertial_ = distinct(inertial_numbers) >= 2;
-    inertial_quadratic_ = distinct(inertial_numbers) >= 3;
-    terms_ = 2 + quadratic_ + 2 * inertial_ + inertial_quadratic_;
+Eigen::RowVectorXd ResponseSurface::basis(const FlowState& state) const {
+    return basis_.values(at(state));
 }
 
-Eigen::RowVectorXd ResponseSurface::basis(double friction, double inertial_number) const {
-    const double x = coordinate(friction, centre_), q = std::pow(inertial_number, exponent_);
-    Eigen::RowVectorXd row(terms_);
-    Eigen::Index k = 0;
-    row(k++) = 1;
-    row(k++) = x;
-    if (quadratic_) {
-        row(k++) = x * x;
-    }
-    if (inertial_) {
-        row(k++) = q;
-        row(k++) = x * q;
-    }
-    if (inertial_quadratic_) {
-        row(k++) = q * q;
-    }
-    return row;
+Eigen::RowVectorXd ResponseSurface::basis_slope(const FlowState& state) const {
+    return basis_.slopes_in_x(at(state)) * friction_slope(state.friction);
 }
 
-Eigen::RowVectorXd ResponseSurface::basis_slope(double friction, double inertial_number) const {
-    const double x = coordinate(friction, centre_), q = std::pow(inertial_number, exponent_);
-    Eigen::RowVectorXd row(terms_);
-    Eigen::Index k = 0;
-    row(k++) = 0;
-    row(k++) = 1;
-    if (quadratic_) {
-        row(k++) = 2 * x;
-    }
-    if (inertial_) {
-        row(k++) = 0;
-        row(k++) = q;
-    }
-    if (inertial_quadratic_) {
-        row(k++) = 0;
-    }
-    return row / (friction + friction_scale);
+Eigen::RowVectorXd ResponseSurface::basis_volume_slope(const FlowState& state) const {
+    return basis_.slopes_in_v(at(state));
 }
 
-Eigen::Vector2d ResponseSurface::value(double friction, double inertial_number) const {
-    const Eigen::RowVectorXd row = basis(friction, inertial_number);
-    return {row.dot(coefficients_.head(terms_)), row.dot(coefficients_.tail(terms_))};
+Eigen::Vector2d ResponseSurface::value(const FlowState& state) const {
+    const Eigen::RowVectorXd row = basis(state);
+    return {row.dot(coefficients_.head(terms())), row.dot(coefficients_.tail(terms()))};
 }
 
 void ResponseSurface::fit(const std::vector<SurfacePoint>& points) {
     const auto rows = static_cast<Eigen::Index>(points.size());
     const double correlation = pooled_correlation(points);
-    Eigen::MatrixXd design = Eigen::MatrixXd::Zero(2 * rows, 2 * terms_);
+    Eigen::MatrixXd design = Eigen::MatrixXd::Zero(2 * rows, 2 * terms());
     Eigen::VectorXd target(2 * rows);
-    Eigen::MatrixXd shift_design(rows, terms_);
+    Eigen::MatrixXd shift_design(rows, terms());
     Eigen::VectorXd shift_target(rows);
     for (Eigen::Index k = 0; k < rows; ++k) {
         const auto& p = points[static_cast<std::size_t>(k)];
-        const Eigen::RowVectorXd row = basis(p.friction, p.inertial_number);
+        const Eigen::RowVectorXd row = basis(p.state);
         Eigen::Matrix2d covariance = p.covariance;
         covariance(0, 1) = covariance(1, 0) =
             correlation * std::sqrt(covariance(0, 0) * covariance(1, 1));
         // Whitened by the run's own covariance: W W^T = C^-1 through the inverse Cholesky factor.
         const Eigen::Matrix2d whiten =
             covariance.llt().matrixL().solve(Eigen::Matrix2d::Identity());
-        design.block(2 * k, 0, 2, terms_) = whiten.col(0) * row;
-        design.block(2 * k, terms_, 2, terms_) = whiten.col(1) * row;
+        design.block(2 * k, 0, 2, terms()) = whiten.col(0) * row;
+        design.block(2 * k, terms(), 2, terms()) = whiten.col(1) * row;
         target.segment<2>(2 * k) = whiten * p.value;
         shift_design.row(k) = row;
         shift_target(k) = p.rigidity_shift;

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <set>
+
 #include "data/readings.h"
 #include "data/recording.h"
 #include "data/replicates.h"
@@ -21,6 +25,36 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
+/// Range of liquid contents over which separate bridges describe the liquid.
+/// Source: Badetti et al. (2018), section 3.1: the bridges between three touching beads merge at
+/// V0 = 0.008 a^3, which is a content of 0.063; theirs begin at 0.003.
+constexpr double driest_pendular = 0.002, wettest_pendular = 0.065;
+
+std::string content_warning(double content) {
+    return content > wettest_pendular
+               ? fmt::format(
+                     "liquid content {:g} is above the pendular range, which ends at about {:g}: "
+                     "bridges of touching beads merge there, and the model of separate bridges "
+                     "no longer holds",
+                     content, wettest_pendular)
+               : fmt::format(
+                     "liquid content {:g} is below the pendular range, which begins at about {:g}: "
+                     "so little liquid may stay between the asperities of the bead surfaces "
+                     "instead of forming bridges",
+                     content, driest_pendular);
+}
+
+/// Warns once of each liquid content that separate bridges do not describe.
+void check_pendular_range(Measurements& all) {
+    std::set<double> contents;
+    for (const Reading& reading : all.readings)
+        contents.insert(reading.condition.liquid_content);
+    for (const double content : contents) {
+        if (content > 0 && (content < driest_pendular || content > wettest_pendular))
+            all.notes.push_back(content_warning(content));
+    }
+}
+
 }  // namespace
 
 Measurements read_measurements(const Study& study) {
@@ -34,6 +68,7 @@ Measurements read_measurements(const Study& study) {
         }
     }
     pool_replicates(all);
+    check_pendular_range(all);
     return all;
 }
 

@@ -47,6 +47,13 @@ Shown mean_of(const std::vector<Reading>& readings) {
     return mean;
 }
 
+std::vector<Reading> dry_readings(const Calibration& c) {
+    std::vector<Reading> dry;
+    std::ranges::copy_if(c.readings, std::back_inserter(dry),
+                         [](const Reading& r) { return r.condition.dry(); });
+    return dry;
+}
+
 /// Readings at the lowest inertial number, within 5 %: those of the calibration figure.
 std::vector<Reading> slowest(const std::vector<Reading>& readings) {
     const double least = std::ranges::min(readings, {}, [](const Reading& r) {
@@ -64,7 +71,7 @@ struct ModelCurve {
     std::vector<double> x;
     std::array<std::vector<double>, 2> value, error;
 
-    void add(double at, const DirectSimulation::Point& point) {
+    void add(double at, const FlowModel::Point& point) {
         x.push_back(at);
         for (Eigen::Index o = 0; o < 2; ++o) {
             value[static_cast<std::size_t>(o)].push_back(point.value(o));
@@ -92,7 +99,7 @@ Curve runs_curve(const Calibration& c, const DirectSimulation& model, const Cond
                 .colour = run_colour,
                 .symbol = 6};
     for (const auto& run : c.runs) {
-        if (!run.crystallised &&
+        if (!run.crystallised && !run.parameters.wetting &&
             std::abs(run.parameters.inertial_number / inertial_number - 1) < 0.01) {
             const Shown one = at_study_stiffness(run, model.stiffness_share(condition));
             curve.x.push_back(run.parameters.friction);
@@ -104,14 +111,14 @@ Curve runs_curve(const Calibration& c, const DirectSimulation& model, const Cond
 }
 
 Figure calibration_figure(const Calibration& c, const DirectSimulation& model) {
-    const std::vector<Reading> used = slowest(c.readings);
+    const std::vector<Reading> used = slowest(dry_readings(c));
     const Shown measured = mean_of(used);
     const Condition condition = used.front().condition;
     const Supported range = model.supported();
     ModelCurve curve;
     for (int k = 0; k <= 60; ++k) {
         const double friction = range.lower(0) + (range.upper(0) - range.lower(0)) * k / 60;
-        curve.add(friction, model.predict_at(friction, condition));
+        curve.add(friction, model.predict_at(Eigen::VectorXd::Constant(1, friction), condition));
     }
     Figure figure{.name = "calibration",
                   .title = fmt::format("Calibrated friction μ = {:.3f} ± {:.3f}", calibrated(c),
@@ -139,13 +146,14 @@ Figure calibration_figure(const Calibration& c, const DirectSimulation& model) {
 
 Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
     const auto& levels = model.inertial_numbers();
-    Condition condition = c.readings.front().condition;
+    const std::vector<Reading> dry = dry_readings(c);
+    Condition condition = dry.front().condition;
     const double low = levels.front() / 4, high = levels.back() * 2;
     ModelCurve curve;
     // Faster than simulated there is no model to show; slower it is extrapolated.
     for (int k = 0; k <= 60 && levels.size() > 1; ++k) {
         condition.inertial_number = low * std::pow(levels.back() / low, k / 60.0);
-        curve.add(condition.inertial_number, model.predict_at(calibrated(c), condition));
+        curve.add(condition.inertial_number, model.predict_at(c.fit.parameters, condition));
     }
     Figure figure{.name = "inertial_number",
                   .title = "Against the inertial number, at the calibrated friction",
@@ -157,7 +165,7 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
                     .log_x = true};
         Curve points{.label = "measured", .colour = measured_colour, .symbol = 7};
         std::vector<Reading> quasi_static;
-        for (const auto& reading : c.readings) {
+        for (const auto& reading : dry) {
             if (reading.condition.inertial_number <= 0) {
                 quasi_static.push_back(reading);
                 continue;
@@ -172,7 +180,7 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
             panel.references.push_back(
                 {"measured, quasi-static", one.value[o], one.error[o], false, measured_colour});
             condition.inertial_number = 0;
-            const auto limit = model.predict_at(calibrated(c), condition);
+            const auto limit = model.predict_at(c.fit.parameters, condition);
             const auto i = static_cast<Eigen::Index>(o);
             panel.references.push_back({"model, I → 0", limit.value(i),
                                         std::sqrt(limit.covariance(i, i)), false,
@@ -185,7 +193,7 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
             curve.draw_in(panel, o, "model");
         } else {
             condition.inertial_number = levels.front();
-            const auto only = model.predict_at(calibrated(c), condition);
+            const auto only = model.predict_at(c.fit.parameters, condition);
             const auto i = static_cast<Eigen::Index>(o);
             panel.curves.push_back({"model",
                                     Curve::Style::points,
@@ -229,7 +237,7 @@ Figure parity_figure(const Comparison& comparison) {
 Figure residual_figure(const Comparison& comparison) {
     Figure figure{.name = "residuals",
                   .title = fmt::format("Residuals: χ^2 = {:.2f}, degrees of freedom: {}",
-                                       comparison.chi2, comparison.dof),
+                                       comparison.total.chi2, comparison.total.dof),
                   .panels = {}};
     const auto by_stress = [](const ReadingMisfit& m) { return m.reading.condition.normal_stress; };
     const auto by_inertia = [](const ReadingMisfit& m) {
@@ -261,11 +269,17 @@ Figure residual_figure(const Comparison& comparison) {
 
 }  // namespace
 
-std::vector<Figure> comparison_figures(const Study& study, const Calibration& calibration,
+std::vector<Figure> comparison_figures(const StudyModel& study_model,
+                                       const Calibration& calibration,
                                        const Comparison& comparison) {
-    const DirectSimulation model = model_of(study, calibration);
-    return {calibration_figure(calibration, model), inertial_figure(calibration, model),
-            parity_figure(comparison), residual_figure(comparison)};
+    const DirectSimulation& model = study_model.simulation();
+    std::vector<Figure> figures;
+    if (!dry_readings(calibration).empty()) {
+        figures = {calibration_figure(calibration, model), inertial_figure(calibration, model)};
+    }
+    figures.push_back(parity_figure(comparison));
+    figures.push_back(residual_figure(comparison));
+    return figures;
 }
 
 }  // namespace pendular

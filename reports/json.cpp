@@ -25,6 +25,10 @@ Json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance) {
             {"solid_fraction", uncertain(value(1), std::sqrt(covariance(1, 1)))}};
 }
 
+Json misfit_json(const Misfit& misfit) {
+    return {{"chi2", misfit.chi2}, {"dof", misfit.dof}, {"p", misfit.p()}};
+}
+
 Json prediction_json(const ReadingMisfit& misfit) {
     const Reading& reading = misfit.reading;
     return {{"file", reading.origin.file},
@@ -46,6 +50,27 @@ Json grains_json(const Grains& g) {
         json["youngs_modulus"] = *g.youngs_modulus;
     }
     return json;
+}
+
+Json liquid_json(const std::optional<Liquid>& l) {
+    if (!l) {
+        return nullptr;
+    }
+    return {{"surface_tension", l->surface_tension},
+            {"contact_angle", l->contact_angle},
+            {"viscosity", l->viscosity}};
+}
+
+Json model_json(const ModelChoice& m) {
+    return {{"base", m.base}, {"fit_to", m.fit_to}, {"bridge_force", to_string(m.bridge_force)}};
+}
+
+/// What of a study, besides its readings, a calibration rests on.
+Json basis_json(const Grains& grains, const std::optional<Liquid>& liquid,
+                const ModelChoice& model) {
+    return {{"grains", grains_json(grains)},
+            {"liquid", liquid_json(liquid)},
+            {"model", model_json(model)}};
 }
 
 Json fidelity_json(const Fidelity& f) {
@@ -168,16 +193,18 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
             parameter["profile_68_percent"] = {c.profile->first, c.profile->second};
         }
     }
-    json["chi2"] = comparison.chi2;
-    json["dof"] = comparison.dof;
+    json["chi2"] = comparison.fitted.chi2;
+    json["dof"] = comparison.fitted.dof;
+    json["predicted_only"] = misfit_json(comparison.predicted);
     json["converged"] = c.fit.converged;
     json["covariance_scaled_by_chi2"] = false;
     json["cohesion_lines"] = Json::array();
     json["predictions"] = Json::array();
-    for (const auto& misfit : comparison.readings) {
-        json["predictions"].push_back(prediction_json(misfit));
+    for (std::size_t k = 0; k < comparison.readings.size(); ++k) {
+        json["predictions"].push_back(prediction_json(comparison.readings[k]));
+        json["predictions"].back()["fitted"] = k < c.fitted;
     }
-    json["grains"] = grains_json(c.grains);
+    json.update(basis_json(c.grains, c.liquid, c.model));
     json["fidelity"] = fidelity_json(c.fidelity);
     json["seed"] = c.seed;
     json["rounds"] = c.rounds;
@@ -200,27 +227,34 @@ bool made_from(const Json& entry, const Reading& reading) {
     const Json& measured = entry.at("measured");
     return same(entry.at("normal_stress"), reading.condition.normal_stress) &&
            same(entry.at("inertial_number"), reading.condition.inertial_number) &&
+           same(entry.at("liquid_content"), reading.condition.liquid_content) &&
            same(measured.at("shear_stress").at("value"), reading.value(0)) &&
            same(measured.at("solid_fraction").at("value"), reading.value(1)) &&
            same(measured.at("shear_stress").at("stderr"), std::sqrt(reading.covariance(0, 0))) &&
            same(measured.at("solid_fraction").at("stderr"), std::sqrt(reading.covariance(1, 1)));
 }
 
-Calibration parse_calibration(const Json& json, const Grains& grains,
+Calibration parse_calibration(const Json& json, const Study& study,
                               const std::vector<Reading>& readings, const Position& where) {
     const Json& entries = json.at("predictions");
     const bool same_readings =
         entries.size() == readings.size() &&
         std::ranges::equal(entries, readings,
                            [](const Json& e, const Reading& r) { return made_from(e, r); });
-    if (!same_readings || json.at("grains") != grains_json(grains)) {
+    const Json basis = basis_json(study.grains, study.liquid, study.model);
+    const bool same_basis = std::ranges::all_of(
+        basis.items(), [&](const auto& item) { return json.at(item.key()) == item.value(); });
+    if (!same_readings || !same_basis) {
         throw InputError(
             where,
-            "this fit was made from other readings or grains than the study holds now; run "
-            "'pendular calibrate' again");
+            "this fit was made from other readings, grains, liquid or model than the study holds "
+            "now; run 'pendular calibrate' again");
     }
     Calibration c;
-    c.grains = grains;
+    c.grains = study.grains;
+    c.liquid = study.liquid;
+    c.model = study.model;
+    c.fitted = fitted_count(study, readings);
     c.readings = readings;
     const Json& f = json.at("fidelity");
     c.fidelity = {f.at("name"), f.at("beads"), f.at("stiffness_number"),
@@ -250,7 +284,7 @@ Calibration parse_calibration(const Json& json, const Grains& grains,
 
 }  // namespace
 
-Calibration read_calibration(const std::filesystem::path& file, const Grains& grains,
+Calibration read_calibration(const std::filesystem::path& file, const Study& study,
                              const std::vector<Reading>& readings) {
     std::ifstream stream(file);
     if (!stream) {
@@ -258,7 +292,7 @@ Calibration read_calibration(const std::filesystem::path& file, const Grains& gr
                          "there is no calibration yet; run 'pendular calibrate' first");
     }
     try {
-        return parse_calibration(Json::parse(stream), grains, readings, {file.string()});
+        return parse_calibration(Json::parse(stream), study, readings, {file.string()});
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {
@@ -271,9 +305,9 @@ Calibration read_calibration(const std::filesystem::path& file, const Grains& gr
 
 Json to_json(const Comparison& comparison) {
     Json json;
-    json["chi2"] = comparison.chi2;
-    json["dof"] = comparison.dof;
-    json["p"] = comparison.p();
+    json.update(misfit_json(comparison.total));
+    json["fitted"] = misfit_json(comparison.fitted);
+    json["predicted_only"] = misfit_json(comparison.predicted);
     json["rms_percent"] = {{"shear_stress", comparison.rms_percent[0]},
                            {"solid_fraction", comparison.rms_percent[1]}};
     json["by_observable"] = {{"shear_stress", comparison.by_observable[0]},

@@ -10,7 +10,7 @@
 namespace pendular {
 
 /// One run with its observables, each {"value", "stderr"}, and all that is needed to repeat it.
-/// Observables of liquid bridges are zero: the sample is dry.
+/// Observables of liquid bridges are zero in a dry run.
 nlohmann::ordered_json to_json(const dem::RunResult& run);
 
 /// The same back.
@@ -22,10 +22,10 @@ nlohmann::ordered_json to_json(const Measurements& measurements);
 /// What `calibrate` prints and `out/fit.json` holds.
 nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
 
-/// A calibration back from `out/fit.json`; its grains and readings come from the study and must
-/// be those that were fitted.
+/// A calibration back from `out/fit.json`, its predictions excepted; its grains, liquid, model and
+/// readings (dry first) come from the study and must be those that were fitted.
 /// @throws InputError where the file is missing, malformed, or was made from others
-Calibration read_calibration(const std::filesystem::path& file, const Grains& grains,
+Calibration read_calibration(const std::filesystem::path& file, const Study& study,
                              const std::vector<Reading>& readings);
 
 /// What `compare` prints and `out/compare.json` holds.

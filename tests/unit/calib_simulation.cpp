@@ -63,14 +63,13 @@ TEST(ResponseSurface, FindsThePolynomialItsRunsCameFrom) {
     std::normal_distribution<double> normal;
     std::vector<SurfacePoint> points;
     const auto truth = [](double friction, double inertial_number) {
-        const double x = ResponseSurface::coordinate(friction, 0.1),
-                     q = std::pow(inertial_number, 0.75);
+        const double x = friction_coordinate(friction, 0.1), q = std::pow(inertial_number, 0.75);
         return Eigen::Vector2d(0.25 + 0.1 * x - 0.02 * x * x + q,
                                0.61 - 0.02 * x + 0.001 * x * x - 0.1 * q);
     };
     for (const double friction : {0.05, 0.08, 0.1, 0.13, 0.18}) {
         for (const double inertial_number : {3e-3, 1e-2}) {
-            SurfacePoint p{.friction = friction, .inertial_number = inertial_number};
+            SurfacePoint p{.state = {friction, inertial_number}};
             p.covariance << 4e-6, -2e-7, -2e-7, 9e-8;
             const Eigen::Matrix2d root = p.covariance.llt().matrixL();
             p.value = truth(friction, inertial_number) +
@@ -83,12 +82,12 @@ TEST(ResponseSurface, FindsThePolynomialItsRunsCameFrom) {
     EXPECT_EQ(surface.dof(), 10);
     EXPECT_LT(surface.chi2() / surface.dof(), 3);
     for (const double inertial_number : {0.0, 5e-3}) {
-        const Eigen::RowVectorXd row = surface.basis(0.09, inertial_number);
+        const Eigen::RowVectorXd row = surface.basis({0.09, inertial_number});
         const Eigen::Vector2d error(
             std::sqrt(row * surface.covariance().topLeftCorner(5, 5) * row.transpose()),
             std::sqrt(row * surface.covariance().bottomRightCorner(5, 5) * row.transpose()));
         const Eigen::Vector2d off =
-            surface.value(0.09, inertial_number) - truth(0.09, inertial_number);
+            surface.value({0.09, inertial_number}) - truth(0.09, inertial_number);
         EXPECT_LT(std::abs(off(0)), 3 * error(0));
         EXPECT_LT(std::abs(off(1)), 3 * error(1));
         EXPECT_LT(error(0), 0.01);
@@ -99,7 +98,7 @@ TEST(ResponseSurface, HasTheSlopeOfItsOwnValues) {
     std::vector<SurfacePoint> points;
     for (const double friction : {0.05, 0.1, 0.2, 0.3}) {
         for (const double inertial_number : {3e-3, 1e-2, 3e-2}) {
-            SurfacePoint p{.friction = friction, .inertial_number = inertial_number};
+            SurfacePoint p{.state = {friction, inertial_number}};
             p.value << std::sqrt(friction) + inertial_number, 0.6 - 0.1 * friction;
             p.covariance = Eigen::Matrix2d::Identity() * 1e-6;
             points.push_back(p);
@@ -108,8 +107,8 @@ TEST(ResponseSurface, HasTheSlopeOfItsOwnValues) {
     const ResponseSurface s(points, 0.1, 0.75, 10);
     const double d = 1e-5;
     const Eigen::RowVectorXd numeric =
-        (s.basis(0.12 + d, 5e-3) - s.basis(0.12 - d, 5e-3)) / (2 * d);
-    EXPECT_LT((numeric - s.basis_slope(0.12, 5e-3)).norm(), 1e-7);
+        (s.basis({0.12 + d, 5e-3}) - s.basis({0.12 - d, 5e-3})) / (2 * d);
+    EXPECT_LT((numeric - s.basis_slope({0.12, 5e-3})).norm(), 1e-7);
 }
 
 TEST(DirectSimulation, PredictsWhatTheSolverDoes) {
@@ -242,7 +241,7 @@ TEST(CalibrateStudy, FindsAPlantedFrictionThroughTheSolver) {
     EXPECT_GE(c.runs.size(), 11u);
 
     // Made again from its runs, the model says the same.
-    const Prediction again = model_of(raw_study(), c).predict(c.fit.parameters);
+    const Prediction again = predict_readings(StudyModel(raw_study(), c).model(), c);
     EXPECT_LT((again.value - c.fit.prediction.value).norm(), 1e-12 * again.value.norm());
     EXPECT_LT((again.covariance - c.fit.prediction.covariance).norm(),
               1e-9 * again.covariance.norm());

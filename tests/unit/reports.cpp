@@ -54,13 +54,14 @@ struct Example {
 
 TEST(Compare, SplitsChi2SoThatItsPartsAddUp) {
     const Example e;
-    const Comparison c = compare(e.readings, e.prediction, 1);
+    const Comparison c = compare(e.readings, e.prediction, 1, e.readings.size());
     const Measured measured = stack(e.readings);
     const Eigen::VectorXd misfit = measured.value - e.prediction.value;
     const double chi2 =
         misfit.dot((measured.covariance + e.prediction.covariance).inverse() * misfit);
-    EXPECT_NEAR(c.chi2, chi2, 1e-9 * chi2);
-    EXPECT_EQ(c.dof, 11);
+    EXPECT_NEAR(c.total.chi2, chi2, 1e-9 * chi2);
+    EXPECT_EQ(c.total.dof, 11);
+    EXPECT_EQ(c.predicted.dof, 0);
     EXPECT_EQ(c.by_condition.size(), 3u);  // replicates share a condition
     double by_condition = 0, by_reading = 0;
     for (const auto& group : c.by_condition) {
@@ -82,7 +83,7 @@ TEST(Compare, SeesAResidualThatGoesWithTheNormalStress) {
         e.readings[k].value(0) =
             e.prediction.value(static_cast<Eigen::Index>(2 * k)) + 20;  // a constant offset
     }
-    const Comparison c = compare(e.readings, e.prediction, 1);
+    const Comparison c = compare(e.readings, e.prediction, 1, e.readings.size());
     const auto trend = std::ranges::find(c.trends, "normal_stress", &Trend::covariate);
     ASSERT_NE(trend, c.trends.end());
     EXPECT_LT(trend->correlation[0], -0.9);  // 20 Pa counts for more where the stress is low
@@ -129,31 +130,29 @@ TEST(FitFile, IsReadBackForTheSameReadingsOnly) {
     const TemporaryFolder folder;
     const Calibration c = small_calibration();
     const auto file = folder.path() / "fit.json";
-    write_json(file, to_json(c, compare(c.readings, c.fit.prediction, 1)));
-    const Calibration back = read_calibration(file, study().grains, c.readings);
+    write_json(file, to_json(c, compare(c)));
+    const Calibration back = read_calibration(file, study(), c.readings);
     EXPECT_EQ(back.fit.parameters(0), c.fit.parameters(0));
     EXPECT_EQ(back.runs.size(), c.runs.size());
-    const Prediction again = model_of(study(), back).predict(back.fit.parameters);
+    const Prediction again = predict_readings(StudyModel(study(), back).model(), back);
     EXPECT_LT((again.value - c.fit.prediction.value).norm(), 1e-9 * again.value.norm());
 
     auto others = c.readings;
     others[0].value(0) *= 1.01;
-    EXPECT_THROW(read_calibration(file, study().grains, others), InputError);
-    Grains stiffer = study().grains;
-    stiffer.youngs_modulus = 3e9;
+    EXPECT_THROW(read_calibration(file, study(), others), InputError);
+    Study stiffer = study();
+    stiffer.grains.youngs_modulus = 3e9;
     EXPECT_THROW(read_calibration(file, stiffer, c.readings), InputError);
-    EXPECT_THROW(read_calibration(folder.path() / "none.json", study().grains, c.readings),
-                 InputError);
+    EXPECT_THROW(read_calibration(folder.path() / "none.json", study(), c.readings), InputError);
     folder.write("cut.json", content_of(file).substr(0, 200));
-    EXPECT_THROW(read_calibration(folder.path() / "cut.json", study().grains, c.readings),
-                 InputError);
+    EXPECT_THROW(read_calibration(folder.path() / "cut.json", study(), c.readings), InputError);
 }
 
 TEST(Figures, AreDrawnInEveryFormatWithTheirNumbers) {
     const TemporaryFolder folder;
     const Calibration c = small_calibration();
-    const Comparison comparison = compare(c.readings, c.fit.prediction, 1);
-    const auto figures = comparison_figures(study(), c, comparison);
+    const Comparison comparison = compare(c);
+    const auto figures = comparison_figures(StudyModel(study(), c), c, comparison);
     ASSERT_EQ(figures.size(), 4u);
     for (const auto& figure : figures) {
         draw(figure, folder.path());
@@ -175,7 +174,7 @@ TEST(Figures, SayWhenNothingCouldBeDrawn) {
 
 TEST(Tables, NameEveryReadingAndUnit) {
     const Example e;
-    const auto lines = comparison_table(compare(e.readings, e.prediction, 1));
+    const auto lines = comparison_table(compare(e.readings, e.prediction, 1, e.readings.size()));
     EXPECT_THAT(lines.front(), HasSubstr("[Pa]"));
     EXPECT_THAT(lines[1], HasSubstr("points.csv:3"));
     EXPECT_GT(lines.size(), 10u);

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "calib/direct_simulation.h"
+
+namespace pendular {
+
+/// Base `rumpf`: the simulated dry law with the cohesion of Rumpf's formula, its solid fraction and
+/// coordination simulated,
+///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)]                          (eq:strength3)
+/// Dry readings and all solid fractions are those of the simulation. It neglects the shear stress
+/// that capillary forces carry, and so is too high where there is little liquid.
+/// Source: Badetti et al. (2018), eq:strength3 and eq:cohesion3, after Rumpf.
+class RumpfModel : public FlowModel {
+  public:
+    /// `simulation` must outlive it.
+    explicit RumpfModel(DirectSimulation& simulation, const Study& study)
+        : simulation_(simulation), study_(study) {}
+
+    const std::vector<Parameter>& parameters() const override { return simulation_.parameters(); }
+    Prediction predict_conditions(const Eigen::VectorXd& parameters,
+                                  const std::vector<Condition>& conditions) const override;
+    void improve(const Eigen::VectorXd& parameters, double excess) override;
+    void learn_wet(const Eigen::VectorXd& parameters) override {
+        simulation_.learn_wet(parameters);
+    }
+    Supported supported() const override { return simulation_.supported(); }
+
+  private:
+    DirectSimulation& simulation_;
+    const Study& study_;
+};
+
+}  // namespace pendular
