@@ -20,4 +20,13 @@ std::optional<double> stiffness_number(double normal_stress, const Grains& grain
     return std::pow(effective / normal_stress, 2.0 / 3);
 }
 
+double pull_off_force(const Grains& grains, const Liquid& liquid) {
+    return std::numbers::pi * grains.diameter * liquid.surface_tension *
+           std::cos(liquid.contact_angle);
+}
+
+double reduced_pressure(double normal_stress, const Grains& grains, const Liquid& liquid) {
+    return grains.diameter * grains.diameter * normal_stress / pull_off_force(grains, liquid);
+}
+
 }  // namespace pendular

@@ -66,5 +66,27 @@ TEST(Grains, GiveMassInertialAndStiffnessNumber) {
     EXPECT_EQ(stiffness_number(300, Grains{}), std::nullopt);
 }
 
+TEST(Grains, GivePullOffForceAndReducedPressure) {
+    const Grains grains{.diameter = 500e-6, .density = 1050};
+    constexpr double degree = std::numbers::pi / 180;
+    // The source's system, polystyrene and silicone oil at a contact angle of 2 to 5 degrees: P* =
+    // 1 is 0.129 kPa as printed, three digits.
+    for (const double angle : {2 * degree, 5 * degree}) {
+        const Liquid oil{.surface_tension = 20.6e-3, .contact_angle = angle};
+        EXPECT_NEAR(1 / reduced_pressure(1, grains, oil), 129, 0.5);
+    }
+    // pi 500 um 20.6 mN/m = 32.36 uN for a liquid that wets perfectly, half of it at 60 degrees.
+    const Liquid wetting{.surface_tension = 20.6e-3};
+    const Liquid reluctant{.surface_tension = 20.6e-3, .contact_angle = 60 * degree};
+    EXPECT_NEAR(pull_off_force(grains, wetting), 32.36e-6, 0.005e-6);
+    EXPECT_NEAR(pull_off_force(grains, reluctant) / pull_off_force(grains, wetting), 0.5, 1e-12);
+    // P* = a s22/(pi Gamma): beads half as large under twice the stress are as cohesive.
+    const Grains small{.diameter = 250e-6, .density = 1050};
+    EXPECT_NEAR(reduced_pressure(600, small, wetting), reduced_pressure(300, grains, wetting),
+                1e-12);
+    // 0.3 kPa is the source's lowest fitted P* of 2.3.
+    EXPECT_NEAR(reduced_pressure(300, grains, wetting), 2.32, 0.005);
+}
+
 }  // namespace
 }  // namespace pendular
