@@ -20,7 +20,7 @@ const Fidelity tiny{"tiny", 150, 300, 0.03, 2};
 /// Where not even the behaviour needs good averages.
 const Fidelity least{"least", 100, 300, 0.05, 1};
 
-/// P* = 1 is 131 Pa.
+/// P* = 1 is 129 Pa.
 Study wet_study() {
     Study study;
     study.grains = {.diameter = 5e-4, .density = 1050};
