@@ -13,7 +13,7 @@ namespace {
 
 /// One fast step, a second of work.
 const std::string one_step =
-    " --fidelity quick --dry --dry-normal-stresses \"1 kPa\" --inertial-numbers 0.3 --replicates 1 "
+    " --fidelity quick --dry --dry-normal-stresses \"1 kPa\" --inertial-numbers 0.5 --replicates 1 "
     "--rows 200 --friction 0.4 --quiet ";
 
 std::size_t entries(const std::filesystem::path& folder) {
