@@ -75,22 +75,18 @@ void print_wet_step(Console& console, const LabRecording& recording, const LabSt
 void print_result(Console& console, const LabResult& result, const std::filesystem::path& folder) {
     const LabPlan& plan = result.plan;
     std::size_t steps = 0;
-    double seconds = 0;
     for (const auto& recording : result.recordings) {
-        for (const auto& step : recording.steps) {
-            ++steps;
-            seconds += step.run.wall_seconds;
-        }
+        steps += recording.steps.size();
     }
     console.line(fmt::format(
         "{}: {} recordings of {} steps in all, at a hidden friction (truth.json has it) and noise "
         "{:g}",
         folder.string(), result.recordings.size(), steps, plan.instrument.noise));
     console.line(fmt::format(
-        "{} beads each, stiffness number {:g}, strain {:g}, a run and a seed for each step; {} of "
-        "computing beside {} pilot runs",
+        "{} beads each, stiffness number {:g}, strain {:g}, a run and a seed for each step; {} "
+        "pilot runs",
         result.recordings.front().steps.front().run.parameters.beads,
-        plan.fidelity.stiffness_number, plan.fidelity.strain, duration(seconds), result.pilots));
+        plan.fidelity.stiffness_number, plan.fidelity.strain, result.pilots));
     if (!plan.liquid_contents.empty()) {
         console.line(fmt::format("  {:<16} {:>8} {:>8} {:>8} {:>10}   {}", "file", "s22 [Pa]", "P*",
                                  "I", "V0/a^3", "liquid content asked for: reached"));

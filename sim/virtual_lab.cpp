@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "data/input_error.h"
+#include "data/robust.h"
 #include "sim/liquid_volume.h"
 #include "sim/seeds.h"
 
@@ -109,10 +110,11 @@ class Runs {
             p.wetting ? fmt::format(", reduced pressure {:.3g}", p.wetting->reduced_pressure) : "",
             why);
         if (attempt == most_attempts) {
-            throw dem::SimulationError(fmt::format(
-                "{}; {} runs of other seeds were no better; leave the condition out, or use a higher "
-                "friction or fidelity",
-                what, attempt - 1));
+            throw dem::SimulationError(
+                fmt::format("{}; {} runs of other seeds were no better; leave the condition out, "
+                            "or use a higher "
+                            "friction or fidelity",
+                            what, attempt - 1));
         }
         notes_.push_back(what + "; it was made again with another seed");
     }
@@ -183,27 +185,29 @@ std::vector<double> find_bridge_volumes(const LabPlan& plan, Runs& runs, LabResu
     });
 }
 
+/// Typical standard error of an observable in the laboratory's runs, relative [1]: the median,
+/// since the error of one run is itself known from few independent samples only.
+double typical_error(const LabResult& result, dem::Observable which) {
+    std::vector<double> errors;
+    for (const LabRecording& recording : result.recordings) {
+        for (const LabStep& step : recording.steps) {
+            errors.push_back(step.run[which].standard_error / step.run[which].value);
+        }
+    }
+    return median(errors);
+}
+
 /// Runs that scatter more than the whole recording was to.
 void note_scatter(LabResult& result) {
     const double noise = result.plan.instrument.noise;
-    double worst_torque = 0, worst_fraction = 0;
-    for (const LabRecording& recording : result.recordings) {
-        for (const LabStep& step : recording.steps) {
-            const Mean& ratio = step.run[dem::Observable::stress_ratio];
-            const Mean& fraction = step.run[dem::Observable::solid_fraction];
-            worst_torque = std::max(worst_torque, ratio.standard_error / ratio.value);
-            worst_fraction = std::max(worst_fraction, fraction.standard_error / fraction.value);
-        }
-    }
-    if (noise == 0) {
-        return;
-    }
-    if (worst_torque > noise * torque_scatter || worst_fraction > noise * solid_fraction_scatter) {
+    const double torque = typical_error(result, dem::Observable::stress_ratio);
+    const double fraction = typical_error(result, dem::Observable::solid_fraction);
+    if (noise > 0 &&
+        (torque > noise * torque_scatter || fraction > noise * solid_fraction_scatter)) {
         result.notes.push_back(fmt::format(
-            "the simulations alone scatter by up to {:.2g} % in torque and {:.2g} % in solid "
-            "fraction, more than --noise {:g} asks for ({:g} and {:g} %): those steps scatter "
-            "more than asked; a higher fidelity scatters less",
-            100 * worst_torque, 100 * worst_fraction, noise, 100 * noise * torque_scatter,
+            "the simulations alone scatter by {:.2g} % in torque and {:.2g} % in solid fraction, "
+            "where --noise {:g} asks for {:g} and {:g} % in all; a higher fidelity scatters less",
+            100 * torque, 100 * fraction, noise, 100 * noise * torque_scatter,
             100 * noise * solid_fraction_scatter));
     }
 }
@@ -337,9 +341,13 @@ std::string study_toml(const LabResult& result) {
            "effects = []\n";
 }
 
-TrueState true_state(const LabStep& step) {
-    return {step.condition, step.run[dem::Observable::stress_ratio],
-            step.run[dem::Observable::solid_fraction]};
+/// What a step is to show, with the laboratory's typical errors.
+TrueState true_state(const LabStep& step, double ratio_error, double fraction_error) {
+    Mean ratio = step.run[dem::Observable::stress_ratio];
+    Mean fraction = step.run[dem::Observable::solid_fraction];
+    ratio.standard_error = ratio_error * ratio.value;
+    fraction.standard_error = fraction_error * fraction.value;
+    return {step.condition, ratio, fraction};
 }
 
 }  // namespace
@@ -392,11 +400,13 @@ LabResult simulate_lab(const LabPlan& plan, const Workers& workers, const Announ
 }
 
 std::map<std::string, std::string> study_files(const LabResult& result) {
+    const double ratio_error = typical_error(result, dem::Observable::stress_ratio);
+    const double fraction_error = typical_error(result, dem::Observable::solid_fraction);
     std::map<std::string, std::string> files = {{"study.toml", study_toml(result)}};
     for (const LabRecording& recording : result.recordings) {
         std::vector<TrueState> states;
         for (const LabStep& step : recording.steps) {
-            states.push_back(true_state(step));
+            states.push_back(true_state(step, ratio_error, fraction_error));
         }
         files[recording.file] = recording_csv(record(states, result.plan.cell, result.plan.grains,
                                                      result.plan.instrument, recording.seed));
