@@ -1,0 +1,299 @@
+#include "calib/cohesion_lines.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "calib/fit.h"
+
+namespace pendular {
+namespace {
+
+constexpr double liquid_content_tolerance = 0.02;
+constexpr double inertial_number_tolerance = 0.2;
+constexpr double reduced_pressure_tolerance = 0.02;
+
+bool agree(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+/// Points of a group: stress ratios over 1/P*, with their covariance.
+struct Points {
+    Eigen::VectorXd inverse_pressure;  ///< 1/P*
+    Eigen::VectorXd stress_ratio;
+    Eigen::MatrixXd covariance;  ///< of the stress ratios
+
+    Eigen::Index size() const { return inverse_pressure.size(); }
+    double reduced_pressure(Eigen::Index k) const { return 1 / inverse_pressure(k); }
+    Points only(const std::vector<Eigen::Index>& which) const {
+        return {inverse_pressure(which), stress_ratio(which), covariance(which, which)};
+    }
+};
+
+/// Wet readings of one liquid content and one inertial number, by place in the list.
+struct Group {
+    std::vector<Eigen::Index> members;
+    double liquid_content = 0;
+    double inertial_number = 0;
+};
+
+const Condition& condition(const std::vector<Reading>& readings, Eigen::Index k) {
+    return readings[static_cast<std::size_t>(k)].condition;
+}
+
+/// Each wet reading joins the first group whose first reading it agrees with.
+std::vector<Group> grouped(const std::vector<Reading>& readings) {
+    std::vector<Group> groups;
+    for (Eigen::Index k = 0; k < std::ssize(readings); ++k) {
+        const Condition& own = condition(readings, k);
+        if (own.dry()) continue;
+        const auto home = std::ranges::find_if(groups, [&](const Group& group) {
+            const Condition& first = condition(readings, group.members.front());
+            return agree(first.liquid_content, own.liquid_content, liquid_content_tolerance) &&
+                   agree(first.inertial_number, own.inertial_number, inertial_number_tolerance);
+        });
+        (home == groups.end() ? groups.emplace_back() : *home).members.push_back(k);
+    }
+    for (Group& group : groups) {
+        for (const Eigen::Index k : group.members) {
+            const auto share = 1 / static_cast<double>(group.members.size());
+            group.liquid_content += share * condition(readings, k).liquid_content;
+            group.inertial_number += share * condition(readings, k).inertial_number;
+        }
+    }
+    std::ranges::sort(
+        groups, {}, [](const Group& g) { return std::pair(g.liquid_content, g.inertial_number); });
+    return groups;
+}
+
+std::string name_of(const Group& group) {
+    return group.inertial_number == 0
+               ? fmt::format("liquid content {:.3g}, quasi-static", group.liquid_content)
+               : fmt::format("liquid content {:.3g}, inertial number {:.2g}", group.liquid_content,
+                             group.inertial_number);
+}
+
+/// Readings of a group as points, by falling P*, from values stacked as those of a model.
+Points points_of(const Group& group, const std::vector<Reading>& readings, const Measured& stacked,
+                 const Grains& grains, const Liquid& liquid) {
+    std::vector<Eigen::Index> order = group.members;
+    std::ranges::stable_sort(order, std::greater<>(),
+                             [&](Eigen::Index k) { return condition(readings, k).normal_stress; });
+    const auto n = std::ssize(order);
+    Points points{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::MatrixXd(n, n)};
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index k = order[static_cast<std::size_t>(i)];
+        const double normal_stress = condition(readings, k).normal_stress;
+        points.inverse_pressure(i) = 1 / reduced_pressure(normal_stress, grains, liquid);
+        points.stress_ratio(i) = stacked.value(2 * k) / normal_stress;
+        for (Eigen::Index j = 0; j < n; ++j) {
+            const Eigen::Index l = order[static_cast<std::size_t>(j)];
+            points.covariance(i, j) = stacked.covariance(2 * k, 2 * l) / normal_stress /
+                                      condition(readings, l).normal_stress;
+        }
+    }
+    return points;
+}
+
+/// Averages points, which are by falling P*, that agree in P* with the first of their kind.
+Points without_replicates(const Points& points) {
+    std::vector<Eigen::Index> begins;
+    for (Eigen::Index k = 0; k < points.size(); ++k) {
+        if (begins.empty() || !agree(points.reduced_pressure(begins.back()),
+                                     points.reduced_pressure(k), reduced_pressure_tolerance))
+            begins.push_back(k);
+    }
+    const auto n = std::ssize(begins);
+    begins.push_back(points.size());
+    Eigen::MatrixXd average = Eigen::MatrixXd::Zero(n, points.size());
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index begin = begins[static_cast<std::size_t>(i)];
+        const Eigen::Index count = begins[static_cast<std::size_t>(i) + 1] - begin;
+        average.row(i).segment(begin, count).setConstant(1 / static_cast<double>(count));
+    }
+    return {average * points.inverse_pressure, average * points.stress_ratio,
+            average * points.covariance * average.transpose()};
+}
+
+/// Intercept and reduced cohesion as a model of stress ratios: here the entries of a prediction are
+/// those alone.
+class StraightLine : public Model {
+  public:
+    explicit StraightLine(const Eigen::VectorXd& inverse_pressure)
+        : matrix_(inverse_pressure.size(), 2) {
+        matrix_ << Eigen::VectorXd::Ones(inverse_pressure.size()), inverse_pressure;
+    }
+    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    Prediction predict(const Eigen::VectorXd& line) const override {
+        const Eigen::MatrixXd exact = Eigen::MatrixXd::Zero(matrix_.rows(), matrix_.rows());
+        return {matrix_ * line, matrix_, exact, exact};
+    }
+    void improve(const Eigen::VectorXd&, double) override {}
+    Supported supported() const override {
+        return {Eigen::Vector2d::Constant(-unbounded), Eigen::Vector2d::Constant(unbounded)};
+    }
+    const Eigen::MatrixXd& matrix() const { return matrix_; }
+
+  private:
+    static constexpr double unbounded = 1e9;  // far beyond any stress ratio
+    std::vector<Parameter> parameters_ = {
+        {.name = "intercept", .lower = -unbounded, .upper = unbounded},
+        {.name = "reduced cohesion", .lower = -unbounded, .upper = unbounded}};
+    Eigen::MatrixXd matrix_;
+};
+
+/// Points at or above the limit, and those below it.
+struct Split {
+    std::vector<Eigen::Index> fitted, below;
+};
+
+Split split(const Points& points, double limit) {
+    // A limit met up to rounding is met: stresses and P* are converted into each other.
+    constexpr double rounding = 1e-9;
+    Split result;
+    for (Eigen::Index k = 0; k < points.size(); ++k) {
+        const bool high = points.reduced_pressure(k) >= limit * (1 - rounding);
+        (high ? result.fitted : result.below).push_back(k);
+    }
+    return result;
+}
+
+/// Predictions that come from few runs can depend on each other entirely; no line goes through
+/// them all, and a hundredth of each error is then taken as the point's own.
+bool loosen(Eigen::MatrixXd& covariance) {
+    constexpr double own = 0.01, entirely = 1e-10;
+    const Eigen::VectorXd scale = covariance.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd correlation = scale.asDiagonal() * covariance * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlation,
+                                                                Eigen::EigenvaluesOnly);
+    if (solver.eigenvalues()(0) > entirely) return false;
+    covariance.diagonal() *= 1 + own * own;
+    return true;
+}
+
+/// (line - value)/value at the points below, whose errors may depend on those of the points the
+/// line goes through: the line there is W y with W = [1 1/P*] C J' Sigma^-1.
+std::vector<Overestimate> overestimates(const Points& all, const Split& which, const Points& fitted,
+                                        const StraightLine& line, const Fit& fit) {
+    const Eigen::MatrixXd estimator =
+        fit.covariance * line.matrix().transpose() * fitted.covariance.inverse();
+    std::vector<Overestimate> result;
+    for (const Eigen::Index k : which.below) {
+        const Eigen::RowVector2d at(1, all.inverse_pressure(k));
+        const double value = all.stress_ratio(k), predicted = at * fit.parameters;
+        Eigen::RowVectorXd slope = Eigen::RowVectorXd::Zero(all.size());
+        slope(which.fitted) = at * estimator / value;
+        slope(k) = -predicted / (value * value);
+        const double variance = slope * all.covariance * slope.transpose();
+        result.push_back(
+            {all.reduced_pressure(k), {(predicted - value) / value, std::sqrt(variance)}});
+    }
+    return result;
+}
+
+CohesionLine line_through(const Points& all, const Split& which, Points fitted) {
+    const StraightLine line(fitted.inverse_pressure);
+    const Fit fit =
+        pendular::fit(line, {fitted.stress_ratio, fitted.covariance}, Eigen::Vector2d::Zero());
+    CohesionLine result;
+    result.stress_ratio_intercept = {fit.parameters(0), fit.standard_error(0)};
+    result.reduced_cohesion = {fit.parameters(1), fit.standard_error(1)};
+    result.correlation = fit.covariance(0, 1) / (fit.standard_error(0) * fit.standard_error(1));
+    result.points = static_cast<int>(fitted.size());
+    result.chi2 = fit.chi2;
+    result.dof = fit.dof;
+    result.lowest_reduced_pressure = 1 / fitted.inverse_pressure.maxCoeff();
+    result.below = overestimates(all, which, fitted, line, fit);
+    return result;
+}
+
+bool has_two_distinct(const Points& points) {
+    return points.size() > 1 &&
+           !agree(points.inverse_pressure.minCoeff(), points.inverse_pressure.maxCoeff(),
+                  reduced_pressure_tolerance);
+}
+
+std::string list_of_pressures(const Points& points, const std::vector<Eigen::Index>& which) {
+    std::vector<std::string> texts;
+    for (const Eigen::Index k : which)
+        texts.push_back(fmt::format("{:.3g}", points.reduced_pressure(k)));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// What a kind of lines needs beside the readings.
+struct Task {
+    std::string source;
+    Measured stacked;
+    bool merge_replicates = false;
+};
+
+std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& readings,
+                                const Grains& grains, const Liquid& liquid,
+                                const CohesionOptions& options, std::vector<std::string>& notes) {
+    std::vector<CohesionLine> result;
+    const double limit = options.lowest_reduced_pressure;
+    for (const Group& group : grouped(readings)) {
+        const auto note = [&](const std::string& text) {
+            notes.push_back(
+                fmt::format("{} cohesion line, {}: {}", task.source, name_of(group), text));
+        };
+        Points all = points_of(group, readings, task.stacked, grains, liquid);
+        if (task.merge_replicates) all = without_replicates(all);
+        const Split which = split(all, limit);
+        Points fitted = all.only(which.fitted);
+        if (!has_two_distinct(fitted)) {
+            std::vector<Eigen::Index> every = which.fitted;
+            every.insert(every.end(), which.below.begin(), which.below.end());
+            note(
+                fmt::format("none, it needs two reduced pressures 2 % apart at or above {:.3g}; "
+                            "there are {}",
+                            limit, list_of_pressures(all, every)));
+            continue;
+        }
+        if (!which.below.empty())
+            note(fmt::format("leaves out the reduced pressures below {:.3g}: {}", limit,
+                             list_of_pressures(all, which.below)));
+        if (loosen(fitted.covariance))
+            note(
+                "the errors of its points depend on each other entirely; 1 % of each is taken as "
+                "the point's own");
+        CohesionLine line = line_through(all, which, std::move(fitted));
+        line.source = task.source;
+        line.liquid_content = group.liquid_content;
+        line.inertial_number = group.inertial_number;
+        const double unit = pull_off_force(grains, liquid) / (grains.diameter * grains.diameter);
+        line.cohesion = {line.reduced_cohesion.value * unit,
+                         line.reduced_cohesion.standard_error * unit};
+        result.push_back(std::move(line));
+    }
+    return result;
+}
+
+}  // namespace
+
+double stress_ratio(const CohesionLine& line, double reduced_pressure) {
+    return line.stress_ratio_intercept.value + line.reduced_cohesion.value / reduced_pressure;
+}
+
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const Grains& grains,
+                                         const Liquid& liquid, const CohesionOptions& options,
+                                         std::vector<std::string>& notes) {
+    return lines({.source = "measured", .stacked = stack(readings)}, readings, grains, liquid,
+                 options, notes);
+}
+
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
+                                         const Prediction& predicted, const Grains& grains,
+                                         const Liquid& liquid, const CohesionOptions& options,
+                                         std::vector<std::string>& notes) {
+    return lines({.source = "simulated",
+                  .stacked = {predicted.value, predicted.covariance},
+                  .merge_replicates = true},
+                 readings, grains, liquid, options, notes);
+}
+
+}  // namespace pendular

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calib/model.h"
+#include "data/reading.h"
+#include "data/study.h"
+
+namespace pendular {
+
+/// A number with its standard error, in the same unit.
+struct Estimate {
+    double value = 0;
+    double standard_error = 0;
+};
+
+/// By how much a cohesion line is too high at a reduced pressure that it was not fitted to.
+struct Overestimate {
+    double reduced_pressure = 0;  ///< P*
+    Estimate relative;            ///< (line - value)/value of the stress ratio [1]
+};
+
+/// Mohr-Coulomb line of wet readings of one liquid content and one inertial number,
+///     |s12|/s22 = intercept + c*/P*
+/// with errors from the covariance of the points, not scaled by chi2/dof.
+/// Source: Badetti et al. (2018), eq:mohrcoulomb2.
+struct CohesionLine {
+    std::string source;          ///< "measured" or "simulated"
+    double liquid_content = 0;   ///< Phi_L/Phi_S [1], mean of the points
+    double inertial_number = 0;  ///< I [1], mean of the points; 0: the quasi-static limit
+    Estimate stress_ratio_intercept;
+    Estimate reduced_cohesion;  ///< c* = a^2 c/F0 [1]
+    double correlation = 0;     ///< of these two
+    Estimate cohesion;          ///< c = c* F0/a^2 [Pa]
+    int points = 0;             ///< the line goes through
+    double chi2 = 0;
+    int dof = 0;
+    double lowest_reduced_pressure = 0;  ///< of these points
+    std::vector<Overestimate> below;     ///< points below the limit, by falling P*
+};
+
+/// Stress ratio of a line at a reduced pressure [1].
+double stress_ratio(const CohesionLine& line, double reduced_pressure);
+
+struct CohesionOptions {
+    /// Points of a lower P* are not fitted: the source's choice; the straight line is too high for
+    /// P* <= 1.
+    double lowest_reduced_pressure = 2.3;
+};
+
+/// Straight lines through the measured wet readings, one per group, by ascending liquid content
+/// and inertial number. A group is readings whose liquid contents agree within 2 % and inertial
+/// numbers within 20 %; the quasi-static limit, 0, is a group of its own. A group without two
+/// distinct P* (2 % apart) at or above the limit has no line; `notes` says so, and which readings
+/// a line leaves out.
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const Grains& grains,
+                                         const Liquid& liquid, const CohesionOptions& options,
+                                         std::vector<std::string>& notes);
+
+/// The same for what a model predicts of these readings, weighted by the full covariance of the
+/// predictions. Replicates are one point: a model says the same of all of them.
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
+                                         const Prediction& predicted, const Grains& grains,
+                                         const Liquid& liquid, const CohesionOptions& options,
+                                         std::vector<std::string>& notes);
+
+}  // namespace pendular
