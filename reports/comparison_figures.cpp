@@ -6,45 +6,16 @@
 #include <array>
 #include <cmath>
 
+#include "reports/shown.h"
+#include "reports/wet_figures.h"
+
 namespace pendular {
 namespace {
 
-const std::string stress_ratio_label = "stress ratio μ* = |σ_{12}|/σ_{22}";
-const std::string solid_fraction_label = "solid fraction Φ_S";
 const std::string friction_label = "intergranular friction μ";
 const std::string inertial_label = "inertial number I = γ̇ (m/aσ_{22})^{1/2}";
-const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
-                  calibrated_colour = "#c0392b", run_colour = "#5b9bd5";
-
 double calibrated(const Calibration& c) {
     return c.fit.parameters(0);
-}
-
-/// (stress ratio, solid fraction) of a reading with their standard errors.
-struct Shown {
-    std::array<double, 2> value, error;
-};
-Shown shown(const Reading& r) {
-    const double s = r.condition.normal_stress;
-    return {{r.value(0) / s, r.value(1)},
-            {std::sqrt(r.covariance(0, 0)) / s, std::sqrt(r.covariance(1, 1))}};
-}
-
-/// Weighted mean of readings, for a band that stands for all of them.
-Shown mean_of(const std::vector<Reading>& readings) {
-    Shown mean{};
-    for (std::size_t o = 0; o < 2; ++o) {
-        double weights = 0;
-        for (const auto& reading : readings) {
-            const Shown one = shown(reading);
-            const double weight = 1 / (one.error[o] * one.error[o]);
-            mean.value[o] += weight * one.value[o];
-            weights += weight;
-        }
-        mean.value[o] /= weights;
-        mean.error[o] = 1 / std::sqrt(weights);
-    }
-    return mean;
 }
 
 std::vector<Reading> dry_readings(const Calibration& c) {
@@ -287,6 +258,7 @@ std::vector<Figure> comparison_figures(const StudyModel& study_model,
     if (!dry_readings(calibration).empty()) {
         figures = {calibration_figure(calibration, model), inertial_figure(calibration, model)};
     }
+    std::ranges::move(wet_figures(study_model, calibration), std::back_inserter(figures));
     figures.push_back(parity_figure(comparison));
     figures.push_back(residual_figure(comparison));
     return figures;
