@@ -65,7 +65,7 @@ std::string reference_object(const Reference& r, int number, const PanelPlace& p
     text += fmt::format(
         "set arrow {} from first {},{} to {},{} nohead back linewidth {} dashtype {} "
         "linecolor rgb '{}'\n",
-        number, a, c, b, d, reference_width, reference_dash, r.colour);
+        number, a, c, b, d, reference_pen.width, reference_pen.dash, r.colour);
     return text;
 }
 
@@ -76,9 +76,9 @@ std::string plot_term(const Curve& curve, const std::string& block) {
             "noborder",
             block, curve.colour, band_opacity);
     }
+    const Pen pen = pen_of(curve);
     return fmt::format("{} using 1:2 with lines linewidth {} dashtype {} linecolor rgb '{}'", block,
-                       line_width, curve.style == Curve::Style::dotted_line ? dotted_dash : "solid",
-                       curve.colour);
+                       pen.width, pen.dash, pen.colour);
 }
 
 /// Tics at 1, 2 and 5 of each decade: a logarithmic axis often shows little more than one decade.
@@ -100,10 +100,11 @@ std::string tics_1_2_5(AxisRange range) {
 /// Axes of a panel and where they stand on the page.
 std::string axes_script(const Panel& panel, const PanelPlace& place, const Page& page) {
     std::string text =
-        "unset object\nunset arrow\nunset logscale\nunset key\nset format x '%g'\nset border "
-        "linewidth 1.2\nset tics nomirror\nset ytics autofreq\nset grid linecolor rgb '#e4e4e4'\n";
-    text += panel.log_x ? "set logscale x\nset xtics (" + tics_1_2_5(place.x) + ")\n"
-                        : std::string("set xtics autofreq\n");
+        "unset object\nunset arrow\nunset logscale\nunset key\nset format x '%g'\n"
+        "set border 31 linewidth 1.2\nset grid xtics ytics linecolor rgb '#e4e4e4'\n"
+        "set ytics nomirror autofreq\n";
+    text += panel.log_x ? "set logscale x\nset xtics nomirror (" + tics_1_2_5(place.x) + ")\n"
+                        : std::string("set xtics nomirror autofreq\n");
     text +=
         fmt::format("set xlabel {}\nset ylabel {}\n", quoted(panel.x_label), quoted(panel.y_label));
     text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", place.x.first, place.x.second,

@@ -12,7 +12,7 @@ namespace pendular {
 
 /// One set of data in a panel. Without data it explains a look in the key.
 struct Curve {
-    enum class Style { points, line, dotted_line, band };
+    enum class Style { points, line, dotted_line, dashed_line, band };
     std::string label;
     Style style = Style::points;
     std::vector<double> x, y;

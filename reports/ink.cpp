@@ -5,6 +5,20 @@
 #include <cmath>
 
 namespace pendular {
+namespace {
+
+constexpr double edge_width = 1.2;
+
+/// An outline of a symbol of area 1 about the origin, at its place and size.
+Outline placed(Outline outline, PaperPoint place, double area) {
+    const double size = std::sqrt(area);
+    for (auto& p : outline) {
+        p = {place.x + size * p.x, place.y + size * p.y};
+    }
+    return outline;
+}
+
+}  // namespace
 
 std::string quoted(const std::string& text) {
     std::string result = "\"";
@@ -23,7 +37,7 @@ void Ink::add(const std::string& style, Outline points) {
 
 void Ink::line(Outline points, const Pen& pen) {
     add(fmt::format("lines linewidth {} linecolor rgb '{}' dashtype {}", pen.width, pen.colour,
-                    pen.dash.empty() ? "solid" : pen.dash),
+                    pen.dash),
         std::move(points));
 }
 
@@ -40,26 +54,12 @@ void Ink::words(const std::string& text, PaperPoint place, bool end_there) {
 }
 
 void Ink::symbol(const Symbol& symbol, PaperPoint place, double area, const std::string& colour) {
-    constexpr double edge = 1.2;
-    const double size = std::sqrt(area);
-    const auto placed = [&](Outline outline) {
-        for (auto& p : outline) {
-            p = {place.x + size * p.x, place.y + size * p.y};
-        }
-        return outline;
-    };
     const SymbolDrawing drawing = drawing_of(symbol);
     for (const auto& fill : drawing.fills) {
-        this->area(placed(fill), colour);
-    }
-    if (symbol.shape == Shape::plus) {
-        // A white rim lifts it off a symbol of its own colour.
-        for (const auto& stroke : drawing.strokes) {
-            line(placed(stroke), {"#ffffff", 3.2 * edge});
-        }
+        this->area(placed(fill, place, area), colour);
     }
     for (const auto& stroke : drawing.strokes) {
-        line(placed(stroke), {colour, edge});
+        line(placed(stroke, place, area), {colour, edge_width});
     }
 }
 

@@ -10,8 +10,8 @@ namespace pendular {
 /// How a line on paper looks.
 struct Pen {
     std::string colour;
-    double width = 1;       ///< in gnuplot's units
-    std::string dash = {};  ///< gnuplot dash type; empty: solid
+    double width = 1;            ///< in gnuplot's units
+    std::string dash = "solid";  ///< gnuplot dash type
 };
 
 /// Shapes and words in inches over a whole page, as commands for gnuplot. They go through its plot
@@ -26,7 +26,6 @@ class Ink {
     /// A symbol of a given area [inch^2] at a place.
     void symbol(const Symbol& symbol, PaperPoint place, double area, const std::string& colour);
 
-    bool empty() const { return layers_.empty() && labels_.empty(); }
     /// Named data blocks, to be given once.
     std::string data_blocks() const;
     /// Draws everything on a page of this size [inch].

@@ -8,11 +8,13 @@ namespace pendular {
 namespace {
 
 // All lengths in inches.
-constexpr double title_height = 0.42;
-constexpr double left_margin = 0.95, right_margin = 0.3, bottom_margin = 0.62, top_margin = 0.12;
-constexpr double outside_key_width = 2.35;
-constexpr double wide = 6.0, narrow = 5.2;       ///< panel above panel, and side by side
-constexpr double low = 3.9, usual_height = 4.2;  ///< likewise
+constexpr double title_height = 0.38;
+constexpr double left_margin = 0.95, right_margin = 0.3, bottom_margin = 0.62, top_margin = 0.1;
+constexpr double outside_key_width = 2.75;
+struct Size {
+    double width, height;
+};
+constexpr Size above_another{6.0, 3.9}, side_by_side{5.2, 4.2}, alone{6.0, 5.0};
 
 /// The least and greatest of what an axis has to show.
 class Extent {
@@ -98,21 +100,22 @@ PaperPoint PanelPlace::at(double value_x, double value_y) const {
 }
 
 Page page_of(const Figure& figure) {
-    const double cell_width = figure.stacked ? wide : narrow,
-                 cell_height = figure.stacked ? low : usual_height;
+    const Size cell = figure.panels.size() == 1 ? alone
+                      : figure.stacked          ? above_another
+                                                : side_by_side;
     Page page;
     double left = 0, depth = title_height;
     for (const auto& panel : figure.panels) {
-        const double whole = cell_width + (panel.key == Key::outside ? outside_key_width : 0);
+        const double whole = cell.width + (panel.key == Key::outside ? outside_key_width : 0);
         PanelPlace place{.left = left + left_margin,
-                         .right = left + cell_width - right_margin,
-                         .bottom = -(depth + cell_height - bottom_margin),
+                         .right = left + cell.width - right_margin,
+                         .bottom = -(depth + cell.height - bottom_margin),
                          .top = -(depth + top_margin)};
         set_ranges(place, panel);
         page.panels.push_back(place);
         page.width = std::max(page.width, left + whole);
-        page.height = std::max(page.height, depth + cell_height);
-        (figure.stacked ? depth : left) += figure.stacked ? cell_height : whole;
+        page.height = std::max(page.height, depth + cell.height);
+        (figure.stacked ? depth : left) += figure.stacked ? cell.height : whole;
     }
     for (auto& place : page.panels) {
         // So far from the upper edge; gnuplot counts from the lower one.

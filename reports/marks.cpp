@@ -57,7 +57,7 @@ void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
     const double reach = sample_width / 2, y = middle.y;
     const Outline stroke{{middle.x - reach, y}, {middle.x + reach, y}};
     if (!entry.curve) {
-        ink.line(stroke, {entry.colour, reference_width, reference_dash});
+        ink.line(stroke, {entry.colour, reference_pen.width, reference_pen.dash});
         return;
     }
     const Curve& curve = *entry.curve;
@@ -67,10 +67,9 @@ void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
             ink.symbol(curve.symbol, middle, symbol_area, curve.colour);
             break;
         case Curve::Style::line:
-            ink.line(stroke, {curve.colour, line_width});
-            break;
         case Curve::Style::dotted_line:
-            ink.line(stroke, {curve.colour, line_width, dotted_dash});
+        case Curve::Style::dashed_line:
+            ink.line(stroke, pen_of(curve));
             break;
         case Curve::Style::band:
             ink.area({{middle.x - reach, y - half_band},
@@ -104,6 +103,17 @@ void draw_key(Ink& ink, const PanelPlace& place, const Panel& panel) {
 }
 
 }  // namespace
+
+Pen pen_of(const Curve& curve) {
+    switch (curve.style) {
+        case Curve::Style::dotted_line:
+            return {curve.colour, 1.5, "(2,3)"};
+        case Curve::Style::dashed_line:
+            return {curve.colour, 1.1, "(10,4,2,4)"};
+        default:
+            return {curve.colour, 1.8};
+    }
+}
 
 Ink marks_of(const Figure& figure, const Page& page) {
     Ink ink;

@@ -104,7 +104,7 @@ std::vector<Outline> cross(const Polygon& polygon) {
 
 SymbolDrawing drawing_of(const Symbol& symbol) {
     if (symbol.shape == Shape::plus) {
-        constexpr double arm = 0.95;  // a triangle of area 1 reaches up to 0.88
+        constexpr double arm = 0.9;  // a triangle of area 1 reaches up to 0.88
         return {.fills = {}, .strokes = {{{-arm, 0}, {arm, 0}}, {{0, -arm}, {0, arm}}}};
     }
     const Polygon edge = with_unit_area(edge_of(symbol.shape));

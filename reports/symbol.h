@@ -30,7 +30,7 @@ struct SymbolDrawing {
 };
 
 /// The drawing of a symbol whose edge encloses the area 1, whatever its shape, so that all symbols
-/// weigh the same to the eye. The arms of a plus reach out of any symbol it stands on.
+/// weigh the same to the eye. A plus reaches out of all of them.
 SymbolDrawing drawing_of(const Symbol& symbol);
 
 }  // namespace pendular

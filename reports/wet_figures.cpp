@@ -73,8 +73,8 @@ std::string content_text(double liquid_content) {
 }
 
 std::string title(const std::string& what, const WetStudy& study) {
-    return fmt::format("{}, {}, calibrated friction μ = {:.3f}", what,
-                       inertial_text(study.inertial_number()), study.friction());
+    return fmt::format("{}, {}, friction μ = {:.3f}", what, inertial_text(study.inertial_number()),
+                       study.friction());
 }
 
 std::string colour_of(double liquid_content) {
@@ -153,8 +153,8 @@ void draw_points(Panel& panel, const WetStudy& study, const WetGroup& group, std
                   shown(c.prediction, static_cast<Eigen::Index>(k), condition.normal_stress), o);
         add_point(measured, x, shown(c.readings[k]), o);
     }
-    panel.curves.push_back(simulated);
     panel.curves.push_back(measured);
+    panel.curves.push_back(simulated);
 }
 
 /// Dry readings of the same inertial number and the model of them, where 1/P* = 0.
@@ -180,14 +180,15 @@ void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
     measured.symbol = measured_symbol;
     add_point(simulated, 0, shown(predicted, 0, condition.normal_stress), o);
     add_point(measured, 0, mean_of(dry), o);
-    panel.curves.push_back(simulated);
     panel.curves.push_back(measured);
+    panel.curves.push_back(simulated);
 }
 
 void draw_lines(Panel& panel, const std::vector<CohesionLine>& lines, double end) {
     for (const CohesionLine& line : lines) {
         Curve curve = points_of("cohesion line, " + line.source, line.liquid_content, {});
-        curve.style = Curve::Style::dotted_line;
+        curve.style =
+            line.source == "measured" ? Curve::Style::dotted_line : Curve::Style::dashed_line;
         curve.x = {0, end};
         curve.y = {line.stress_ratio_intercept.value, stress_ratio(line, 1 / end)};
         panel.curves.push_back(curve);
@@ -220,7 +221,8 @@ void explain(Panel& panel, const WetStudy& study, bool with_dry, bool with_lines
     panel.curves.push_back(kind("model", Style::line));
     panel.curves.push_back(kind("± 1 standard error", Style::band));
     if (with_lines) {
-        panel.curves.push_back(kind("line for P* ≥ 2.3", Style::dotted_line));
+        panel.curves.push_back(kind("measured, line for P* ≥ 2.3", Style::dotted_line));
+        panel.curves.push_back(kind("simulated, likewise", Style::dashed_line));
     }
     panel.key = Key::outside;
 }
@@ -291,7 +293,7 @@ Figure cohesion_figure(const WetStudy& study, const std::vector<StructuralCohesi
                 .symbol = {Shape::diamond, Filling::hollow}},
         generalised{.label = "μ*_0Φ_SZ*/π − a^2σ^{cap}_{12}/F_0",
                     .colour = "#b9770e",
-                    .symbol = {Shape::diamond, Filling::filled}};
+                    .symbol = {Shape::star, Filling::hollow}};
     for (const auto& one : structural) {
         for (auto* curve : {&rumpf, &generalised}) {
             const Estimate& estimate = curve == &rumpf ? one.rumpf : one.generalised;
@@ -300,15 +302,15 @@ Figure cohesion_figure(const WetStudy& study, const std::vector<StructuralCohesi
             curve->y_error.push_back(estimate.standard_error);
         }
     }
-    draw_cohesions(panel, "simulated", study.simulated_lines,
-                   [&](double content) { return simulated_symbol(study.friction(), content); });
-    draw_cohesions(panel, "measured", study.measured_lines, [](double) { return measured_symbol; });
     panel.curves.push_back(
         kind("measured, line for P* ≥ 2.3", Curve::Style::points, measured_symbol));
     panel.curves.push_back(kind("simulated, likewise", Curve::Style::points,
                                 {shape_of(study.friction()), Filling::hollow}));
     panel.curves.push_back(rumpf);
     panel.curves.push_back(generalised);
+    draw_cohesions(panel, "measured", study.measured_lines, [](double) { return measured_symbol; });
+    draw_cohesions(panel, "simulated", study.simulated_lines,
+                   [&](double content) { return simulated_symbol(study.friction(), content); });
     return {
         .name = "reduced_cohesion", .title = title("Reduced cohesion", study), .panels = {panel}};
 }
