@@ -34,11 +34,12 @@ std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings) {
         (home == groups.end() ? groups.emplace_back() : *home).members.push_back(k);
     }
     for (WetGroup& group : groups) {
-        const auto share = 1 / static_cast<double>(group.members.size());
         for (const std::size_t k : group.members) {
-            group.liquid_content += share * readings[k].condition.liquid_content;
-            group.inertial_number += share * readings[k].condition.inertial_number;
+            group.liquid_content += readings[k].condition.liquid_content;
+            group.inertial_number += readings[k].condition.inertial_number;
         }
+        const auto count = static_cast<double>(group.members.size());
+        group.liquid_content /= count, group.inertial_number /= count;
     }
     std::ranges::sort(groups, {}, [](const WetGroup& g) {
         return std::pair(g.liquid_content, g.inertial_number);
