@@ -42,6 +42,9 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     for (const auto& line : predictions_table(comparison)) {
         console.line(line);
     }
+    for (const auto& line : cohesion_table(c.cohesion_lines)) {
+        console.line(line);
+    }
     for (const auto& note : c.notes) {
         console.note(note);
     }
@@ -70,6 +73,8 @@ int calibrate(const std::vector<std::string>& arguments) {
     options.add_switch("no-confirm", &no_confirm,
                        "fewer rounds: do not demand a last round that confirms the optimum");
     options.add_switch("cold", &cold, "read no earlier runs (this version keeps none: always so)");
+    options.add("lowest-reduced-pressure", &request.cohesion.lowest_reduced_pressure,
+                "cohesion lines go through points from this P* on [1] (default 2.3)");
     options.add_switch("profile", &request.profile,
                        "profile likelihood interval of the friction as well");
     const auto common = options.parse(arguments);

@@ -24,6 +24,9 @@ int compare(const std::vector<std::string>& arguments) {
                     "  pendular compare examples/polystyrene\n"
                     "  pendular compare my-study --out results --json -\n",
                     true);
+    CohesionOptions cohesion;
+    options.add("lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
+                "cohesion lines go through points from this P* on [1] (default 2.3)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -36,7 +39,10 @@ int compare(const std::vector<std::string>& arguments) {
     c.prediction = predict_readings(model.model(), c);
     const Comparison comparison = compare(c);
 
-    const auto json = to_json(comparison);
+    std::vector<std::string> notes;
+    c.cohesion_lines = cohesion_lines(c, cohesion, notes);
+
+    const auto json = to_json(comparison, c.cohesion_lines);
     write_json(out / "compare.json", json);
     console.line(fmt::format(
         "chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear stress, "
@@ -49,14 +55,21 @@ int compare(const std::vector<std::string>& arguments) {
             "predicted (p = {:.2g})",
             comparison.predicted.chi2, comparison.predicted.dof, comparison.predicted.p()));
     }
-    for (const auto& line : comparison_table(comparison)) {
-        console.line(line);
+    for (const auto& table : {comparison_table(comparison), cohesion_table(c.cohesion_lines)}) {
+        for (const auto& line : table) {
+            console.line(line);
+        }
     }
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
-    for (const auto& note : c.notes) {
+    for (const auto& note : notes) {
         console.note(note);
+    }
+    for (const auto& note : c.notes) {
+        if (std::ranges::find(notes, note) == notes.end()) {
+            console.note(note);
+        }
     }
     if (!c.fit.converged) {
         console.note("the calibration had not converged");

@@ -153,6 +153,19 @@ Prediction predict_readings(const FlowModel& model, const Calibration& c) {
     return all;
 }
 
+std::vector<CohesionLine> cohesion_lines(const Calibration& c, const CohesionOptions& options,
+                                         std::vector<std::string>& notes) {
+    if (dry_count(c.readings) == c.readings.size()) {
+        return {};
+    }
+    auto lines = cohesion_lines(c.readings, c.grains, *c.liquid, options, notes);
+    std::vector<std::string> same_notes;
+    std::ranges::copy(
+        cohesion_lines(c.readings, c.prediction, c.grains, *c.liquid, options, same_notes),
+        std::back_inserter(lines));
+    return lines;
+}
+
 Calibration calibrate_study(const Study& study, const Measurements& measurements,
                             const CalibrationRequest& request, const Workers& workers,
                             const CalibrationReport& report) {
@@ -195,6 +208,7 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
     c.runs = simulation.runs();
     c.notes = simulation.notes();
     std::ranges::copy(warnings(c), std::back_inserter(c.notes));
+    c.cohesion_lines = cohesion_lines(c, request.cohesion, c.notes);
     if (request.profile) {
         model.predict_for(conditions_of(fitted));
         c.profile = profile_interval(model, stack(fitted), c.fit, 0);

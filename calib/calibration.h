@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "calib/cohesion_lines.h"
 #include "calib/fit.h"
 #include "calib/study_model.h"
 #include "data/reading.h"
@@ -32,6 +33,7 @@ struct Calibration {
     /// Of all readings. Those only predicted carry the fit's error too: their covariance is that of
     /// the model plus J Cov(parameters) J'.
     Prediction prediction;
+    std::vector<CohesionLine> cohesion_lines;  ///< measured, then simulated; none where dry
     int rounds = 0;
     double surface_centre = 0;  ///< friction at which the response surface is centred
     std::vector<dem::RunResult> runs;
@@ -44,6 +46,7 @@ struct CalibrationRequest {
     std::uint64_t seed = 1;
     bool profile = false;
     CalibrationOptions options = {};
+    CohesionOptions cohesion = {};
     /// Called with the name of what is simulated next.
     std::function<void(std::string_view)> stage = {};
 };
@@ -62,6 +65,12 @@ std::size_t fitted_count(const Study& study, const std::vector<Reading>& reading
 
 /// Predictions of all readings of a calibration, with its error in those it did not fit.
 Prediction predict_readings(const FlowModel& model, const Calibration& calibration);
+
+/// Cohesion lines through the measured wet readings of a calibration and through their predictions;
+/// `notes` says which readings have none.
+std::vector<CohesionLine> cohesion_lines(const Calibration& calibration,
+                                         const CohesionOptions& options,
+                                         std::vector<std::string>& notes);
 
 std::vector<Condition> conditions_of(const std::vector<Reading>& readings);
 

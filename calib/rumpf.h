@@ -13,7 +13,7 @@ namespace pendular {
 class RumpfModel : public FlowModel {
   public:
     /// `simulation` must outlive it.
-    explicit RumpfModel(DirectSimulation& simulation, const Study& study)
+    RumpfModel(DirectSimulation& simulation, const Study& study)
         : simulation_(simulation), study_(study) {}
 
     const std::vector<Parameter>& parameters() const override { return simulation_.parameters(); }
@@ -27,7 +27,7 @@ class RumpfModel : public FlowModel {
 
   private:
     DirectSimulation& simulation_;
-    const Study& study_;
+    Study study_;
 };
 
 }  // namespace pendular

@@ -9,12 +9,11 @@ namespace pendular {
 
 StudyModel::StudyModel(const Study& study, const std::vector<Condition>& conditions,
                        const Fidelity& fidelity, std::uint64_t seed, Workers workers)
-    : study_(std::make_unique<Study>(study)),
-      simulation_(std::make_unique<DirectSimulation>(study, conditions, fidelity, seed,
+    : simulation_(std::make_unique<DirectSimulation>(study, conditions, fidelity, seed,
                                                      std::move(workers))),
       model_(simulation_.get()) {
     if (study.model.base == "rumpf") {
-        closure_ = std::make_unique<RumpfModel>(*simulation_, *study_);
+        closure_ = std::make_unique<RumpfModel>(*simulation_, study);
         model_ = closure_.get();
     }
     model_->predict_for(conditions);

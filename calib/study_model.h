@@ -24,7 +24,6 @@ class StudyModel {
     const DirectSimulation& simulation() const { return *simulation_; }
 
   private:
-    std::unique_ptr<Study> study_;
     std::unique_ptr<DirectSimulation> simulation_;
     std::unique_ptr<FlowModel> closure_;  ///< none for base "dem"
     FlowModel* model_;

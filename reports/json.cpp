@@ -81,6 +81,31 @@ Json fidelity_json(const Fidelity& f) {
             {"strain", f.strain}};
 }
 
+Json cohesion_lines_json(const std::vector<CohesionLine>& lines) {
+    const auto estimate = [](const Estimate& e) { return uncertain(e.value, e.standard_error); };
+    Json json = Json::array();
+    for (const auto& line : lines) {
+        Json below = Json::array();
+        for (const auto& one : line.below) {
+            below.push_back(
+                {{"reduced_pressure", one.reduced_pressure}, {"relative", estimate(one.relative)}});
+        }
+        json.push_back({{"source", line.source},
+                        {"liquid_content", line.liquid_content},
+                        {"inertial_number", line.inertial_number},
+                        {"stress_ratio_intercept", estimate(line.stress_ratio_intercept)},
+                        {"reduced_cohesion", estimate(line.reduced_cohesion)},
+                        {"correlation", line.correlation},
+                        {"cohesion", estimate(line.cohesion)},
+                        {"points", line.points},
+                        {"lowest_reduced_pressure", line.lowest_reduced_pressure},
+                        {"chi2", line.chi2},
+                        {"dof", line.dof},
+                        {"overestimate_below", below}});
+    }
+    return json;
+}
+
 }  // namespace
 
 Json to_json(const dem::RunResult& run) {
@@ -198,7 +223,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
     json["predicted_only"] = misfit_json(comparison.predicted);
     json["converged"] = c.fit.converged;
     json["covariance_scaled_by_chi2"] = false;
-    json["cohesion_lines"] = Json::array();
+    json["cohesion_lines"] = cohesion_lines_json(c.cohesion_lines);
     json["predictions"] = Json::array();
     for (std::size_t k = 0; k < comparison.readings.size(); ++k) {
         json["predictions"].push_back(prediction_json(comparison.readings[k]));
@@ -303,7 +328,7 @@ Calibration read_calibration(const std::filesystem::path& file, const Study& stu
     }
 }
 
-Json to_json(const Comparison& comparison) {
+Json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines) {
     Json json;
     json.update(misfit_json(comparison.total));
     json["fitted"] = misfit_json(comparison.fitted);
@@ -324,6 +349,7 @@ Json to_json(const Comparison& comparison) {
         }
         json["by_condition"].push_back(entry);
     }
+    json["cohesion_lines"] = cohesion_lines_json(lines);
     json["trends"] = Json::array();
     for (const auto& trend : comparison.trends) {
         json["trends"].push_back(

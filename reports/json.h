@@ -29,7 +29,8 @@ Calibration read_calibration(const std::filesystem::path& file, const Study& stu
                              const std::vector<Reading>& readings);
 
 /// What `compare` prints and `out/compare.json` holds.
-nlohmann::ordered_json to_json(const Comparison& comparison);
+nlohmann::ordered_json to_json(const Comparison& comparison,
+                               const std::vector<CohesionLine>& lines);
 
 /// Writes through a temporary file and a rename, so that an earlier file survives a full disk.
 /// @throws std::runtime_error where it cannot be written

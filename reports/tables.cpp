@@ -74,4 +74,36 @@ std::vector<std::string> comparison_table(const Comparison& comparison) {
     return lines;
 }
 
+std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines) {
+    if (lines.empty()) {
+        return {};
+    }
+    const auto estimate = [](const Estimate& e, const char* form) {
+        return fmt::format("{} +- {}", fmt::format(fmt::runtime(form), e.value),
+                           fmt::format(fmt::runtime(form), e.standard_error));
+    };
+    std::vector<std::string> table = {
+        "cohesion lines: stress ratio = intercept + c*/P*",
+        fmt::format("  {:<10} {:>10} {:>9} {:>18} {:>18} {:>6} {:>16} {:>9} {:>6}", "source",
+                    "liquid [1]", "I [1]", "intercept [1]", "c* [1]", "corr.", "cohesion [Pa]",
+                    "P* from", "points")};
+    for (const auto& line : lines) {
+        table.push_back(fmt::format(
+            "  {:<10} {:>10.3g} {:>9.3g} {:>18} {:>18} {:>6.2f} {:>16} {:>9.3g} {:>6}", line.source,
+            line.liquid_content, line.inertial_number,
+            estimate(line.stress_ratio_intercept, "{:.4f}"),
+            estimate(line.reduced_cohesion, "{:.3f}"), line.correlation,
+            estimate(line.cohesion, "{:.1f}"), line.lowest_reduced_pressure, line.points));
+    }
+    for (const auto& line : lines) {
+        for (const auto& one : line.below) {
+            table.push_back(fmt::format(
+                "  at P* = {:.3g} the {} line of liquid content {:.3g} is {:+.1f} +- {:.1f} % off",
+                one.reduced_pressure, line.source, line.liquid_content, 100 * one.relative.value,
+                100 * one.relative.standard_error));
+        }
+    }
+    return table;
+}
+
 }  // namespace pendular

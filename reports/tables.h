@@ -19,4 +19,7 @@ std::vector<std::string> predictions_table(const Comparison& comparison);
 /// Misfit by observable, by condition and by covariate; the parts of chi2 add up to the total.
 std::vector<std::string> comparison_table(const Comparison& comparison);
 
+/// Cohesion lines, measured beside simulated; empty where there are none.
+std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines);
+
 }  // namespace pendular

@@ -1,0 +1,305 @@
+// Wet readings: from liquid content to bridge volume, surface, prediction and calibration.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "calib/calibration.h"
+#include "calib/rumpf.h"
+
+using namespace pendular;
+using testing::HasSubstr;
+
+namespace {
+
+/// Soft, small and fast: behaviour, not numbers.
+const Fidelity tiny{"tiny", 150, 300, 0.03, 2};
+/// Where not even the behaviour needs good averages.
+const Fidelity least{"least", 100, 300, 0.05, 1};
+
+/// P* = 1 is 129 Pa.
+Study wet_study() {
+    Study study;
+    study.grains = {.diameter = 5e-4, .density = 1050};
+    study.liquid = Liquid{.surface_tension = 20.6e-3};
+    return study;
+}
+
+Condition condition(double reduced_pressure, double content, double inertial_number = 0.05) {
+    const Study study = wet_study();
+    const double unit = 1 / pendular::reduced_pressure(1, study.grains, *study.liquid);
+    return {.normal_stress = reduced_pressure * unit,
+            .inertial_number = inertial_number,
+            .liquid_content = content};
+}
+
+Eigen::VectorXd at(double friction) {
+    return Eigen::VectorXd::Constant(1, friction);
+}
+
+Reading reading_of(const Condition& condition, double ratio, double fraction) {
+    Reading r;
+    r.condition = condition;
+    r.value << ratio * condition.normal_stress, fraction;
+    r.covariance << std::pow(0.08 * r.value(0), 2), 0, 0, std::pow(0.012, 2);
+    return r;
+}
+
+/// A wet run whose network follows a planted law.
+dem::RunResult planted_run(double friction, double u, double volume) {
+    dem::RunResult run;
+    run.parameters.friction = friction;
+    run.parameters.inertial_number = 0.01;
+    run.parameters.wetting = {1 / u, volume};
+    const double v = std::log(volume / 2e-3);
+    const auto set = [&](dem::Observable which, double value) {
+        run.means[static_cast<std::size_t>(which)] = {value, 0.01};
+    };
+    set(dem::Observable::contact_coordination, 6 - 2 * friction);
+    set(dem::Observable::distant_coordination, 1.6 + 0.4 * v - 0.3 * u);
+    set(dem::Observable::effective_coordination, 6.8 + 0.3 * v);
+    set(dem::Observable::capillary_shear_stress, (0.07 - 0.02 * v) * u);
+    return run;
+}
+
+std::vector<dem::RunResult> planted_runs() {
+    std::vector<dem::RunResult> runs;
+    for (const double u : {0.1, 0.4}) {
+        for (const double volume : {5e-4, 1e-3, 4e-3, 8e-3}) {
+            for (const double friction : {0.07, 0.11}) {
+                runs.push_back(planted_run(friction, u, volume));
+            }
+        }
+    }
+    return runs;
+}
+
+}  // namespace
+
+TEST(BridgeNetwork, GivesTheVolumeThatHoldsTheLiquid) {
+    const BridgeNetwork network(planted_runs(), 0.09);
+    for (const double content : {0.003, 0.014, 0.06}) {
+        const FlowState state{.friction = 0.09, .inertial_number = 0.01, .inverse_pressure = 0.25};
+        const double volume = network.volume_of(content, state);
+        const double z =
+            6 - 2 * 0.09 + 1.6 + 0.4 * std::log(volume / 2e-3) - 0.3 * 0.25;  // the planted law
+        EXPECT_NEAR(3 * z * volume / std::numbers::pi, content, 2e-3 * content);
+    }
+}
+
+TEST(BridgeNetwork, HoldsTheLiquidWhileTheFrictionChanges) {
+    const BridgeNetwork network(planted_runs(), 0.09);
+    FlowState state{.friction = 0.09, .inertial_number = 0.01, .inverse_pressure = 0.25};
+    state.bridge_volume = network.volume_of(0.014, state);
+    FlowState other = state;
+    other.friction += 1e-4;
+    const double numeric = std::log(network.volume_of(0.014, other) / state.bridge_volume) / 1e-4;
+    EXPECT_NEAR(network.log_volume_slope(state), numeric, 1e-3 * std::abs(numeric));
+}
+
+TEST(BridgeNetwork, BeginsWithATypicalCoordination) {
+    const BridgeNetwork network({}, 0.09);
+    const double volume = network.volume_of(0.014, {.friction = 0.09, .inverse_pressure = 0.3});
+    EXPECT_GT(volume, 1.7e-3);  // the source's table: 0.014 is 2e-3
+    EXPECT_LT(volume, 2.3e-3);
+}
+
+TEST(ResponseSurface, FindsAPlantedWetPolynomialAndNothingWhereDry) {
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    const auto truth = [](const FlowState& s) {
+        const Coordinates c = coordinates(s, 0.1, 0.75);
+        return Eigen::Vector2d(
+            0.25 + 0.1 * c.x + c.q + c.u * (0.27 + 0.05 * c.x + 0.03 * c.v - 0.02 * c.u),
+            0.615 - 0.02 * c.x - 0.1 * c.q - c.u * (0.02 - 0.003 * c.u));
+    };
+    std::vector<SurfacePoint> points;
+    const auto add = [&](const FlowState& state) {
+        SurfacePoint p{.state = state};
+        p.covariance << 4e-6, -2e-7, -2e-7, 9e-8;
+        const Eigen::Matrix2d root = p.covariance.llt().matrixL();
+        p.value = truth(state) + root * Eigen::Vector2d(normal(random), normal(random));
+        points.push_back(p);
+    };
+    for (const double friction : {0.07, 0.1, 0.14}) {
+        for (const double inertial_number : {3e-3, 1e-2}) {
+            add({friction, inertial_number});
+            for (const double u : {0.1, 0.4}) {
+                for (const double volume : {1e-3, 4e-3}) {
+                    add({friction, inertial_number, u, volume});
+                }
+            }
+        }
+    }
+    const ResponseSurface surface(points, 0.1, 0.75, 10);
+    EXPECT_LT(surface.chi2() / surface.dof(), 1.6);
+    const Eigen::Index n = surface.terms();
+    for (const FlowState& state :
+         {FlowState{0.09, 3e-3, 0.25, 2e-3}, FlowState{0.12, 0, 0.4, 4e-3}, FlowState{0.1, 5e-3}}) {
+        const Eigen::RowVectorXd row = surface.basis(state);
+        const Eigen::Vector2d off = surface.value(state) - truth(state);
+        EXPECT_LT(std::abs(off(0)), 3.5 * std::sqrt(row * surface.covariance().topLeftCorner(n, n) *
+                                                    row.transpose()));
+        EXPECT_LT(
+            std::abs(off(1)),
+            3.5 * std::sqrt(row * surface.covariance().bottomRightCorner(n, n) * row.transpose()));
+    }
+    // Without cohesion the wet terms are gone, whatever the volume.
+    EXPECT_EQ(surface.value({0.1, 5e-3, 0, 1e-3}), surface.value({0.1, 5e-3, 0, 8e-3}));
+}
+
+TEST(WetSettings, CoverThePressuresContentsAndInertialNumbers) {
+    std::vector<Condition> conditions = {condition(100, 0)};
+    for (const double content : {0.007, 0.03}) {
+        for (const double pressure : {2.3, 2.32, 8.0}) {  // 2.3 and 2.32 are one
+            for (const double inertial_number : {0.003, 0.03}) {
+                conditions.push_back(condition(pressure, content, inertial_number));
+            }
+        }
+    }
+    const auto settings = wet_settings_for(conditions, wet_study(), 2e-3);
+    ASSERT_EQ(settings.size(), 8u);
+    for (const auto& setting : settings) {
+        EXPECT_TRUE(std::abs(setting.inverse_pressure * 8 - 1) < 1e-9 ||
+                    std::abs(setting.inverse_pressure * 2.3 - 1) < 0.02);
+    }
+    EXPECT_EQ(wet_settings_for({condition(100, 0)}, wet_study(), 2e-3).size(), 0u);
+    std::vector<Condition> many;
+    for (int k = 0; k < 100; ++k) {
+        many.push_back(condition(1 + 0.2 * k, 0.003 + 0.0005 * k));
+    }
+    EXPECT_EQ(wet_settings_for(many, wet_study(), 2e-3).size(), most_wet_pairs);
+}
+
+TEST(DirectSimulation, PredictsWetReadingsAsTheSolverDoes) {
+    const Condition wet = condition(2.5, 0.03);
+    DirectSimulation model(wet_study(), {wet}, tiny, 1, {.threads = 2});
+    model.improve(at(0.2), 1), model.improve(at(0.2), 1);
+    const Prediction predicted = model.predict(at(0.22));
+
+    // Fresh runs with other seeds, at the volume that the prediction says holds the liquid.
+    const double volume = model.state_of(0.22, wet).bridge_volume;
+    double ratio = 0, fraction = 0, content = 0;
+    const int runs = 6;
+    for (std::uint64_t seed = 500; seed < 500 + runs; ++seed) {
+        const auto run = dem::run({.friction = 0.22,
+                                   .inertial_number = 0.05,
+                                   .stiffness_number = 300,
+                                   .wetting = dem::Wetting{2.5, volume},
+                                   .beads = 150,
+                                   .strain = 2,
+                                   .seed = seed});
+        ratio += run[dem::Observable::stress_ratio].value / runs;
+        fraction += run[dem::Observable::solid_fraction].value / runs;
+        content += run[dem::Observable::liquid_content].value / runs;
+    }
+    EXPECT_NEAR(content, 0.03, 0.02 * 0.03);
+    // 4 standard errors of the prediction, and the scatter of six runs' mean.
+    EXPECT_NEAR(predicted.value(0) / wet.normal_stress, ratio,
+                4 * std::sqrt(predicted.covariance(0, 0)) / wet.normal_stress + 0.015);
+    EXPECT_NEAR(predicted.value(1), fraction, 4 * std::sqrt(predicted.covariance(1, 1)) + 0.004);
+    // Wet is not dry: P* = 2.5 adds about 0.1 to the stress ratio.
+    Condition dry = wet;
+    dry.liquid_content = 0;
+    const auto without = model.predict_at(at(0.22), dry);
+    EXPECT_GT(predicted.value(0) / wet.normal_stress, without.value(0) + 0.05);
+}
+
+TEST(DirectSimulation, HasDerivativesOfItsOwnWetPredictions) {
+    const std::vector<Condition> conditions = {condition(2.5, 0.03), condition(8, 0.01),
+                                               condition(8, 0)};
+    DirectSimulation simulation(wet_study(), conditions, tiny, 1, {.threads = 2});
+    simulation.improve(at(0.2), 1);
+    RumpfModel rumpf(simulation, wet_study());
+    rumpf.predict_for(conditions);
+    for (const FlowModel* model :
+         {static_cast<const FlowModel*>(&simulation), static_cast<const FlowModel*>(&rumpf)}) {
+        const double d = 1e-5;
+        const Eigen::VectorXd numeric =
+            (model->predict(at(0.2 + d)).value - model->predict(at(0.2 - d)).value) / (2 * d);
+        EXPECT_LT((numeric - model->predict(at(0.2)).jacobian.col(0)).norm(),
+                  1e-4 * numeric.norm());
+    }
+}
+
+TEST(RumpfModel, IsTheDryLawWithRumpfsCohesion) {
+    const Study study = wet_study();
+    const Condition wet = condition(2.5, 0.03);
+    Condition dry = wet;
+    dry.liquid_content = 0;
+    DirectSimulation simulation(study, {wet, dry}, tiny, 1, {.threads = 2});
+    simulation.improve(at(0.2), 1);
+    RumpfModel rumpf(simulation, study);
+    rumpf.predict_for({wet, dry});
+    const Prediction by_rumpf = rumpf.predict(at(0.2)), simulated = simulation.predict(at(0.2));
+    const double z = simulation.effective_coordination(0.2, wet).value;
+    EXPECT_NEAR(by_rumpf.value(0),
+                simulated.value(2) * (1 + simulated.value(1) * z / (std::numbers::pi * 2.5)), 1e-9);
+    EXPECT_EQ(by_rumpf.value(1), simulated.value(1));
+    EXPECT_EQ(by_rumpf.value(2), simulated.value(2));
+    EXPECT_GT(by_rumpf.covariance(0, 0), 0);
+    EXPECT_GT(z, 5);
+    EXPECT_LT(z, 8);
+}
+
+namespace {
+
+Measurements dry_and_wet() {
+    Measurements m;
+    m.readings = {reading_of(condition(2.5, 0.03), 0.5, 0.58),
+                  reading_of(condition(8, 0), 0.38, 0.60), reading_of(condition(4, 0), 0.38, 0.60),
+                  reading_of(condition(8, 0.03), 0.42, 0.59)};
+    return m;
+}
+
+}  // namespace
+
+TEST(CalibrateStudy, PredictsWetReadingsWithTheErrorOfTheDryFit) {
+    const Study study = wet_study();
+    const Measurements measurements = dry_and_wet();
+    const Calibration c =
+        calibrate_study(study, measurements, {.fidelity = least, .seed = 3}, {.threads = 2});
+    ASSERT_EQ(c.readings.size(), 4u);
+    EXPECT_EQ(c.fitted, 2u);
+    EXPECT_TRUE(c.readings[1].condition.dry());
+    EXPECT_EQ(c.readings[2].condition.liquid_content, 0.03);
+
+    // The dry readings alone give the same fit: wet runs do not move it.
+    Measurements dry = measurements;
+    dry.readings = {c.readings[0], c.readings[1]};
+    Study dry_study = study;
+    dry_study.liquid.reset();
+    const Calibration alone =
+        calibrate_study(dry_study, dry, {.fidelity = least, .seed = 3}, {.threads = 2});
+    EXPECT_DOUBLE_EQ(c.fit.parameters(0), alone.fit.parameters(0));
+    EXPECT_LT((c.prediction.value.head(4) - c.fit.prediction.value).norm(),
+              1e-9 * c.fit.prediction.value.norm());
+
+    const StudyModel model(study, c);
+    const Prediction bare = model.model().predict(c.fit.parameters);
+    for (Eigen::Index k = 0; k < 8; ++k) {
+        const double slope = bare.jacobian(k, 0);
+        const double shared = k < 4 ? 0 : slope * slope * c.fit.covariance(0, 0);
+        EXPECT_NEAR(c.prediction.covariance(k, k), bare.covariance(k, k) + shared,
+                    1e-9 * c.prediction.covariance(k, k));
+    }
+    EXPECT_GT(c.prediction.covariance(4, 4), bare.covariance(4, 4));
+}
+
+TEST(CalibrateStudy, FitsWetReadingsTooWhereAsked) {
+    Study study = wet_study();
+    study.model.fit_to = "all";
+    const Calibration c =
+        calibrate_study(study, dry_and_wet(), {.fidelity = least, .seed = 3}, {.threads = 2});
+    EXPECT_EQ(c.fitted, 4u);
+    EXPECT_EQ(c.fit.dof, 7);
+    Measurements wet = dry_and_wet();
+    std::erase_if(wet.readings, [](const Reading& r) { return r.condition.dry(); });
+    const Calibration only =
+        calibrate_study(study, wet, {.fidelity = least, .seed = 3}, {.threads = 2});
+    EXPECT_EQ(only.fit.dof, 3);
+    EXPECT_GT(only.fit.parameters(0), 0);
+}
