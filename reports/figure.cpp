@@ -191,7 +191,8 @@ constexpr Format formats[] = {
     {"png",
      "pngcairo enhanced font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 size", 160,
      "IEND"},
-    {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.7 linewidth 2 size", 0, "%%EOF"}};
+    {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.7 linewidth 1.6 size", 0,
+     "%%EOF"}};
 
 /// Where a drawing is made before it takes its name.
 fs::path unfinished(const fs::path& folder, const Figure& figure, const Format& format) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calib/cohesion_lines.h"
 #include "calib/structural_cohesion.h"
 #include "calib/wet_groups.h"
 #include "reports/shown.h"
@@ -22,8 +21,9 @@ const std::string kind_colour = "#606060";  ///< of looks that the key explains 
 struct WetStudy {
     const FlowModel& model;
     const Calibration& calibration;
-    std::vector<WetGroup> groups;  ///< those of the lowest inertial number
-    std::vector<CohesionLine> measured_lines, simulated_lines;  ///< likewise
+    std::vector<WetGroup> groups;     ///< those of the lowest inertial number
+    std::vector<CohesionLine> lines;  ///< likewise
+    double limit;                     ///< P* from which on they are fitted
 
     double friction() const { return calibration.fit.parameters(0); }
     double inertial_number() const { return groups.front().inertial_number; }
@@ -54,18 +54,14 @@ std::vector<Grouped> slowest(const std::vector<Grouped>& all, double least) {
     return result;
 }
 
-WetStudy wet_study(const FlowModel& model, const Calibration& c) {
+WetStudy wet_study(const FlowModel& model, const Calibration& c, const CohesionOptions& cohesion) {
     const auto groups = wet_groups(c.readings);
     const double least = std::ranges::min(groups, {}, &WetGroup::inertial_number).inertial_number;
-    std::vector<std::string> told_elsewhere;
     return {.model = model,
             .calibration = c,
             .groups = slowest(groups, least),
-            .measured_lines =
-                slowest(cohesion_lines(c.readings, c.grains, *c.liquid, {}, told_elsewhere), least),
-            .simulated_lines = slowest(
-                cohesion_lines(c.readings, c.prediction, c.grains, *c.liquid, {}, told_elsewhere),
-                least)};
+            .lines = slowest(c.cohesion_lines, least),
+            .limit = cohesion.lowest_reduced_pressure};
 }
 
 std::string content_text(double liquid_content) {
@@ -75,6 +71,10 @@ std::string content_text(double liquid_content) {
 std::string title(const std::string& what, const WetStudy& study) {
     return fmt::format("{}, {}, friction μ = {:.3f}", what, inertial_text(study.inertial_number()),
                        study.friction());
+}
+
+std::string measured_line_text(const WetStudy& study) {
+    return fmt::format("measured, line for P* ≥ {:.2g}", study.limit);
 }
 
 std::string colour_of(double liquid_content) {
@@ -221,7 +221,7 @@ void explain(Panel& panel, const WetStudy& study, bool with_dry, bool with_lines
     panel.curves.push_back(kind("model", Style::line));
     panel.curves.push_back(kind("± 1 standard error", Style::band));
     if (with_lines) {
-        panel.curves.push_back(kind("measured, line for P* ≥ 2.3", Style::dotted_line));
+        panel.curves.push_back(kind(measured_line_text(study), Style::dotted_line));
         panel.curves.push_back(kind("simulated, likewise", Style::dashed_line));
     }
     panel.key = Key::outside;
@@ -238,8 +238,7 @@ Panel pressure_panel(const WetStudy& study, std::size_t o) {
     }
     panel.x_range = {0, end};
     if (o == 0) {
-        draw_lines(panel, study.measured_lines, end);
-        draw_lines(panel, study.simulated_lines, end);
+        draw_lines(panel, study.lines, end);
     }
     const std::size_t before = panel.curves.size();
     draw_dry(panel, study, o);
@@ -247,17 +246,16 @@ Panel pressure_panel(const WetStudy& study, std::size_t o) {
     for (const WetGroup& group : study.groups) {
         draw_points(panel, study, group, o);
     }
-    explain(panel, study, with_dry,
-            o == 0 && !(study.measured_lines.empty() && study.simulated_lines.empty()));
+    explain(panel, study, with_dry, o == 0 && !study.lines.empty());
     return panel;
 }
 
 Figure stress_ratio_figure(const WetStudy& study) {
     Panel panel = pressure_panel(study, 0);
-    const double limit = CohesionOptions{}.lowest_reduced_pressure;
-    if (1 / limit < panel.x_range->second) {
-        panel.references.push_back(
-            {.label = fmt::format("P* = {:.2g}", limit), .value = 1 / limit, .vertical = true});
+    if (1 / study.limit < panel.x_range->second) {
+        panel.references.push_back({.label = fmt::format("P* = {:.2g}", study.limit),
+                                    .value = 1 / study.limit,
+                                    .vertical = true});
     }
     return {.name = "stress_ratio_wet",
             .title = title("Strength of wet beads", study),
@@ -271,11 +269,14 @@ Figure solid_fraction_figure(const WetStudy& study) {
 }
 
 /// Cohesions of lines, each point in the look of its content.
-void draw_cohesions(Panel& panel, const std::string& name, const std::vector<CohesionLine>& lines,
-                    const auto& symbol_of) {
-    for (const CohesionLine& line : lines) {
-        Curve curve = points_of(name, line.liquid_content, symbol_of(line.liquid_content));
-        curve.x = {line.liquid_content};
+void draw_cohesions(Panel& panel, const WetStudy& study) {
+    for (const CohesionLine& line : study.lines) {
+        const double content = line.liquid_content;
+        Curve curve =
+            points_of(line.source, content,
+                      line.source == "measured" ? measured_symbol
+                                                : simulated_symbol(study.friction(), content));
+        curve.x = {content};
         curve.y = {line.reduced_cohesion.value};
         curve.y_error = {line.reduced_cohesion.standard_error};
         panel.curves.push_back(curve);
@@ -302,30 +303,28 @@ Figure cohesion_figure(const WetStudy& study, const std::vector<StructuralCohesi
             curve->y_error.push_back(estimate.standard_error);
         }
     }
-    panel.curves.push_back(
-        kind("measured, line for P* ≥ 2.3", Curve::Style::points, measured_symbol));
+    panel.curves.push_back(kind(measured_line_text(study), Curve::Style::points, measured_symbol));
     panel.curves.push_back(kind("simulated, likewise", Curve::Style::points,
                                 {shape_of(study.friction()), Filling::hollow}));
     panel.curves.push_back(rumpf);
     panel.curves.push_back(generalised);
-    draw_cohesions(panel, "measured", study.measured_lines, [](double) { return measured_symbol; });
-    draw_cohesions(panel, "simulated", study.simulated_lines,
-                   [&](double content) { return simulated_symbol(study.friction(), content); });
+    draw_cohesions(panel, study);
     return {
         .name = "reduced_cohesion", .title = title("Reduced cohesion", study), .panels = {panel}};
 }
 
 }  // namespace
 
-std::vector<Figure> wet_figures(const StudyModel& model, const Calibration& calibration) {
+std::vector<Figure> wet_figures(const StudyModel& model, const Calibration& calibration,
+                                const CohesionOptions& cohesion) {
     if (wet_groups(calibration.readings).empty()) {
         return {};
     }
-    const WetStudy study = wet_study(model.model(), calibration);
+    const WetStudy study = wet_study(model.model(), calibration, cohesion);
     std::vector<Figure> figures{stress_ratio_figure(study), solid_fraction_figure(study)};
-    const auto structural =
-        slowest(structural_cohesions(model.simulation(), calibration), study.inertial_number());
-    if (!study.measured_lines.empty() || !study.simulated_lines.empty() || !structural.empty()) {
+    const auto structural = slowest(structural_cohesions(model.simulation(), calibration, cohesion),
+                                    study.inertial_number());
+    if (!study.lines.empty() || !structural.empty()) {
         figures.push_back(cohesion_figure(study, structural));
     }
     return figures;

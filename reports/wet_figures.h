@@ -14,9 +14,10 @@ namespace pendular {
 ///   lines of the Mohr-Coulomb cohesion, drawn on below the P* they are fitted for;
 /// - `reduced_cohesion` against liquid content: measured, simulated, and explained by the simulated
 ///   structure, with and without capillary shear stress; where there is a line to take it from.
-/// They show the wet readings of the lowest inertial number, within 20 %. Colours and symbols are
-/// those of symbol_code.h.
-/// Source: Badetti et al. (2018), fig:cexpnum, fig:phiexpnum and fig:cphilphis.
-std::vector<Figure> wet_figures(const StudyModel& model, const Calibration& calibration);
+/// The lines are the calibration's, made with these options. All show the wet readings of the
+/// lowest inertial number, within 20 %. Colours and symbols are those of symbol_code.h. Source:
+/// Badetti et al. (2018), fig:cexpnum, fig:phiexpnum and fig:cphilphis.
+std::vector<Figure> wet_figures(const StudyModel& model, const Calibration& calibration,
+                                const CohesionOptions& cohesion = {});
 
 }  // namespace pendular

@@ -10,7 +10,6 @@
 
 #include "analysis/compare.h"
 #include "app_support.h"
-#include "calib/cohesion_lines.h"
 #include "calib/structural_cohesion.h"
 #include "reports/comparison_figures.h"
 #include "reports/wet_figures.h"
@@ -116,12 +115,10 @@ TEST(WetFigures, DrawTheCohesionLinesOnBelowWhereTheyWereFitted) {
     const Figure figure = study.figures().front();
     const auto numbers = numbers_of(figure);
     const Calibration& c = study.calibration;
-    std::vector<std::string> notes;
-    const auto lines = cohesion_lines(c.readings, c.grains, *c.liquid, {}, notes);
-    const auto line = std::ranges::find(lines, true, [](const CohesionLine& l) {
-        return std::abs(l.liquid_content - content) < 1e-6;
+    const auto line = std::ranges::find_if(c.cohesion_lines, [](const CohesionLine& l) {
+        return l.source == "measured" && std::abs(l.liquid_content - content) < 1e-6;
     });
-    ASSERT_NE(line, lines.end());
+    ASSERT_NE(line, c.cohesion_lines.end());
     const auto& drawn = numbers.at("cohesion line, measured, " + of_content);
     ASSERT_EQ(drawn.size(), 2u);
     EXPECT_EQ(drawn[0][0], 0);
@@ -137,18 +134,14 @@ TEST(WetFigures, ShowTheCohesionOfLinesAndOfTheStructure) {
     const Planted study;
     const auto numbers = numbers_of(study.figures().back());
     const Calibration& c = study.calibration;
-    std::vector<std::string> notes;
-    for (const auto& lines :
-         {cohesion_lines(c.readings, c.grains, *c.liquid, {}, notes),
-          cohesion_lines(c.readings, c.prediction, c.grains, *c.liquid, {}, notes)}) {
-        for (const auto& line : lines) {
-            const auto& row =
-                numbers.at(fmt::format("{}, Φ_L/Φ_S = {:.2g}", line.source, line.liquid_content));
-            ASSERT_EQ(row.size(), 1u);
-            EXPECT_NEAR(row[0][0], line.liquid_content, 1e-12);
-            EXPECT_NEAR(row[0][1], line.reduced_cohesion.value, 1e-12);
-            EXPECT_NEAR(row[0][2], line.reduced_cohesion.standard_error, 1e-12);
-        }
+    EXPECT_EQ(c.cohesion_lines.size(), 2 * planted::contents.size());
+    for (const auto& line : c.cohesion_lines) {
+        const auto& row =
+            numbers.at(fmt::format("{}, Φ_L/Φ_S = {:.2g}", line.source, line.liquid_content));
+        ASSERT_EQ(row.size(), 1u);
+        EXPECT_NEAR(row[0][0], line.liquid_content, 1e-12);
+        EXPECT_NEAR(row[0][1], line.reduced_cohesion.value, 1e-12);
+        EXPECT_NEAR(row[0][2], line.reduced_cohesion.standard_error, 1e-12);
     }
     const auto rumpf = std::ranges::find_if(
         numbers, [](const auto& curve) { return curve.first.find("Rumpf") != std::string::npos; });
@@ -159,6 +152,21 @@ TEST(WetFigures, ShowTheCohesionOfLinesAndOfTheStructure) {
         EXPECT_NEAR(rumpf->second[k][0], planted::contents[k], 1e-12);
         EXPECT_NEAR(rumpf->second[k][1], structural[k].rumpf.value, 1e-12);
     }
+}
+
+TEST(WetFigures, FollowTheLimitOfTheCohesionLines) {
+    const CohesionOptions from_four{.lowest_reduced_pressure = 4};
+    const Calibration c = planted::calibration(planted::readings({content}), from_four);
+    const StudyModel model(planted::study(), c);
+    const auto figures = wet_figures(model, c, from_four);
+    const Panel& panel = figures.front().panels.front();
+    EXPECT_NEAR(panel.references.front().value, 0.25, 1e-12);
+    EXPECT_TRUE(std::ranges::any_of(panel.curves, [](const Curve& curve) {
+        return curve.in_key && curve.label.find("P* ≥ 4") != std::string::npos;
+    }));
+    const double from_4 = structural_cohesions(model.simulation(), c, from_four)[0].rumpf.value;
+    EXPECT_NEAR(numbers_of(figures.back()).at("μ*_0Φ_SZ*/π (Rumpf)")[0][1], from_4, 1e-12);
+    EXPECT_GT(from_4, structural_cohesions(model.simulation(), c)[0].rumpf.value);
 }
 
 TEST(WetFigures, ShowTheSlowestReadings) {

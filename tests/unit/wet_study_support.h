@@ -127,7 +127,8 @@ inline std::vector<Reading> readings(const std::vector<double>& wet_contents = c
 }
 
 /// The calibration of these readings by these runs, at the friction of the law.
-inline Calibration calibration(const std::vector<Reading>& readings) {
+inline Calibration calibration(const std::vector<Reading>& readings,
+                               const CohesionOptions& cohesion = {}) {
     Calibration c{.readings = readings,
                   .grains = study().grains,
                   .liquid = study().liquid,
@@ -139,6 +140,8 @@ inline Calibration calibration(const std::vector<Reading>& readings) {
     c.fit.covariance = Eigen::MatrixXd::Constant(1, 1, 0.004 * 0.004);
     c.fit.converged = true;
     c.prediction = predict_readings(StudyModel(study(), c).model(), c);
+    std::vector<std::string> notes;
+    c.cohesion_lines = cohesion_lines(c, cohesion, notes);
     return c;
 }
 
