@@ -65,7 +65,7 @@ WetStudy wet_study(const FlowModel& model, const Calibration& c, const CohesionO
 }
 
 std::string content_text(double liquid_content) {
-    return fmt::format("Φ_L/Φ_S = {:.2g}", liquid_content);
+    return fmt::format("Φ_L/Φ_S = {:.3g}", liquid_content);
 }
 
 std::string title(const std::string& what, const WetStudy& study) {

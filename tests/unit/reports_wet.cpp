@@ -137,7 +137,7 @@ TEST(WetFigures, ShowTheCohesionOfLinesAndOfTheStructure) {
     EXPECT_EQ(c.cohesion_lines.size(), 2 * planted::contents.size());
     for (const auto& line : c.cohesion_lines) {
         const auto& row =
-            numbers.at(fmt::format("{}, Φ_L/Φ_S = {:.2g}", line.source, line.liquid_content));
+            numbers.at(fmt::format("{}, Φ_L/Φ_S = {:.3g}", line.source, line.liquid_content));
         ASSERT_EQ(row.size(), 1u);
         EXPECT_NEAR(row[0][0], line.liquid_content, 1e-12);
         EXPECT_NEAR(row[0][1], line.reduced_cohesion.value, 1e-12);
@@ -207,31 +207,32 @@ TEST(StructuralCohesion, IsThatOfThePlantedStructure) {
             solid_fraction += planted::solid_fraction(planted::friction, 1 / pressure) / 4;
         }
         const double rumpf = planted::dry_ratio(planted::friction) * solid_fraction *
-                             planted::effective_coordination(volume) / std::numbers::pi;
+                             planted::effective_coordination(planted::friction, volume) / std::numbers::pi;
         // The surfaces contain the law exactly.
         EXPECT_NEAR(found[k].rumpf.value, rumpf, 1e-6);
-        EXPECT_NEAR(found[k].generalised.value, rumpf - planted::capillary_shear_stress(volume),
+        EXPECT_NEAR(found[k].generalised.value, rumpf - planted::capillary_shear_stress(planted::friction, volume),
                     1e-6);
     }
 }
 
 TEST(StructuralCohesion, CarriesTheErrorOfTheFriction) {
     Planted study;
-    const auto variance = [&](double friction_error) {
-        study.calibration.fit.covariance(0, 0) = friction_error * friction_error;
-        const auto found = structural_cohesions(study.model.simulation(), study.calibration);
-        return std::pow(found.front().rumpf.standard_error, 2);
+    Calibration& c = study.calibration;
+    const auto found = [&](double friction, double error) {
+        c.fit.parameters(0) = friction;
+        c.fit.covariance(0, 0) = error * error;
+        return structural_cohesions(study.model.simulation(), c).front();
     };
-    // By friction: d(mu*_0) = 0.12/(mu + 0.05), d(Phi) = -0.02/(mu + 0.05), and the coordination of
-    // the planted structure does not depend on it.
-    const double volume = planted::volume_of(planted::contents.front());
-    double solid_fraction = 0;
-    for (const double pressure : {2.3, 4.0, 8.0, 16.0}) {
-        solid_fraction += planted::solid_fraction(planted::friction, 1 / pressure) / 4;
+    // What the friction adds to the variance is the slope of the values themselves.
+    constexpr double error = 0.01, step = 1e-4;
+    const auto higher = found(planted::friction + step, 0),
+               lower = found(planted::friction - step, 0), without = found(planted::friction, 0),
+               with = found(planted::friction, error);
+    for (const auto which : {&StructuralCohesion::rumpf, &StructuralCohesion::generalised}) {
+        const double slope = ((higher.*which).value - (lower.*which).value) / (2 * step);
+        const double added = std::pow((with.*which).standard_error, 2) -
+                             std::pow((without.*which).standard_error, 2);
+        EXPECT_NEAR(std::sqrt(added), error * std::abs(slope), 1e-4 * error * std::abs(slope));
+        EXPECT_GT((without.*which).standard_error, 0);  // the runs' noise
     }
-    const double slope = planted::effective_coordination(volume) / std::numbers::pi *
-                         (0.12 * solid_fraction - 0.02 * planted::dry_ratio(planted::friction)) /
-                         (planted::friction + 0.05);
-    EXPECT_NEAR(std::sqrt(variance(0.01) - variance(0)), 0.01 * slope, 1e-6);
-    EXPECT_GT(variance(0), 0);  // the runs' noise
 }

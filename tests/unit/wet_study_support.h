@@ -17,34 +17,42 @@ constexpr double friction = 0.09, bridge_volume_unit = 2e-3;
 inline const std::vector<double> contents = {0.003, 0.007, 0.014, 0.030, 0.063};
 inline const std::vector<double> pressures = {0.8, 1.5, 2.3, 4, 8, 16};
 
-inline double dry_ratio(double mu) {
-    return 0.257 + 0.12 * std::log((mu + 0.05) / (friction + 0.05));
+/// 0 at the friction of the study.
+inline double friction_coordinate(double mu) {
+    return std::log((mu + 0.05) / (friction + 0.05));
 }
-/// Z = Z_c + Z_d with Z* = Z_c + 0.5 Z_d, by the bridge volume.
-constexpr double contact_coordination = 5.2;
+inline double dry_ratio(double mu) {
+    return 0.257 + 0.12 * friction_coordinate(mu);
+}
+inline double contact_coordination(double mu) {
+    return 5.2 - 0.4 * friction_coordinate(mu);
+}
 inline double distant_coordination(double volume) {
     return 2 + 0.7 * std::log(volume / bridge_volume_unit);
 }
-inline double effective_coordination(double volume) {
-    return contact_coordination + 0.5 * distant_coordination(volume);
+/// Z* = Z_c + 0.5 Z_d.
+inline double effective_coordination(double mu, double volume) {
+    return contact_coordination(mu) + 0.5 * distant_coordination(volume);
 }
 /// a^2 s12cap/F0.
-inline double capillary_shear_stress(double volume) {
-    return 0.05 - 0.03 * std::log(volume / bridge_volume_unit);
+inline double capillary_shear_stress(double mu, double volume) {
+    return 0.05 - 0.03 * std::log(volume / bridge_volume_unit) + 0.02 * friction_coordinate(mu);
 }
 inline double solid_fraction(double mu, double u) {
-    return 0.615 - 0.02 * std::log((mu + 0.05) / (friction + 0.05)) - 0.021 * u;
+    return 0.615 - 0.02 * friction_coordinate(mu) - 0.021 * u;
 }
 /// Bends below a straight line as the source's data do below P* = 2.3.
 inline double stress_ratio(double mu, double u, double volume) {
     const double cohesion = 0.29 + 0.035 * std::log(volume / bridge_volume_unit);
     return dry_ratio(mu) + cohesion * u - 0.028 * u * u;
 }
-/// V0/a^3 of a liquid content: the solution of content = 3 Z(V0) V0/pi.
+/// V0/a^3 of a liquid content at the friction of the study: the solution of
+/// content = 3 Z(V0) V0/pi.
 inline double volume_of(double content) {
     double volume = bridge_volume_unit;
     for (int k = 0; k < 100; ++k) {
-        volume = content * M_PI / (3 * (contact_coordination + distant_coordination(volume)));
+        volume = content * M_PI /
+                 (3 * (contact_coordination(friction) + distant_coordination(volume)));
     }
     return volume;
 }
@@ -70,12 +78,12 @@ inline dem::RunResult run(double mu, double u, double volume) {
     };
     set(dem::Observable::stress_ratio, stress_ratio(mu, u, volume), 0.003);
     set(dem::Observable::solid_fraction, solid_fraction(mu, u), 0.0005);
-    set(dem::Observable::contact_coordination, contact_coordination);
+    set(dem::Observable::contact_coordination, contact_coordination(mu));
     if (u > 0) {
         r.parameters.wetting = {1 / u, volume};
         set(dem::Observable::distant_coordination, distant_coordination(volume));
-        set(dem::Observable::effective_coordination, effective_coordination(volume));
-        set(dem::Observable::capillary_shear_stress, capillary_shear_stress(volume) * u);
+        set(dem::Observable::effective_coordination, effective_coordination(mu, volume));
+        set(dem::Observable::capillary_shear_stress, capillary_shear_stress(mu, volume) * u);
     }
     return r;
 }
