@@ -207,11 +207,12 @@ TEST(StructuralCohesion, IsThatOfThePlantedStructure) {
             solid_fraction += planted::solid_fraction(planted::friction, 1 / pressure) / 4;
         }
         const double rumpf = planted::dry_ratio(planted::friction) * solid_fraction *
-                             planted::effective_coordination(planted::friction, volume) / std::numbers::pi;
+                             planted::effective_coordination(planted::friction, volume) /
+                             std::numbers::pi;
         // The surfaces contain the law exactly.
         EXPECT_NEAR(found[k].rumpf.value, rumpf, 1e-6);
-        EXPECT_NEAR(found[k].generalised.value, rumpf - planted::capillary_shear_stress(planted::friction, volume),
-                    1e-6);
+        EXPECT_NEAR(found[k].generalised.value,
+                    rumpf - planted::capillary_shear_stress(planted::friction, volume), 1e-6);
     }
 }
 

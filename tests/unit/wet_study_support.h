@@ -51,8 +51,8 @@ inline double stress_ratio(double mu, double u, double volume) {
 inline double volume_of(double content) {
     double volume = bridge_volume_unit;
     for (int k = 0; k < 100; ++k) {
-        volume = content * M_PI /
-                 (3 * (contact_coordination(friction) + distant_coordination(volume)));
+        volume =
+            content * M_PI / (3 * (contact_coordination(friction) + distant_coordination(volume)));
     }
     return volume;
 }
