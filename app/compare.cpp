@@ -74,7 +74,7 @@ int compare(const std::vector<std::string>& arguments) {
     if (!c.fit.converged) {
         console.note("the calibration had not converged");
     }
-    for (const auto& figure : comparison_figures(model, c, comparison)) {
+    for (const auto& figure : comparison_figures(model, c, comparison, cohesion)) {
         draw(figure, out / "figures");
         console.line(
             fmt::format("figure: {}", (out / "figures" / (figure.name + ".png")).string()));

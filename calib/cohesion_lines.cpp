@@ -9,17 +9,12 @@
 #include <utility>
 
 #include "calib/fit.h"
+#include "calib/wet_groups.h"
 
 namespace pendular {
 namespace {
 
-constexpr double liquid_content_tolerance = 0.02;
-constexpr double inertial_number_tolerance = 0.2;
 constexpr double reduced_pressure_tolerance = 0.02;
-
-bool agree(double a, double b, double tolerance) {
-    return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
-}
 
 /// Points of a group: stress ratios over 1/P*, with their covariance.
 struct Points {
@@ -34,43 +29,11 @@ struct Points {
     }
 };
 
-/// Wet readings of one liquid content and one inertial number, by place in the list.
-struct Group {
-    std::vector<Eigen::Index> members;
-    double liquid_content = 0;
-    double inertial_number = 0;
-};
-
 const Condition& condition(const std::vector<Reading>& readings, Eigen::Index k) {
     return readings[static_cast<std::size_t>(k)].condition;
 }
 
-/// Each wet reading joins the first group whose first reading it agrees with.
-std::vector<Group> grouped(const std::vector<Reading>& readings) {
-    std::vector<Group> groups;
-    for (Eigen::Index k = 0; k < std::ssize(readings); ++k) {
-        const Condition& own = condition(readings, k);
-        if (own.dry()) continue;
-        const auto home = std::ranges::find_if(groups, [&](const Group& group) {
-            const Condition& first = condition(readings, group.members.front());
-            return agree(first.liquid_content, own.liquid_content, liquid_content_tolerance) &&
-                   agree(first.inertial_number, own.inertial_number, inertial_number_tolerance);
-        });
-        (home == groups.end() ? groups.emplace_back() : *home).members.push_back(k);
-    }
-    for (Group& group : groups) {
-        for (const Eigen::Index k : group.members) {
-            const auto share = 1 / static_cast<double>(group.members.size());
-            group.liquid_content += share * condition(readings, k).liquid_content;
-            group.inertial_number += share * condition(readings, k).inertial_number;
-        }
-    }
-    std::ranges::sort(
-        groups, {}, [](const Group& g) { return std::pair(g.liquid_content, g.inertial_number); });
-    return groups;
-}
-
-std::string name_of(const Group& group) {
+std::string name_of(const WetGroup& group) {
     return group.inertial_number == 0
                ? fmt::format("liquid content {:.3g}, quasi-static", group.liquid_content)
                : fmt::format("liquid content {:.3g}, inertial number {:.2g}", group.liquid_content,
@@ -78,9 +41,9 @@ std::string name_of(const Group& group) {
 }
 
 /// Readings of a group as points, by falling P*, from values stacked as those of a model.
-Points points_of(const Group& group, const std::vector<Reading>& readings, const Measured& stacked,
-                 const Grains& grains, const Liquid& liquid) {
-    std::vector<Eigen::Index> order = group.members;
+Points points_of(const WetGroup& group, const std::vector<Reading>& readings,
+                 const Measured& stacked, const Grains& grains, const Liquid& liquid) {
+    std::vector<Eigen::Index> order(group.members.begin(), group.members.end());
     std::ranges::stable_sort(order, std::greater<>(),
                              [&](Eigen::Index k) { return condition(readings, k).normal_stress; });
     const auto n = std::ssize(order);
@@ -151,13 +114,10 @@ struct Split {
     std::vector<Eigen::Index> fitted, below;
 };
 
-Split split(const Points& points, double limit) {
-    // A limit met up to rounding is met: stresses and P* are converted into each other.
-    constexpr double rounding = 1e-9;
+Split split(const Points& points, const CohesionOptions& options) {
     Split result;
     for (Eigen::Index k = 0; k < points.size(); ++k) {
-        const bool high = points.reduced_pressure(k) >= limit * (1 - rounding);
-        (high ? result.fitted : result.below).push_back(k);
+        (options.fits(points.reduced_pressure(k)) ? result.fitted : result.below).push_back(k);
     }
     return result;
 }
@@ -236,14 +196,14 @@ std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& re
                                 const CohesionOptions& options, std::vector<std::string>& notes) {
     std::vector<CohesionLine> result;
     const double limit = options.lowest_reduced_pressure;
-    for (const Group& group : grouped(readings)) {
+    for (const WetGroup& group : wet_groups(readings)) {
         const auto note = [&](const std::string& text) {
             notes.push_back(
                 fmt::format("{} cohesion line, {}: {}", task.source, name_of(group), text));
         };
         Points all = points_of(group, readings, task.stacked, grains, liquid);
         if (task.merge_replicates) all = without_replicates(all);
-        const Split which = split(all, limit);
+        const Split which = split(all, options);
         Points fitted = all.only(which.fitted);
         if (!has_two_distinct(fitted)) {
             std::vector<Eigen::Index> every = which.fitted;
@@ -274,6 +234,11 @@ std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& re
 }
 
 }  // namespace
+
+bool CohesionOptions::fits(double reduced_pressure) const {
+    constexpr double rounding = 1e-9;
+    return reduced_pressure >= lowest_reduced_pressure * (1 - rounding);
+}
 
 double stress_ratio(const CohesionLine& line, double reduced_pressure) {
     return line.stress_ratio_intercept.value + line.reduced_cohesion.value / reduced_pressure;

@@ -47,13 +47,15 @@ struct CohesionOptions {
     /// Points of a lower P* are not fitted: the source's choice; the straight line is too high for
     /// P* <= 1.
     double lowest_reduced_pressure = 2.3;
+
+    /// Whether a point of this P* is fitted. A limit met up to rounding is met: stresses and P* are
+    /// converted into each other.
+    bool fits(double reduced_pressure) const;
 };
 
-/// Straight lines through the measured wet readings, one per group, by ascending liquid content
-/// and inertial number. A group is readings whose liquid contents agree within 2 % and inertial
-/// numbers within 20 %; the quasi-static limit, 0, is a group of its own. A group without two
-/// distinct P* (2 % apart) at or above the limit has no line; `notes` says so, and which readings
-/// a line leaves out.
+/// Straight lines through the measured wet readings, one per group of `wet_groups` and in their
+/// order. A group without two distinct P* (2 % apart) at or above the limit has no line; `notes`
+/// says so, and which readings a line leaves out.
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const Grains& grains,
                                          const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes);

@@ -6,45 +6,16 @@
 #include <array>
 #include <cmath>
 
+#include "reports/shown.h"
+#include "reports/wet_figures.h"
+
 namespace pendular {
 namespace {
 
-const std::string stress_ratio_label = "stress ratio μ* = |σ_{12}|/σ_{22}";
-const std::string solid_fraction_label = "solid fraction Φ_S";
 const std::string friction_label = "intergranular friction μ";
 const std::string inertial_label = "inertial number I = γ̇ (m/aσ_{22})^{1/2}";
-const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
-                  calibrated_colour = "#c0392b", run_colour = "#5b9bd5";
-
 double calibrated(const Calibration& c) {
     return c.fit.parameters(0);
-}
-
-/// (stress ratio, solid fraction) of a reading with their standard errors.
-struct Shown {
-    std::array<double, 2> value, error;
-};
-Shown shown(const Reading& r) {
-    const double s = r.condition.normal_stress;
-    return {{r.value(0) / s, r.value(1)},
-            {std::sqrt(r.covariance(0, 0)) / s, std::sqrt(r.covariance(1, 1))}};
-}
-
-/// Weighted mean of readings, for a band that stands for all of them.
-Shown mean_of(const std::vector<Reading>& readings) {
-    Shown mean{};
-    for (std::size_t o = 0; o < 2; ++o) {
-        double weights = 0;
-        for (const auto& reading : readings) {
-            const Shown one = shown(reading);
-            const double weight = 1 / (one.error[o] * one.error[o]);
-            mean.value[o] += weight * one.value[o];
-            weights += weight;
-        }
-        mean.value[o] /= weights;
-        mean.error[o] = 1 / std::sqrt(weights);
-    }
-    return mean;
 }
 
 std::vector<Reading> dry_readings(const Calibration& c) {
@@ -79,8 +50,19 @@ struct ModelCurve {
         }
     }
     void draw_in(Panel& panel, std::size_t o, const std::string& label) const {
-        panel.curves.push_back({"", Curve::Style::band, x, value[o], error[o], model_colour});
-        panel.curves.push_back({label, Curve::Style::line, x, value[o], {}, model_colour});
+        panel.curves.push_back({.label = label + ", ± 1 standard error",
+                                .style = Curve::Style::band,
+                                .x = x,
+                                .y = value[o],
+                                .y_error = error[o],
+                                .colour = model_colour,
+                                .in_key = false});
+        panel.curves.push_back({.label = label,
+                                .style = Curve::Style::line,
+                                .x = x,
+                                .y = value[o],
+                                .y_error = {},
+                                .colour = model_colour});
     }
 };
 
@@ -97,7 +79,7 @@ Curve runs_curve(const Calibration& c, const DirectSimulation& model, const Cond
                  std::size_t o, double inertial_number) {
     Curve curve{.label = fmt::format("simulations, I = {:.3g}", inertial_number),
                 .colour = run_colour,
-                .symbol = 6};
+                .symbol = {Shape::circle, Filling::hollow}};
     for (const auto& run : c.runs) {
         if (!run.crystallised && !run.parameters.wetting &&
             std::abs(run.parameters.inertial_number / inertial_number - 1) < 0.01) {
@@ -138,7 +120,7 @@ Figure calibration_figure(const Calibration& c, const DirectSimulation& model) {
         curve.draw_in(
             panel, o,
             limit ? "model, I → 0" : fmt::format("model, I = {:.3g}", condition.inertial_number));
-        panel.key = o == 0 ? "bottom right" : "";
+        panel.key = o == 0 ? Key::bottom_right : Key::none;
         figure.panels.push_back(panel);
     }
     return figure;
@@ -163,7 +145,7 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
         Panel panel{.x_label = inertial_label,
                     .y_label = o == 0 ? stress_ratio_label : solid_fraction_label,
                     .log_x = true};
-        Curve points{.label = "measured", .colour = measured_colour, .symbol = 7};
+        Curve points{.label = "measured", .colour = measured_colour};
         std::vector<Reading> quasi_static;
         for (const auto& reading : dry) {
             if (reading.condition.inertial_number <= 0) {
@@ -195,16 +177,15 @@ Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
             condition.inertial_number = levels.front();
             const auto only = model.predict_at(c.fit.parameters, condition);
             const auto i = static_cast<Eigen::Index>(o);
-            panel.curves.push_back({"model",
-                                    Curve::Style::points,
-                                    {levels.front()},
-                                    {only.value(i)},
-                                    {std::sqrt(only.covariance(i, i))},
-                                    model_colour,
-                                    5});
+            panel.curves.push_back({.label = "model",
+                                    .x = {levels.front()},
+                                    .y = {only.value(i)},
+                                    .y_error = {std::sqrt(only.covariance(i, i))},
+                                    .colour = model_colour,
+                                    .symbol = {.shape = Shape::square}});
         }
         panel.x_range = {low, high};
-        panel.key = o == 0 ? "top left" : "";
+        panel.key = o == 0 ? Key::top_left : Key::none;
         panel.headroom = o == 0 ? 0.3 : 0;
         figure.panels.push_back(panel);
     }
@@ -228,7 +209,7 @@ Figure parity_figure(const Comparison& comparison) {
         }
         panel.curves.push_back(points);
         panel.diagonal = true;
-        panel.key = o == 0 ? "top left" : "";
+        panel.key = o == 0 ? Key::top_left : Key::none;
         figure.panels.push_back(panel);
     }
     return figure;
@@ -249,7 +230,7 @@ Figure residual_figure(const Comparison& comparison) {
         for (std::size_t o = 0; o < 2; ++o) {
             Curve points{.label = o == 0 ? "shear stress" : "solid fraction",
                          .colour = o == 0 ? model_colour : calibrated_colour,
-                         .symbol = o == 0 ? 7 : 4};
+                         .symbol = o == 0 ? Symbol{} : Symbol{Shape::square, Filling::hollow}};
             for (const auto& misfit : comparison.readings) {
                 points.x.push_back(covariate(misfit));
                 points.y.push_back(misfit.normalised(static_cast<Eigen::Index>(o)));
@@ -259,7 +240,7 @@ Figure residual_figure(const Comparison& comparison) {
         panel.zero_line = true;
         panel.y_least = 2.5;
         panel.headroom = 0.2;
-        panel.key = log_x ? "top left" : "";
+        panel.key = log_x ? Key::top_left : Key::none;
         return panel;
     };
     figure.panels.push_back(panel_against("normal stress σ_{22} [Pa]", by_stress, true));
@@ -270,13 +251,14 @@ Figure residual_figure(const Comparison& comparison) {
 }  // namespace
 
 std::vector<Figure> comparison_figures(const StudyModel& study_model,
-                                       const Calibration& calibration,
-                                       const Comparison& comparison) {
+                                       const Calibration& calibration, const Comparison& comparison,
+                                       const CohesionOptions& cohesion) {
     const DirectSimulation& model = study_model.simulation();
     std::vector<Figure> figures;
     if (!dry_readings(calibration).empty()) {
         figures = {calibration_figure(calibration, model), inertial_figure(calibration, model)};
     }
+    std::ranges::move(wet_figures(study_model, calibration, cohesion), std::back_inserter(figures));
     figures.push_back(parity_figure(comparison));
     figures.push_back(residual_figure(comparison));
     return figures;

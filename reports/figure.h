@@ -6,17 +6,20 @@
 #include <utility>
 #include <vector>
 
+#include "reports/symbol.h"
+
 namespace pendular {
 
-/// One set of data in a panel.
+/// One set of data in a panel. Without data it explains a look in the key.
 struct Curve {
-    enum class Style { points, line, band };
-    std::string label;  ///< empty: not in the key
+    enum class Style { points, line, dotted_line, dashed_line, band };
+    std::string label;
     Style style = Style::points;
     std::vector<double> x, y;
     std::vector<double> y_error;  ///< of points: bars; of a band: its half-width
     std::string colour = "#000000";
-    int symbol = 7;  ///< gnuplot point type
+    Symbol symbol = {};
+    bool in_key = true;
 };
 
 /// A value with its error that runs across a panel: horizontal, or vertical at one x.
@@ -28,6 +31,9 @@ struct Reference {
     std::string colour = "#888888";
 };
 
+/// Where a panel's key stands: in a corner, or to the right of the axes where none is free.
+enum class Key { none, top_left, top_right, bottom_left, bottom_right, outside };
+
 /// One pair of axes.
 struct Panel {
     std::string x_label, y_label;  ///< with units
@@ -36,7 +42,7 @@ struct Panel {
     std::vector<Curve> curves;
     bool diagonal = false;  ///< y = x, for parity
     bool zero_line = false;
-    std::string key;      ///< where the key stands, in gnuplot's words; empty: none
+    Key key = Key::none;
     double headroom = 0;  ///< share of the height kept free above the data, for the key
     std::optional<std::pair<double, double>> x_range = {};
     double y_least = 0;  ///< the y axis reaches at least this far to both sides of zero

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/symbol.h"
+
+namespace pendular {
+
+/// How a line on paper looks.
+struct Pen {
+    std::string colour;
+    double width = 1;            ///< in gnuplot's units
+    std::string dash = "solid";  ///< gnuplot dash type
+};
+
+/// Shapes and words in inches over a whole page, as commands for gnuplot. They go through its plot
+/// styles: the borders of its objects are drawn twice in SVG, once in black.
+class Ink {
+  public:
+    void line(Outline points, const Pen& pen);
+    /// `opacity` from 0 to 1.
+    void area(Outline closed, const std::string& colour, double opacity = 1);
+    /// Words beside a place, their middle at its height.
+    void words(const std::string& text, PaperPoint place, bool end_there);
+    /// A symbol of a given area [inch^2] at a place.
+    void symbol(const Symbol& symbol, PaperPoint place, double area, const std::string& colour);
+
+    /// Named data blocks, to be given once.
+    std::string data_blocks() const;
+    /// Draws everything on a page of this size [inch].
+    std::string script(double width, double height) const;
+
+  private:
+    struct Layer {
+        std::string style;  ///< gnuplot's plot style and its options
+        std::vector<Outline> pieces;
+    };
+    void add(const std::string& style, Outline points);
+
+    std::vector<Layer> layers_;  ///< later ones lie above
+    std::vector<std::string> labels_;
+};
+
+/// gnuplot string in double quotes.
+std::string quoted(const std::string& text);
+
+}  // namespace pendular

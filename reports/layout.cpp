@@ -1,0 +1,128 @@
+#include "reports/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pendular {
+namespace {
+
+// All lengths in inches.
+constexpr double title_height = 0.38;
+constexpr double left_margin = 0.95, right_margin = 0.3, bottom_margin = 0.62, top_margin = 0.1;
+constexpr double outside_key_width = 2.75;
+struct Size {
+    double width, height;
+};
+constexpr Size above_another{6.0, 3.9}, side_by_side{5.2, 4.2}, alone{6.0, 5.0};
+
+/// The least and greatest of what an axis has to show.
+class Extent {
+  public:
+    void include(double value, double error = 0) {
+        for (const double end : {value - error, value + error}) {
+            if (std::isfinite(end)) {
+                least_ = std::min(least_, end), greatest_ = std::max(greatest_, end);
+            }
+        }
+    }
+    double least() const { return least_; }
+    double greatest() const { return greatest_; }
+
+  private:
+    double least_ = std::numeric_limits<double>::infinity(), greatest_ = -least_;
+};
+
+Extent extent(const Panel& panel, bool along_x) {
+    Extent extent;
+    for (const auto& curve : panel.curves) {
+        for (std::size_t k = 0; k < curve.x.size(); ++k) {
+            along_x ? extent.include(curve.x[k])
+                    : extent.include(curve.y[k], curve.y_error.empty() ? 0 : curve.y_error[k]);
+        }
+    }
+    for (const auto& reference : panel.references) {
+        if (reference.vertical == along_x) {
+            extent.include(reference.value, reference.error);
+        }
+    }
+    return extent;
+}
+
+/// Range of one axis over all that a panel shows, with a margin.
+AxisRange range(const Panel& panel, bool along_x) {
+    const Extent shown = extent(panel, along_x);
+    const double least = shown.least(), greatest = shown.greatest();
+    if (!(least < greatest)) {
+        // One value only: it stands in the middle.
+        const double middle = std::isfinite(least) ? least : 0,
+                     reach = middle == 0 ? 1e-3 : 0.5 * std::abs(middle);
+        return {middle - reach, middle + reach};
+    }
+    if (along_x && !panel.diagonal &&
+        greatest - least < 0.2 * std::max(std::abs(least), std::abs(greatest))) {
+        // Set points that scatter by a few per cent were one set point.
+        const double middle = 0.5 * (least + greatest);
+        return {0.8 * middle, 1.2 * middle};
+    }
+    if (along_x && panel.log_x) {
+        return {least / 1.3, greatest * 1.3};
+    }
+    const double margin = 0.08 * (greatest - least);
+    // Values that cannot be negative keep their natural zero.
+    return {least >= 0 && least < margin ? 0 : least - margin, greatest + margin};
+}
+
+void set_ranges(PanelPlace& place, const Panel& panel) {
+    place.x = panel.x_range.value_or(range(panel, true));
+    place.y = range(panel, false);
+    if (panel.y_least > 0) {
+        place.y = {std::min(place.y.first, -panel.y_least),
+                   std::max(place.y.second, panel.y_least)};
+    }
+    place.y.second += panel.headroom / (1 - panel.headroom) * (place.y.second - place.y.first);
+    if (panel.diagonal) {
+        place.x = place.y = {std::min(place.x.first, place.y.first),
+                             std::max(place.x.second, place.y.second)};
+    }
+    place.log_x = panel.log_x;
+}
+
+}  // namespace
+
+PaperPoint PanelPlace::at(double value_x, double value_y) const {
+    const auto share = [](double value, AxisRange range) {
+        return (value - range.first) / (range.second - range.first);
+    };
+    const double along = log_x ? share(std::log(value_x), {std::log(x.first), std::log(x.second)})
+                               : share(value_x, x);
+    return {left + along * (right - left), bottom + share(value_y, y) * (top - bottom)};
+}
+
+Page page_of(const Figure& figure) {
+    const Size cell = figure.panels.size() == 1 ? alone
+                      : figure.stacked          ? above_another
+                                                : side_by_side;
+    Page page;
+    double left = 0, depth = title_height;
+    for (const auto& panel : figure.panels) {
+        const double whole = cell.width + (panel.key == Key::outside ? outside_key_width : 0);
+        PanelPlace place{.left = left + left_margin,
+                         .right = left + cell.width - right_margin,
+                         .bottom = -(depth + cell.height - bottom_margin),
+                         .top = -(depth + top_margin)};
+        set_ranges(place, panel);
+        page.panels.push_back(place);
+        page.width = std::max(page.width, left + whole);
+        page.height = std::max(page.height, depth + cell.height);
+        (figure.stacked ? depth : left) += figure.stacked ? cell.height : whole;
+    }
+    for (auto& place : page.panels) {
+        // So far from the upper edge; gnuplot counts from the lower one.
+        place.bottom += page.height;
+        place.top += page.height;
+    }
+    return page;
+}
+
+}  // namespace pendular

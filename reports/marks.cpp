@@ -1,0 +1,134 @@
+#include "reports/marks.h"
+
+namespace pendular {
+namespace {
+
+// All lengths in inches.
+constexpr double symbol_area = 0.1 * 0.1;
+constexpr double cap = 0.035;  ///< half the width of an error bar's ends
+constexpr double line_spacing = 0.21;
+constexpr double sample_width = 0.34, sample_gap = 0.1, key_inset = 0.14;
+
+void draw_bar(Ink& ink, const PanelPlace& place, double x, double y, double error,
+              const std::string& colour) {
+    const PaperPoint low = place.at(x, y - error), high = place.at(x, y + error);
+    const Pen pen{colour, 1};
+    ink.line({low, high}, pen);
+    for (const auto& end : {low, high}) {
+        ink.line({{end.x - cap, end.y}, {end.x + cap, end.y}}, pen);
+    }
+}
+
+void draw_points(Ink& ink, const PanelPlace& place, const Curve& curve) {
+    for (std::size_t k = 0; k < curve.x.size(); ++k) {
+        if (!curve.y_error.empty() && curve.y_error[k] > 0) {
+            draw_bar(ink, place, curve.x[k], curve.y[k], curve.y_error[k], curve.colour);
+        }
+    }
+    for (std::size_t k = 0; k < curve.x.size(); ++k) {
+        ink.symbol(curve.symbol, place.at(curve.x[k], curve.y[k]), symbol_area, curve.colour);
+    }
+}
+
+/// One line of a key: words and the look they explain.
+struct Entry {
+    const std::string* label;
+    const Curve* curve = nullptr;  ///< none: a reference, of this colour
+    std::string colour = {};
+};
+
+std::vector<Entry> entries_of(const Panel& panel) {
+    std::vector<Entry> entries;
+    for (const auto& reference : panel.references) {
+        if (!reference.label.empty()) {
+            entries.push_back({&reference.label, nullptr, reference.colour});
+        }
+    }
+    for (const auto& curve : panel.curves) {
+        if (curve.in_key) {
+            entries.push_back({&curve.label, &curve});
+        }
+    }
+    return entries;
+}
+
+/// What an entry explains, about the middle of its sample.
+void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
+    const double reach = sample_width / 2, y = middle.y;
+    const Outline stroke{{middle.x - reach, y}, {middle.x + reach, y}};
+    if (!entry.curve) {
+        ink.line(stroke, {entry.colour, reference_pen.width, reference_pen.dash});
+        return;
+    }
+    const Curve& curve = *entry.curve;
+    constexpr double half_band = 0.055;
+    switch (curve.style) {
+        case Curve::Style::points:
+            ink.symbol(curve.symbol, middle, symbol_area, curve.colour);
+            break;
+        case Curve::Style::line:
+        case Curve::Style::dotted_line:
+        case Curve::Style::dashed_line:
+            ink.line(stroke, pen_of(curve));
+            break;
+        case Curve::Style::band:
+            ink.area({{middle.x - reach, y - half_band},
+                      {middle.x + reach, y - half_band},
+                      {middle.x + reach, y + half_band},
+                      {middle.x - reach, y + half_band}},
+                     curve.colour, band_opacity);
+            break;
+    }
+}
+
+/// Samples stand at the outer edge and words run inwards, so that no width of words need be known.
+void draw_key(Ink& ink, const PanelPlace& place, const Panel& panel) {
+    const auto entries = entries_of(panel);
+    const bool right = panel.key == Key::top_right || panel.key == Key::bottom_right;
+    const bool bottom = panel.key == Key::bottom_left || panel.key == Key::bottom_right;
+    const double edge = panel.key == Key::outside ? place.right
+                        : right                   ? place.right - key_inset
+                                                  : place.left;
+    const double inset = right ? 0 : key_inset;
+    const double x = right ? edge - sample_width / 2 : edge + inset + sample_width / 2;
+    const double away = sample_width / 2 + sample_gap;
+    double y = bottom ? place.bottom + line_spacing * static_cast<double>(entries.size()) -
+                            line_spacing / 2 + key_inset / 2
+                      : place.top - line_spacing / 2 - key_inset / 2;
+    for (const auto& entry : entries) {
+        draw_sample(ink, entry, {x, y});
+        ink.words(*entry.label, {right ? x - away : x + away, y}, right);
+        y -= line_spacing;
+    }
+}
+
+}  // namespace
+
+Pen pen_of(const Curve& curve) {
+    switch (curve.style) {
+        case Curve::Style::dotted_line:
+            return {curve.colour, 1.5, "(2,3)"};
+        case Curve::Style::dashed_line:
+            return {curve.colour, 1.1, "(10,4,2,4)"};
+        default:
+            return {curve.colour, 1.8};
+    }
+}
+
+Ink marks_of(const Figure& figure, const Page& page) {
+    Ink ink;
+    for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+        const Panel& panel = figure.panels[p];
+        for (const auto& curve : panel.curves) {
+            if (curve.style == Curve::Style::points) {
+                draw_points(ink, page.panels[p], curve);
+            }
+        }
+        if (panel.key != Key::none) {
+            draw_key(ink, page.panels[p], panel);
+        }
+    }
+    return ink;
+}
+
+}  // namespace pendular
