@@ -21,11 +21,13 @@ struct Points {
     Eigen::VectorXd inverse_pressure;  ///< 1/P*
     Eigen::VectorXd stress_ratio;
     Eigen::MatrixXd covariance;  ///< of the stress ratios
+    Eigen::MatrixXd weighting;   ///< covariance whose inverse weighs the points: the measured one
 
     Eigen::Index size() const { return inverse_pressure.size(); }
     double reduced_pressure(Eigen::Index k) const { return 1 / inverse_pressure(k); }
     Points only(const std::vector<Eigen::Index>& which) const {
-        return {inverse_pressure(which), stress_ratio(which), covariance(which, which)};
+        return {inverse_pressure(which), stress_ratio(which), covariance(which, which),
+                weighting(which, which)};
     }
 };
 
@@ -40,46 +42,35 @@ std::string name_of(const WetGroup& group) {
                              group.inertial_number);
 }
 
-/// Readings of a group as points, by falling P*, from values stacked as those of a model.
-Points points_of(const WetGroup& group, const std::vector<Reading>& readings,
-                 const Measured& stacked, const Grains& grains, const Liquid& liquid) {
+/// What a kind of lines needs beside the readings.
+struct Task {
+    std::string source;
+    Measured values;            ///< stacked as those of a model
+    Eigen::MatrixXd weighting;  ///< covariance of the readings
+};
+
+/// Readings of a group as points, by falling P*.
+Points points_of(const WetGroup& group, const std::vector<Reading>& readings, const Task& task,
+                 const Grains& grains, const Liquid& liquid) {
     std::vector<Eigen::Index> order(group.members.begin(), group.members.end());
     std::ranges::stable_sort(order, std::greater<>(),
                              [&](Eigen::Index k) { return condition(readings, k).normal_stress; });
     const auto n = std::ssize(order);
-    Points points{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::MatrixXd(n, n)};
+    Points points{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::MatrixXd(n, n),
+                  Eigen::MatrixXd(n, n)};
     for (Eigen::Index i = 0; i < n; ++i) {
         const Eigen::Index k = order[static_cast<std::size_t>(i)];
         const double normal_stress = condition(readings, k).normal_stress;
         points.inverse_pressure(i) = 1 / reduced_pressure(normal_stress, grains, liquid);
-        points.stress_ratio(i) = stacked.value(2 * k) / normal_stress;
+        points.stress_ratio(i) = task.values.value(2 * k) / normal_stress;
         for (Eigen::Index j = 0; j < n; ++j) {
             const Eigen::Index l = order[static_cast<std::size_t>(j)];
-            points.covariance(i, j) = stacked.covariance(2 * k, 2 * l) / normal_stress /
-                                      condition(readings, l).normal_stress;
+            const double unit = normal_stress * condition(readings, l).normal_stress;
+            points.covariance(i, j) = task.values.covariance(2 * k, 2 * l) / unit;
+            points.weighting(i, j) = task.weighting(2 * k, 2 * l) / unit;
         }
     }
     return points;
-}
-
-/// Averages points, which are by falling P*, that agree in P* with the first of their kind.
-Points without_replicates(const Points& points) {
-    std::vector<Eigen::Index> begins;
-    for (Eigen::Index k = 0; k < points.size(); ++k) {
-        if (begins.empty() || !agree(points.reduced_pressure(begins.back()),
-                                     points.reduced_pressure(k), reduced_pressure_tolerance))
-            begins.push_back(k);
-    }
-    const auto n = std::ssize(begins);
-    begins.push_back(points.size());
-    Eigen::MatrixXd average = Eigen::MatrixXd::Zero(n, points.size());
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const Eigen::Index begin = begins[static_cast<std::size_t>(i)];
-        const Eigen::Index count = begins[static_cast<std::size_t>(i) + 1] - begin;
-        average.row(i).segment(begin, count).setConstant(1 / static_cast<double>(count));
-    }
-    return {average * points.inverse_pressure, average * points.stress_ratio,
-            average * points.covariance * average.transpose()};
 }
 
 /// Intercept and reduced cohesion as a model of stress ratios: here the entries of a prediction are
@@ -122,29 +113,15 @@ Split split(const Points& points, const CohesionOptions& options) {
     return result;
 }
 
-/// Predictions that come from few runs can depend on each other entirely; no line goes through
-/// them all, and a hundredth of each error is then taken as the point's own.
-bool loosen(Eigen::MatrixXd& covariance) {
-    constexpr double own = 0.01, entirely = 1e-10;
-    const Eigen::VectorXd scale = covariance.diagonal().cwiseSqrt().cwiseInverse();
-    const Eigen::MatrixXd correlation = scale.asDiagonal() * covariance * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlation,
-                                                                Eigen::EigenvaluesOnly);
-    if (solver.eigenvalues()(0) > entirely) return false;
-    covariance.diagonal() *= 1 + own * own;
-    return true;
-}
-
 /// (line - value)/value at the points below, whose errors may depend on those of the points the
-/// line goes through: the line there is W y with W = [1 1/P*] C J' Sigma^-1.
-std::vector<Overestimate> overestimates(const Points& all, const Split& which, const Points& fitted,
-                                        const StraightLine& line, const Fit& fit) {
-    const Eigen::MatrixXd estimator =
-        fit.covariance * line.matrix().transpose() * fitted.covariance.inverse();
+/// line goes through: the line there is [1 1/P*] K y.
+std::vector<Overestimate> overestimates(const Points& all, const Split& which,
+                                        const Eigen::MatrixXd& estimator,
+                                        const Eigen::Vector2d& line) {
     std::vector<Overestimate> result;
     for (const Eigen::Index k : which.below) {
         const Eigen::RowVector2d at(1, all.inverse_pressure(k));
-        const double value = all.stress_ratio(k), predicted = at * fit.parameters;
+        const double value = all.stress_ratio(k), predicted = at * line;
         Eigen::RowVectorXd slope = Eigen::RowVectorXd::Zero(all.size());
         slope(which.fitted) = at * estimator / value;
         slope(k) = -predicted / (value * value);
@@ -155,19 +132,25 @@ std::vector<Overestimate> overestimates(const Points& all, const Split& which, c
     return result;
 }
 
-CohesionLine line_through(const Points& all, const Split& which, Points fitted) {
+/// The line with the errors that the points' own covariance causes: K C K', K = (A'WA)^-1 A'W.
+CohesionLine line_through(const Points& all, const Split& which) {
+    const Points fitted = all.only(which.fitted);
     const StraightLine line(fitted.inverse_pressure);
     const Fit fit =
-        pendular::fit(line, {fitted.stress_ratio, fitted.covariance}, Eigen::Vector2d::Zero());
+        pendular::fit(line, {fitted.stress_ratio, fitted.weighting}, Eigen::Vector2d::Zero());
+    const Eigen::MatrixXd estimator =
+        fit.covariance * line.matrix().transpose() * fitted.weighting.inverse();
+    const Eigen::Matrix2d covariance = estimator * fitted.covariance * estimator.transpose();
+    const Eigen::Vector2d error = covariance.diagonal().cwiseSqrt();
     CohesionLine result;
-    result.stress_ratio_intercept = {fit.parameters(0), fit.standard_error(0)};
-    result.reduced_cohesion = {fit.parameters(1), fit.standard_error(1)};
-    result.correlation = fit.covariance(0, 1) / (fit.standard_error(0) * fit.standard_error(1));
+    result.stress_ratio_intercept = {fit.parameters(0), error(0)};
+    result.reduced_cohesion = {fit.parameters(1), error(1)};
+    result.correlation = covariance(0, 1) / (error(0) * error(1));
     result.points = static_cast<int>(fitted.size());
     result.chi2 = fit.chi2;
     result.dof = fit.dof;
     result.lowest_reduced_pressure = 1 / fitted.inverse_pressure.maxCoeff();
-    result.below = overestimates(all, which, fitted, line, fit);
+    result.below = overestimates(all, which, estimator, fit.parameters);
     return result;
 }
 
@@ -184,13 +167,6 @@ std::string list_of_pressures(const Points& points, const std::vector<Eigen::Ind
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// What a kind of lines needs beside the readings.
-struct Task {
-    std::string source;
-    Measured stacked;
-    bool merge_replicates = false;
-};
-
 std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& readings,
                                 const Grains& grains, const Liquid& liquid,
                                 const CohesionOptions& options, std::vector<std::string>& notes) {
@@ -201,11 +177,9 @@ std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& re
             notes.push_back(
                 fmt::format("{} cohesion line, {}: {}", task.source, name_of(group), text));
         };
-        Points all = points_of(group, readings, task.stacked, grains, liquid);
-        if (task.merge_replicates) all = without_replicates(all);
+        const Points all = points_of(group, readings, task, grains, liquid);
         const Split which = split(all, options);
-        Points fitted = all.only(which.fitted);
-        if (!has_two_distinct(fitted)) {
+        if (!has_two_distinct(all.only(which.fitted))) {
             std::vector<Eigen::Index> every = which.fitted;
             every.insert(every.end(), which.below.begin(), which.below.end());
             note(
@@ -217,11 +191,7 @@ std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& re
         if (!which.below.empty())
             note(fmt::format("leaves out the reduced pressures below {:.3g}: {}", limit,
                              list_of_pressures(all, which.below)));
-        if (loosen(fitted.covariance))
-            note(
-                "the errors of its points depend on each other entirely; 1 % of each is taken as "
-                "the point's own");
-        CohesionLine line = line_through(all, which, std::move(fitted));
+        CohesionLine line = line_through(all, which);
         line.source = task.source;
         line.liquid_content = group.liquid_content;
         line.inertial_number = group.inertial_number;
@@ -247,17 +217,16 @@ double stress_ratio(const CohesionLine& line, double reduced_pressure) {
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const Grains& grains,
                                          const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes) {
-    return lines({.source = "measured", .stacked = stack(readings)}, readings, grains, liquid,
-                 options, notes);
+    const Measured measured = stack(readings);
+    return lines({"measured", measured, measured.covariance}, readings, grains, liquid, options,
+                 notes);
 }
 
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          const Prediction& predicted, const Grains& grains,
                                          const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes) {
-    return lines({.source = "simulated",
-                  .stacked = {predicted.value, predicted.covariance},
-                  .merge_replicates = true},
+    return lines({"simulated", {predicted.value, predicted.covariance}, stack(readings).covariance},
                  readings, grains, liquid, options, notes);
 }
 

@@ -60,8 +60,11 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, c
                                          const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes);
 
-/// The same for what a model predicts of these readings, weighted by the full covariance of the
-/// predictions. Replicates are one point: a model says the same of all of them.
+/// The same for what a model predicts of these readings: the line that the same procedure, with the
+/// weights of the readings, draws through the predictions; its errors are those that the full
+/// covariance of the predictions causes. (Weights by that covariance itself would go wrong: points
+/// whose errors are nearly common decide a line by their small differences, and simulated stress
+/// ratios are not exactly straight.) chi2 says whether the readings' errors would show the bend.
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          const Prediction& predicted, const Grains& grains,
                                          const Liquid& liquid, const CohesionOptions& options,

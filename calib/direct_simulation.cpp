@@ -25,10 +25,9 @@ constexpr double whole_range = 1e9;
 constexpr double offsets[][3] = {
     {-0.4, 0, 0.4}, {-0.2, 0.1, 0.25}, {-0.3, -0.1, 0.3}, {-0.15, 0.05, 0.15}};
 
-/// Where wet runs are placed around the centre and around the bridge volume that is to give a
-/// liquid content, in ln(friction + 0.05) and ln V0.
-constexpr std::pair<double, double> wet_offsets[] = {{-0.25, 0.2}, {0.25, -0.2}, {0.1, 0.2},
-                                                     {-0.1, -0.2}, {-0.2, -0.1}, {0.2, 0.1}};
+/// Half-widths around the centre, and around the bridge volume that is to give a liquid content,
+/// in which wet runs are placed, in ln(friction + 0.05) and ln V0.
+constexpr double wet_friction_width = 0.25, wet_volume_width = 0.2;
 
 /// Sets of three runs that one round may order at each inertial number.
 constexpr double most_sets = 8;
@@ -97,24 +96,23 @@ void DirectSimulation::improve(const Eigen::VectorXd& parameters, double excess)
 }
 
 void DirectSimulation::learn_wet(const Eigen::VectorXd& parameters) {
-    const double friction = parameters(0);
     constexpr std::size_t fewest = 6;
     const std::size_t turns = (fewest + wet_settings_.size() - 1) / wet_settings_.size();
     std::vector<dem::RunParameters> wanted;
     for (std::size_t turn = 0; turn < turns; ++turn) {
-        for (const auto& setting : wet_settings_) {
-            const auto [by_friction, by_volume] =
-                wet_offsets[wet_placed_++ % std::size(wet_offsets)];
-            FlowState state{.friction = std::clamp(friction_at(by_friction, friction),
-                                                   parameters_[0].lower, parameters_[0].upper),
-                            .inertial_number = setting.inertial_number,
-                            .inverse_pressure = setting.inverse_pressure};
-            state.bridge_volume =
-                network_.volume_of(setting.liquid_content, state) * std::exp(by_volume);
+        const auto places = latin_places(wet_settings_, seed_of_run(seed_, ordered_ + turn));
+        for (std::size_t k = 0; k < wet_settings_.size(); ++k) {
+            const WetSetting& setting = wet_settings_[k];
+            const double friction =
+                friction_at(wet_friction_width * places[k].first, parameters(0));
+            FlowState state{
+                .friction = std::clamp(friction, parameters_[0].lower, parameters_[0].upper),
+                .inertial_number = setting.inertial_number,
+                .inverse_pressure = setting.inverse_pressure};
+            state.bridge_volume = network_.volume_of(setting.liquid_content, state) *
+                                  std::exp(wet_volume_width * places[k].second);
             wanted.push_back(run_at(state, fidelity_.strain));
         }
-        // So that the next turn's offsets fall on other settings.
-        ++wet_placed_;
     }
     carry_out(std::move(wanted));
     renew_surfaces(centre_, half_width_);

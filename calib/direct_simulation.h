@@ -92,9 +92,8 @@ class DirectSimulation : public FlowModel {
     BridgeNetwork network_;
     std::vector<std::string> notes_;
     double centre_ = 0, half_width_ = 0;
-    std::uint64_t ordered_ = 0;   ///< runs ordered so far, each with a seed of its own
-    std::size_t placed_ = 0;      ///< sets of dry runs placed around a centre so far
-    std::size_t wet_placed_ = 0;  ///< wet runs placed so far
+    std::uint64_t ordered_ = 0;  ///< runs ordered so far, each with a seed of its own
+    std::size_t placed_ = 0;     ///< sets of dry runs placed around a centre so far
 };
 
 }  // namespace pendular

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <random>
 #include <stdexcept>
 
 namespace pendular {
@@ -89,6 +92,31 @@ std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& condition
         }
     }
     return settings;
+}
+
+std::vector<std::pair<double, double>> latin_places(const std::vector<WetSetting>& settings,
+                                                    std::uint64_t seed) {
+    std::map<double, std::vector<std::size_t>> by_inertial_number;
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+        by_inertial_number[settings[k].inertial_number].push_back(k);
+    }
+    std::mt19937_64 random(seed);
+    std::vector<std::pair<double, double>> places(settings.size());
+    for (const auto& [inertial_number, members] : by_inertial_number) {
+        const auto n = members.size();
+        const auto centre = [&](std::size_t cell) {
+            return (2 * static_cast<double>(cell) + 1) / static_cast<double>(n) - 1;
+        };
+        std::vector<std::size_t> first(n), second(n);
+        std::iota(first.begin(), first.end(), std::size_t{0});
+        second = first;
+        std::ranges::shuffle(first, random);
+        std::ranges::shuffle(second, random);
+        for (std::size_t k = 0; k < n; ++k) {
+            places[members[k]] = {centre(first[k]), centre(second[k])};
+        }
+    }
+    return places;
 }
 
 }  // namespace pendular

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "data/study.h"
@@ -26,5 +28,10 @@ struct WetSetting {
 std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& conditions,
                                          const Study& study, double lowest);
 constexpr std::size_t most_wet_pairs = 12;
+
+/// A place in [-1, 1]^2 for each setting, random but evenly spread along both axes among the
+/// settings of one inertial number, so that what is placed does not go with what is set.
+std::vector<std::pair<double, double>> latin_places(const std::vector<WetSetting>& settings,
+                                                    std::uint64_t seed);
 
 }  // namespace pendular
