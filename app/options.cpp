@@ -32,7 +32,15 @@ std::filesystem::path study_folder(const std::filesystem::path& study) {
     return study.has_parent_path() ? study.parent_path() : std::filesystem::path(".");
 }
 
-/// Long work must not end in a place that cannot be written.
+}  // namespace
+
+std::uint64_t checked_seed(std::int64_t seed) {
+    if (seed < 0) {
+        throw InputError(fmt::format("--seed {}: a seed is 0 or more", seed));
+    }
+    return static_cast<std::uint64_t>(seed);
+}
+
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder) {
     namespace fs = std::filesystem;
     std::error_code error;
@@ -55,15 +63,6 @@ void demand_writable(const std::filesystem::path& path, const std::string& optio
         throw InputError(fmt::format("{} {} cannot be written: {}", option, path.string(),
                                      std::strerror(errno)));
     }
-}
-
-}  // namespace
-
-std::uint64_t checked_seed(std::int64_t seed) {
-    if (seed < 0) {
-        throw InputError(fmt::format("--seed {}: a seed is 0 or more", seed));
-    }
-    return static_cast<std::uint64_t>(seed);
 }
 
 std::filesystem::path CommonOptions::out_folder() const {
@@ -136,7 +135,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
         return std::nullopt;
     }
     if (takes_study_ && study.empty()) {
-        throw InputError(fmt::format("no study given; usage: pendular {}", usage_));
+        throw InputError(fmt::format("a folder is missing; usage: pendular {}", usage_));
     }
     if (result.threads < 1) {
         throw InputError(

@@ -15,6 +15,10 @@ namespace pendular::app {
 /// @throws InputError if it is negative
 std::uint64_t checked_seed(std::int64_t seed);
 
+/// Refuses a file or folder that cannot be written, since long work must not end there.
+/// @throws InputError naming the option
+void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);
+
 /// What every command understands.
 struct CommonOptions {
     std::optional<std::string> json;  ///< file, or "-" for standard output

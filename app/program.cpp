@@ -13,11 +13,13 @@
 namespace pendular::app {
 namespace {
 
-constexpr std::array<Command, 4> commands = {{
+constexpr std::array<Command, 5> commands = {{
     {"import", "recordings to readings: stresses and solid fractions with their errors", import},
     {"simulate", "one discrete-element run of steady shear and its observables", simulate},
     {"calibrate", "fit the intergranular friction to the dry readings of a study", calibrate},
     {"compare", "model beside measurement: misfit by observable and condition, figures", compare},
+    {"virtual-lab", "a study as an instrument with a hidden truth would have recorded it",
+     virtual_lab},
 }};
 
 void print_overview() {
@@ -25,7 +27,7 @@ void print_overview() {
         "pendular puts rheometer recordings of beads beside a discrete-element model.\n\n"
         "Usage: pendular COMMAND [options]\n\nCommands:\n");
     for (const auto& command : commands) {
-        fmt::print("  {:<10} {}\n", command.name, command.summary);
+        fmt::print("  {:<11} {}\n", command.name, command.summary);
     }
     fmt::print(
         "\n'pendular COMMAND --help' describes one, with examples.\n"

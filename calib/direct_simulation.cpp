@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/seeds.h"
+
 namespace pendular {
 namespace {
 
@@ -34,14 +36,6 @@ constexpr double most_sets = 8;
 /// Short runs over the whole range, to find the neighbourhood of the answer.
 constexpr double scout_frictions[] = {0.02, 0.07, 0.15, 0.3, 0.6};
 constexpr double scout_share_of_strain = 0.4;
-
-/// A different seed for each run, well mixed (splitmix64), so that no two runs share a start.
-std::uint64_t seed_of_run(std::uint64_t seed, std::uint64_t run) {
-    std::uint64_t z = seed * 0x9E3779B97F4A7C15u + (run + 1) * 0xD1B54A32D192ED03u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-}
 
 std::string describe(const dem::RunParameters& p) {
     std::string text = fmt::format("a run at friction {:.3g}, inertial number {:.3g}", p.friction,

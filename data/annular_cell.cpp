@@ -29,6 +29,23 @@ double shear_rate(double angular_velocity, double height, const AnnularCell& cel
     return angular_velocity * (cell.inner_radius + cell.outer_radius) / (2 * height);
 }
 
+double normal_force(double normal_stress, const AnnularCell& cell) {
+    return normal_stress * cell.area();
+}
+
+double torque(double shear_stress, const AnnularCell& cell) {
+    // The conversion is proportional: what a torque of 1 N m shows is its factor, in either form.
+    return shear_stress / pendular::shear_stress(1, cell);
+}
+
+double height(double solid_fraction, const AnnularCell& cell) {
+    return cell.bead_volume / (solid_fraction * cell.area());
+}
+
+double angular_velocity(double shear_rate, double height, const AnnularCell& cell) {
+    return 2 * shear_rate * height / (cell.inner_radius + cell.outer_radius);
+}
+
 Eigen::Matrix2d covariance_of_reading(double height,
                                       const Eigen::Matrix2d& torque_height_covariance,
                                       const AnnularCell& cell) {

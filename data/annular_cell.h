@@ -37,6 +37,20 @@ double solid_fraction(double height, const AnnularCell& cell);
 /// Source: Badetti et al. (2018), eq:exprheol.
 double shear_rate(double angular_velocity, double height, const AnnularCell& cell);
 
+/// Normal force on the lid [N] at a normal stress [Pa]; the inverse of `normal_stress`.
+double normal_force(double normal_stress, const AnnularCell& cell);
+
+/// Torque on the lid [N m] at a shear stress [Pa], in the cell's form of the formula; the inverse
+/// of `shear_stress`.
+double torque(double shear_stress, const AnnularCell& cell);
+
+/// Height of the sample [m] at a solid fraction [1]; the inverse of `solid_fraction`.
+double height(double solid_fraction, const AnnularCell& cell);
+
+/// Angular velocity of the lid [rad/s] at a shear rate [1/s] and a height [m]; the inverse of
+/// `shear_rate`.
+double angular_velocity(double shear_rate, double height, const AnnularCell& cell);
+
 /// First-order covariance of (shear stress [Pa], solid fraction [1]) from that of
 /// (torque [N m], height [m]): J C J^T with the derivatives of the two conversions.
 Eigen::Matrix2d covariance_of_reading(double height,

@@ -13,6 +13,10 @@ double inertial_number(double shear_rate, double normal_stress, const Grains& gr
     return shear_rate * std::sqrt(grains.mass() / (grains.diameter * normal_stress));
 }
 
+double shear_rate_at(double inertial_number, double normal_stress, const Grains& grains) {
+    return inertial_number * std::sqrt(grains.diameter * normal_stress / grains.mass());
+}
+
 std::optional<double> stiffness_number(double normal_stress, const Grains& grains) {
     if (!grains.youngs_modulus) return std::nullopt;
     const double effective =

@@ -35,6 +35,10 @@ struct Liquid {
 /// rate a sqrt(rho/s22), is sqrt(6/pi) = 1.382 times larger.
 double inertial_number(double shear_rate, double normal_stress, const Grains& grains);
 
+/// Shear rate [1/s] at an inertial number [1] and a normal stress [Pa]; the inverse of
+/// `inertial_number`.
+double shear_rate_at(double inertial_number, double normal_stress, const Grains& grains);
+
 /// Stiffness number kappa = (E~/s22)^(2/3) [1], E~ = E/(1 - nu^2); empty without a Young's modulus.
 std::optional<double> stiffness_number(double normal_stress, const Grains& grains);
 

@@ -124,4 +124,42 @@ void write_whole(const std::filesystem::path& path, const std::string& content) 
     }
 }
 
+namespace {
+
+/// Moves files into a folder that is there already, and may be somebody's working directory.
+void move_files(const std::filesystem::path& from, const std::filesystem::path& to) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(from))
+        files.push_back(entry.path());
+    for (const auto& file : files)
+        std::filesystem::rename(file, to / file.filename());
+    std::filesystem::remove(from);
+}
+
+}  // namespace
+
+void write_whole_folder(const std::filesystem::path& folder,
+                        const std::map<std::string, std::string>& content_of_file) {
+    namespace fs = std::filesystem;
+    const fs::path target = folder.has_filename() ? folder : folder.parent_path();
+    fs::path temporary;
+    try {
+        const bool there = fs::exists(target);
+        temporary = there ? target / fmt::format(".{}.part", getpid())
+                          : fs::path(fmt::format("{}.{}.part", target.string(), getpid()));
+        fs::create_directories(temporary);
+        for (const auto& [name, content] : content_of_file)
+            write_into(temporary / name, content);
+        there ? move_files(temporary, target) : fs::rename(temporary, target);
+    } catch (const fs::filesystem_error& error) {
+        std::error_code ignored;
+        fs::remove_all(temporary, ignored);
+        cannot_write(target, error.code().message());
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove_all(temporary, ignored);
+        throw;
+    }
+}
+
 }  // namespace pendular

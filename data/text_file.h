@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,11 @@ std::vector<std::string> read_lines(const std::filesystem::path& path);
 /// renamed. Folders on the way are made.
 /// @throws std::runtime_error naming the file and the system's reason, a full disk for example
 void write_whole(const std::filesystem::path& path, const std::string& content);
+
+/// Writes a folder of files so that it is there whole or not at all: to a temporary folder beside
+/// it, then renamed, or, where the folder is there already, to one inside it, then moved up.
+/// @throws std::runtime_error naming the file or folder and the system's reason
+void write_whole_folder(const std::filesystem::path& folder,
+                        const std::map<std::string, std::string>& content_of_file);
 
 }  // namespace pendular

@@ -198,12 +198,25 @@ std::string wrong_dimension(const Unit& unit, const Unit& expected) {
     return message;
 }
 
-double quantity_in_si(std::string_view text, const Unit& expected) {
+namespace {
+
+/// A number and the unit behind it, each trimmed.
+struct NumberAndUnit {
+    std::string_view number, unit;
+};
+
+NumberAndUnit split_quantity(std::string_view text) {
     const std::string_view whole = trimmed(text);
     const std::size_t end = std::min(whole.find_first_not_of("+-.,0123456789eE"), whole.size());
     std::string_view number = whole.substr(0, end);
     if (number.ends_with('e') || number.ends_with('E')) number.remove_suffix(1);
-    const std::string_view unit_text = trimmed(whole.substr(number.size()));
+    return {number, trimmed(whole.substr(number.size()))};
+}
+
+}  // namespace
+
+double quantity_in_si(std::string_view text, const Unit& expected) {
+    const auto [number, unit_text] = split_quantity(text);
     const auto value = parse_number(number);
     if (!value) {
         const char* const hint = has_decimal_comma(number) ? "; the decimal sign is '.'" : "";
@@ -219,6 +232,24 @@ double quantity_in_si(std::string_view text, const Unit& expected) {
         throw std::invalid_argument(
             fmt::format("\"{}\": {}", text, wrong_dimension(unit, expected)));
     return unit.to_si(*value);
+}
+
+std::vector<double> quantities_in_si(std::string_view list, const Unit& expected) {
+    std::vector<double> values;
+    std::string unit;
+    // From the back, since a unit holds for the numbers before it.
+    for (bool more = true; more;) {
+        const std::size_t comma = list.rfind(',');
+        more = comma != std::string_view::npos;
+        const std::string item(trimmed(more ? list.substr(comma + 1) : list));
+        const std::string_view own = split_quantity(item).unit;
+        if (!own.empty()) unit = own;
+        values.push_back(quantity_in_si(
+            own.empty() && !unit.empty() ? fmt::format("{} {}", item, unit) : item, expected));
+        list = more ? list.substr(0, comma) : list;
+    }
+    std::ranges::reverse(values);
+    return values;
 }
 
 }  // namespace pendular

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pendular {
 
@@ -38,5 +39,10 @@ std::string wrong_dimension(const Unit& unit, const Unit& expected);
 /// does. The unit may be left out where `expected` is dimensionless.
 /// @throws std::invalid_argument saying what is wrong and what to do
 double quantity_in_si(std::string_view text, const Unit& expected);
+
+/// Values in SI units of a list such as "0.3, 1, 3 kPa": a number without a unit has that of the
+/// next one that has any.
+/// @throws std::invalid_argument saying what is wrong and what to do
+std::vector<double> quantities_in_si(std::string_view list, const Unit& expected);
 
 }  // namespace pendular

@@ -42,6 +42,8 @@ void check(const Wetting& w, double edge) {
                        w.bridge_volume, rupture_distance, edge));
 }
 
+}  // namespace
+
 void check(const RunParameters& p) {
     demand(p.friction >= 0 && p.friction <= 2,
            fmt::format("friction {} is not between 0 and 2", p.friction));
@@ -67,6 +69,8 @@ void check(const RunParameters& p) {
         check(*p.wetting, ShearCell::edge(p.beads));
     }
 }
+
+namespace {
 
 /// Averages over one block of strain.
 struct Block {

@@ -118,6 +118,10 @@ struct RunResult {
     }
 };
 
+/// Refuses what cannot be simulated, before any work.
+/// @throws std::invalid_argument for parameters out of range, naming the parameter
+void check(const RunParameters& parameters);
+
 /// Called about once per strain of 0.02 with the strain done and the strain expected in all.
 using Progress = std::function<void(double done, double expected)>;
 
@@ -126,7 +130,7 @@ constexpr double crystal_solid_fraction = 0.645;
 
 /// Shears a random sample of monosized beads until its averages are known over `strain`, after a
 /// transient that is detected, not assumed.
-/// @throws std::invalid_argument for parameters out of range, naming the parameter
+/// @throws std::invalid_argument for what `check` refuses
 /// @throws SimulationError where the state stops being finite or never reaches its stress
 /// @throws Interrupted when a stop is requested
 RunResult run(const RunParameters& parameters, std::stop_token stop = {},

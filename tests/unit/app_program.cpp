@@ -46,7 +46,8 @@ std::string rows(int count, const std::string& torque = "12.5", int from = 0) {
 TEST(Program, ExplainsItself) {
     EXPECT_EQ(run_pendular("--help").code, 0);
     EXPECT_THAT(run_pendular("--help").output, HasSubstr("calibrate"));
-    for (const std::string command : {"import", "simulate", "calibrate", "compare"}) {
+    for (const std::string command :
+         {"import", "simulate", "calibrate", "compare", "virtual-lab"}) {
         const Outcome help = run_pendular(command + " --help");
         EXPECT_EQ(help.code, 0);
         EXPECT_THAT(help.output, HasSubstr("Usage: pendular " + command));

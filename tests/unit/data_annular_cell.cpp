@@ -38,6 +38,17 @@ TEST(AnnularCell, ConvertsForceHeightAndSpeed) {
     EXPECT_NEAR(shear_rate(2, 0.02, cell), 2 * 0.033 / 0.02, 1e-12);
 }
 
+TEST(AnnularCell, ShowsWhatItsConversionsReadBack) {
+    for (const Form form : {Form::derived, Form::as_printed}) {
+        AnnularCell either = cell;
+        either.torque_formula = form;
+        EXPECT_NEAR(shear_stress(torque(250, either), either), 250, 1e-10);
+    }
+    EXPECT_NEAR(normal_stress(normal_force(800, cell), cell), 800, 1e-10);
+    EXPECT_NEAR(solid_fraction(height(0.6, cell), cell), 0.6, 1e-14);
+    EXPECT_NEAR(shear_rate(angular_velocity(7, 0.02, cell), 0.02, cell), 7, 1e-12);
+}
+
 TEST(AnnularCell, PropagatesCovarianceByTheConversionsDerivatives) {
     // Against central differences of the conversions themselves.
     const double torque = 0.03, height = 0.02;
@@ -60,6 +71,7 @@ TEST(Grains, GiveMassInertialAndStiffnessNumber) {
     // The other convention, rate a sqrt(rho/s22), is sqrt(6/pi) = 1.382 times larger.
     const double other = 2 * 500e-6 * std::sqrt(1050 / 1000.0);
     EXPECT_NEAR(other / inertial_number(2, 1000, grains), 1.382, 5e-4);
+    EXPECT_NEAR(inertial_number(shear_rate_at(0.01, 700, grains), 700, grains), 0.01, 1e-15);
     // Polystyrene at 0.3 and 3 kPa: 53,000 and 11,000.
     EXPECT_NEAR(*stiffness_number(300, grains), 53000, 1000);
     EXPECT_NEAR(*stiffness_number(3000, grains), 11000, 500);

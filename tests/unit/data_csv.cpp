@@ -141,5 +141,27 @@ TEST(WriteWhole, SaysThatADiskIsFull) {
     EXPECT_FALSE(std::filesystem::exists(target));
 }
 
+TEST(WriteWholeFolder, IsThereWholeOrNotAtAll) {
+    TemporaryFolder folder;
+    const auto names = [](const std::filesystem::path& path) {
+        std::vector<std::string> found;
+        for (const auto& entry : std::filesystem::directory_iterator(path))
+            found.push_back(entry.path().filename().string());
+        std::sort(found.begin(), found.end());
+        return found;
+    };
+    const std::map<std::string, std::string> files = {{"a.txt", "1"}, {"b.txt", "2"}};
+    std::filesystem::create_directory(folder.path() / "empty");
+    for (const std::string name : {"new", "deep/er", "empty", "slash/"}) {
+        write_whole_folder(folder.path() / name, files);
+        EXPECT_EQ(names(folder.path() / name), (std::vector<std::string>{"a.txt", "b.txt"}));
+        EXPECT_EQ(read_lines(folder.path() / name / "b.txt"), std::vector<std::string>{"2"});
+    }
+    // A file that cannot be written takes the others with it.
+    EXPECT_THROW(write_whole_folder(folder.path() / "bad", {{"a.txt", "1"}, {"no/b.txt", "2"}}),
+                 std::runtime_error);
+    EXPECT_EQ(names(folder.path()), (std::vector<std::string>{"deep", "empty", "new", "slash"}));
+}
+
 }  // namespace
 }  // namespace pendular

@@ -142,6 +142,27 @@ TEST(Quantities, RefuseWhatIsNoNumber) {
     EXPECT_THAT(refusal("", "m"), HasSubstr("not a number"));
 }
 
+TEST(Quantities, ComeInListsThatShareAUnit) {
+    using testing::ElementsAre;
+    EXPECT_THAT(quantities_in_si("0.3, 1, 3 kPa", Unit("Pa")), ElementsAre(300, 1000, 3000));
+    EXPECT_THAT(quantities_in_si("500 Pa,2,3 kPa", Unit("Pa")), ElementsAre(500, 2000, 3000));
+    EXPECT_THAT(quantities_in_si("0.007, 3 %", Unit("1")),
+                ElementsAre(testing::DoubleEq(7e-5), 0.03));
+    EXPECT_THAT(quantities_in_si(" 0.1", Unit("1")), ElementsAre(0.1));
+    const auto refused = [](const std::string& list) -> std::string {
+        try {
+            quantities_in_si(list, Unit("Pa"));
+        } catch (const std::invalid_argument& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(refused("1 kPa, 2"), HasSubstr("\"2\" has no unit"));
+    EXPECT_THAT(refused("1, , 2 kPa"), HasSubstr("not a number"));
+    EXPECT_THAT(refused("1, 2 mm"), HasSubstr("measures m"));
+    EXPECT_THAT(refused(""), HasSubstr("not a number"));
+}
+
 TEST(Units, CanBeReadFromSeveralThreads) {
     std::vector<std::thread> threads;
     std::vector<double> sums(4, 0);

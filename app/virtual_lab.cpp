@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "app/console.h"
+#include "app/interrupt.h"
+#include "app/options.h"
+#include "data/input_error.h"
+#include "data/text_file.h"
+#include "data/units.h"
+#include "reports/truth.h"
+#include "sim/virtual_lab.h"
+
+namespace pendular::app {
+namespace {
+
+/// Quantities as the user writes them.
+struct Words {
+    std::string dry_normal_stresses = "0.3, 1, 3 kPa";
+    std::string wet_normal_stresses = "0.3, 0.6, 1, 3 kPa";
+    std::string liquid_contents = "0.007, 0.03";
+    std::string inertial_numbers = "0.003, 0.03";
+    std::string bead_mass = "60 g";
+    std::string surface_tension = "20.6 mN/m";
+};
+
+std::vector<double> list(const std::string& words, const char* unit, const std::string& option) {
+    try {
+        return quantities_in_si(words, Unit(unit));
+    } catch (const std::invalid_argument& error) {
+        throw InputError(fmt::format("{}: {}", option, error.what()));
+    }
+}
+
+double single(const std::string& words, const char* unit, const std::string& option) {
+    const std::vector<double> values = list(words, unit, option);
+    if (values.size() != 1 || !(values.front() > 0)) {
+        throw InputError(fmt::format("{} \"{}\": one value above 0 is needed", option, words));
+    }
+    return values.front();
+}
+
+void take(const Words& words, bool dry, LabPlan& plan) {
+    plan.dry_normal_stresses = list(words.dry_normal_stresses, "Pa", "--dry-normal-stresses");
+    plan.wet_normal_stresses = list(words.wet_normal_stresses, "Pa", "--wet-normal-stresses");
+    plan.liquid_contents = list(words.liquid_contents, "1", "--liquid-contents");
+    plan.inertial_numbers = list(words.inertial_numbers, "1", "--inertial-numbers");
+    plan.cell.bead_volume = single(words.bead_mass, "kg", "--bead-mass") / plan.grains.density;
+    plan.liquid.surface_tension = single(words.surface_tension, "N/m", "--surface-tension");
+    if (dry) {
+        plan.liquid_contents.clear();
+    }
+}
+
+/// What was measured before must not be lost or mixed with.
+void demand_new(const std::filesystem::path& folder) {
+    demand_writable(folder, "OUT", true);
+    if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder)) {
+        throw InputError(fmt::format("{} is not empty; name a new folder, or remove this one first",
+                                     folder.string()));
+    }
+}
+
+void print_wet_step(Console& console, const LabRecording& recording, const LabStep& step) {
+    const Mean& found = step.run[dem::Observable::liquid_content];
+    const auto& wetting = *step.run.parameters.wetting;
+    console.line(fmt::format("  {:<16} {:>8g} {:>8.3g} {:>8g} {:>10.3e}   {:g}: {}", recording.file,
+                             step.condition.normal_stress, wetting.reduced_pressure,
+                             step.condition.inertial_number, wetting.bridge_volume,
+                             step.condition.liquid_content,
+                             with_error(found.value, found.standard_error)));
+}
+
+void print_result(Console& console, const LabResult& result, const std::filesystem::path& folder) {
+    const LabPlan& plan = result.plan;
+    std::size_t steps = 0;
+    for (const auto& recording : result.recordings) {
+        steps += recording.steps.size();
+    }
+    console.line(fmt::format(
+        "{}: {} recordings of {} steps in all, at a hidden friction (truth.json has it) and noise "
+        "{:g}",
+        folder.string(), result.recordings.size(), steps, plan.instrument.noise));
+    console.line(fmt::format(
+        "{} beads each, stiffness number {:g}, strain {:g}, a run and a seed for each step; {} "
+        "pilot runs",
+        result.recordings.front().steps.front().run.parameters.beads,
+        plan.fidelity.stiffness_number, plan.fidelity.strain, result.pilots));
+    if (!plan.liquid_contents.empty()) {
+        console.line(fmt::format("  {:<16} {:>8} {:>8} {:>8} {:>10}   {}", "file", "s22 [Pa]", "P*",
+                                 "I", "V0/a^3", "liquid content asked for: reached"));
+    }
+    for (const auto& recording : result.recordings) {
+        for (const auto& step : recording.steps) {
+            if (!step.condition.dry()) print_wet_step(console, recording, step);
+        }
+    }
+    for (const auto& note : result.notes) {
+        console.note(note);
+    }
+}
+
+void declare(Options& options, LabPlan& plan, Words& words) {
+    options.add("friction", &plan.friction,
+                "the hidden intergranular friction coefficient [1] (default 0.09)");
+    options.add("noise", &plan.instrument.noise,
+                "scatter of a step's means [1]: 1 (default) for 1 % in torque and 0.2 % in solid "
+                "fraction, in proportion otherwise");
+    options.add("dry-normal-stresses", &words.dry_normal_stresses,
+                "with their unit (default \"0.3, 1, 3 kPa\")");
+    options.add("wet-normal-stresses", &words.wet_normal_stresses,
+                "with their unit (default \"0.3, 0.6, 1, 3 kPa\")");
+    options.add("liquid-contents", &words.liquid_contents,
+                "liquid over bead volume [1] (default \"0.007, 0.03\")");
+    options.add("inertial-numbers", &words.inertial_numbers,
+                "shear rate times sqrt(m/(a s22)) [1] (default \"0.003, 0.03\")");
+    options.add("replicates", &plan.replicates, "recordings of each liquid content (default 2)");
+    options.add("rows", &plan.instrument.rows, "samples recorded of each step (default 400)");
+    options.add("bead-mass", &words.bead_mass,
+                "mass of beads in the cell, with its unit (default \"60 g\")");
+    options.add("surface-tension", &words.surface_tension,
+                "of the liquid, with its unit (default \"20.6 mN/m\")");
+}
+
+}  // namespace
+
+int virtual_lab(const std::vector<std::string>& arguments) {
+    LabPlan plan;
+    Words words;
+    Options options(
+        "virtual-lab OUT [options]",
+        "Writes a study to the new folder OUT as an annular cell with a hidden truth would have "
+        "recorded it,\n"
+        "from simulations that no calibration makes: recordings, study.toml, and truth.json, which "
+        "the program\n"
+        "never reads. Beads of 500 um and 1050 kg/m^3 in a cell of 21 and 45 mm, contact angle 0, "
+        "no weight.",
+        "  pendular virtual-lab my-lab --friction 0.15 --dry --fidelity quick\n"
+        "  pendular virtual-lab wet-lab --wet-normal-stresses \"300 Pa, 1 kPa\" --liquid-contents "
+        "0.02\n"
+        "  pendular import wet-lab\n",
+        true);
+    declare(options, plan, words);
+    std::int64_t seed = 1;
+    options.add("seed", &seed, "seed of simulations and instrument (default 1)");
+    bool dry = false;
+    options.add_switch("dry", &dry, "no wet recordings");
+    const auto common = options.parse(arguments);
+    if (!common) {
+        return done;
+    }
+    if (common->out) {
+        throw InputError("the study is written to OUT itself; leave out --out");
+    }
+    if (dry && (options.given("wet-normal-stresses") || options.given("liquid-contents"))) {
+        throw InputError(
+            "--dry leaves out what --wet-normal-stresses and --liquid-contents name; "
+            "remove one or the other");
+    }
+    const std::filesystem::path& folder = common->study;
+    demand_new(folder);
+    plan.seed = checked_seed(seed);
+    plan.fidelity = common->fidelity;
+    take(words, dry, plan);
+    check(plan);
+
+    const InterruptGuard guard;
+    Console console(*common);
+    std::string phase;
+    const Workers workers{common->threads, guard.token(),
+                          [&](const EnsembleProgress& p) { console.progress(phase, p); }};
+    const LabResult result =
+        simulate_lab(plan, workers, [&](const std::string& name) { phase = name; });
+    const auto truth = to_json(result);
+    auto files = study_files(result);
+    files["truth.json"] = truth.dump(1) + "\n";
+    demand_new(folder);
+    write_whole_folder(folder, files);
+    print_result(console, result, folder);
+    console.json(truth);
+    return done;
+}
+
+}  // namespace pendular::app

@@ -1,0 +1,60 @@
+#include "reports/truth.h"
+
+#include <nlohmann/json.hpp>
+
+#include "reports/json.h"
+
+namespace pendular {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json plan_json(const LabPlan& plan) {
+    return {{"seed", plan.seed},
+            {"noise", plan.instrument.noise},
+            {"rows", plan.instrument.rows},
+            {"replicates", plan.replicates},
+            {"fidelity", plan.fidelity.name},
+            {"diameter", plan.grains.diameter},
+            {"density", plan.grains.density},
+            {"poisson_ratio", plan.grains.poisson_ratio},
+            {"surface_tension", plan.liquid.surface_tension},
+            {"contact_angle", plan.liquid.contact_angle},
+            {"inner_radius", plan.cell.inner_radius},
+            {"outer_radius", plan.cell.outer_radius},
+            {"bead_volume", plan.cell.bead_volume},
+            {"dry_normal_stresses", plan.dry_normal_stresses},
+            {"wet_normal_stresses", plan.wet_normal_stresses},
+            {"liquid_contents", plan.liquid_contents},
+            {"inertial_numbers", plan.inertial_numbers}};
+}
+
+Json step_json(const LabStep& step) {
+    return {{"normal_stress", step.condition.normal_stress},
+            {"inertial_number", step.condition.inertial_number},
+            {"liquid_content", step.condition.liquid_content},
+            {"run", to_json(step.run)}};
+}
+
+}  // namespace
+
+Json to_json(const LabResult& result) {
+    Json recordings = Json::array();
+    for (const LabRecording& recording : result.recordings) {
+        Json steps = Json::array();
+        for (const LabStep& step : recording.steps) {
+            steps.push_back(step_json(step));
+        }
+        recordings.push_back({{"file", recording.file},
+                              {"liquid_content", recording.liquid_content},
+                              {"replicate", recording.replicate},
+                              {"instrument_seed", recording.seed},
+                              {"steps", steps}});
+    }
+    return {{"friction", result.plan.friction},
+            {"plan", plan_json(result.plan)},
+            {"recordings", recordings},
+            {"notes", result.notes}};
+}
+
+}  // namespace pendular
