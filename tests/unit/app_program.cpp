@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "app_support.h"
 
@@ -105,6 +106,40 @@ TEST(Simulate, PrintsJsonAloneOnStandardOutput) {
     EXPECT_THAT(run.errors, HasSubstr("stress ratio"));  // the verdict moved aside
 }
 
+TEST(Simulate, JoinsBeadsByBridges) {
+    const Outcome run = run_pendular(
+        "simulate --beads 100 --stiffness-number 300 --inertial-number 0.05 --strain 1 "
+        "--reduced-pressure 2 --bridge-volume 0.012 --bridge-force as_printed --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    const auto value = [&](const char* key) { return json.at(key).at("value").get<double>(); };
+    EXPECT_NEAR(value("liquid_content"),
+                3 / std::numbers::pi * 0.012 *
+                    (value("contact_coordination") + value("distant_coordination")),
+                1e-9);
+    EXPECT_LT(value("capillary_stress_22"), -0.3);  // attraction, over s22
+    EXPECT_GT(value("capillary_shear_stress_contact"), 0);
+    EXPECT_LT(value("capillary_shear_stress_distant"), 0);
+    EXPECT_GT(value("distant_force"), 0.3);  // over F0
+    EXPECT_LT(value("distant_force"), 0.8);
+    EXPECT_EQ(json["bridge_force"], "as_printed");
+    EXPECT_THAT(run.errors, HasSubstr("0.008 a^3"));  // bridges merge beyond
+}
+
+TEST(Simulate, RefusesBridgesItCannotHold) {
+    const auto refused = [](const std::string& words, const std::string& why) {
+        const Outcome run = run_pendular("simulate --quiet --beads 64 " + words);
+        EXPECT_EQ(run.code, 2) << words;
+        EXPECT_THAT(run.errors, HasSubstr(why));
+    };
+    refused("--reduced-pressure 3 --bridge-volume 0.9", "quarter of the box");
+    refused("--reduced-pressure 0", "reduced pressure 0");
+    refused("--reduced-pressure=-2", "reduced pressure -2");
+    refused("--reduced-pressure 3 --bridge-volume 0", "bridge volume 0");
+    refused("--bridge-volume 0.002", "need --reduced-pressure");
+    refused("--reduced-pressure 3 --bridge-force printed", "as_printed");
+}
+
 TEST(Simulate, StopsCleanlyWhenInterrupted) {
     const TemporaryFolder folder;
     const std::string json = (folder.path() / "run.json").string();
@@ -155,6 +190,32 @@ TEST(BadInput, InTheStudyIsAnsweredAtItsLine) {
     EXPECT_EQ(key.code, 2);
     EXPECT_THAT(key.errors, HasSubstr("study.toml:2:1"));
     EXPECT_THAT(key.errors, HasSubstr("'diameter'"));
+}
+
+TEST(BadInput, OfWetStudiesIsAnsweredWithTheReason) {
+    const Outcome dry =
+        import_with(header + rows(40), grains + cell + recording + "liquid_content = 0.03\n");
+    EXPECT_EQ(dry.code, 2);
+    EXPECT_THAT(dry.errors, HasSubstr("no [liquid]; add it"));
+
+    const TemporaryFolder folder;
+    folder.write(
+        "points.csv",
+        "normal_stress [Pa],stress_ratio [1],solid_fraction [1],inertial_number [1],"
+        "liquid_content [1]\n300,0.4,0.6,0,0.03\n300,0.5,0.6,0,0.2\n300,0.3,0.6,0,0.0005\n");
+    folder.write("study.toml", grains +
+                                   "[liquid]\nsurface_tension = \"20.6 mN/m\"\ncontact_angle = \"0 deg\"\n"
+                                   "[[readings]]\nfile = \"points.csv\"\n");
+    const Outcome wet = run_pendular("import " + folder.path().string());
+    EXPECT_EQ(wet.code, 0);  // a warning, with the reason
+    EXPECT_THAT(wet.output + wet.errors,
+                HasSubstr("liquid content 0.2 is above the pendular range"));
+    EXPECT_THAT(wet.output + wet.errors, HasSubstr("liquid content 0.0005 is below"));
+    EXPECT_THAT(wet.output + wet.errors, Not(HasSubstr("liquid content 0.03 is")));
+    // Nothing dry to fit, and the way out.
+    const Outcome fit = run_pendular("calibrate --quiet " + folder.path().string());
+    EXPECT_EQ(fit.code, 2);
+    EXPECT_THAT(fit.errors, HasSubstr("fit_to = \"all\""));
 }
 
 TEST(Import, WritesReadingsAndWhatItLeftOut) {

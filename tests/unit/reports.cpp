@@ -11,6 +11,7 @@
 #include "reports/comparison_figures.h"
 #include "reports/json.h"
 #include "reports/tables.h"
+#include "wet_study_support.h"
 
 using namespace pendular;
 using testing::HasSubstr;
@@ -146,6 +147,44 @@ TEST(FitFile, IsReadBackForTheSameReadingsOnly) {
     EXPECT_THROW(read_calibration(folder.path() / "none.json", study(), c.readings), InputError);
     folder.write("cut.json", content_of(file).substr(0, 200));
     EXPECT_THROW(read_calibration(folder.path() / "cut.json", study(), c.readings), InputError);
+}
+
+TEST(FitFile, HoldsWetReadingsAndCohesionLines) {
+    const Calibration c = planted::calibration(planted::readings());
+    const Comparison comparison = compare(c);
+    const auto json = to_json(c, comparison);
+    EXPECT_EQ(json["dof"], comparison.fitted.dof);
+    EXPECT_EQ(json["predicted_only"]["dof"], 2 * static_cast<int>(c.readings.size() - c.fitted));
+    EXPECT_EQ(json["predictions"].size(), c.readings.size());
+    EXPECT_EQ(json["predictions"].front()["fitted"], true);
+    EXPECT_EQ(json["predictions"].back()["fitted"], false);
+    ASSERT_EQ(json["cohesion_lines"].size(), 2 * planted::contents.size());
+    const auto& line = json["cohesion_lines"][0];
+    EXPECT_EQ(line["source"], "measured");
+    EXPECT_GT(line["reduced_cohesion"]["stderr"], 0);
+    EXPECT_GT(line["stress_ratio_intercept"]["value"], 0.2);
+    // Total, fitted and predicted of compare add up.
+    const auto compared = to_json(comparison, c.cohesion_lines);
+    EXPECT_NEAR(
+        compared["chi2"].get<double>(),
+        compared["fitted"]["chi2"].get<double>() + compared["predicted_only"]["chi2"].get<double>(),
+        1e-9);
+
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "fit.json";
+    write_json(file, json);
+    const Calibration back = read_calibration(file, planted::study(), c.readings);
+    EXPECT_EQ(back.fitted, c.fitted);
+    const Prediction again = predict_readings(StudyModel(planted::study(), back).model(), back);
+    EXPECT_LT((again.value - c.prediction.value).norm(), 1e-9 * again.value.norm());
+    // Another liquid, another base, another bridge force: not this fit any more.
+    for (const auto change : {0, 1, 2}) {
+        Study other = planted::study();
+        if (change == 0) other.liquid->surface_tension *= 1.1;
+        if (change == 1) other.model.base = "rumpf";
+        if (change == 2) other.model.bridge_force = Form::as_printed;
+        EXPECT_THROW(read_calibration(file, other, c.readings), InputError) << change;
+    }
 }
 
 TEST(Figures, AreDrawnInEveryFormatWithTheirNumbers) {

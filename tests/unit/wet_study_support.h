@@ -146,6 +146,9 @@ inline Calibration calibration(const std::vector<Reading>& readings,
     c.surface_centre = friction;
     c.fit.parameters = Eigen::VectorXd::Constant(1, friction);
     c.fit.covariance = Eigen::MatrixXd::Constant(1, 1, 0.004 * 0.004);
+    c.fit.measurement_part = c.fit.run_part = c.fit.covariance / 2;
+    c.fit.at_bound = {false};
+    c.parameters = {{.name = "friction", .lower = 0, .upper = 1, .start = friction}};
     c.fit.converged = true;
     c.prediction = predict_readings(StudyModel(study(), c).model(), c);
     std::vector<std::string> notes;
