@@ -45,6 +45,9 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     for (const auto& line : cohesion_table(c.cohesion_lines)) {
         console.line(line);
     }
+    for (const auto& note : c.cohesion_notes) {
+        console.note(note);
+    }
     for (const auto& note : c.notes) {
         console.note(note);
     }
@@ -83,6 +86,7 @@ int calibrate(const std::vector<std::string>& arguments) {
     }
     const InterruptGuard guard;
     Console console(*common);
+    check(request.cohesion);
     request.seed = checked_seed(seed);
     request.fidelity = common->fidelity;
     request.options.fewest_rounds -= no_confirm;

@@ -26,7 +26,7 @@ int compare(const std::vector<std::string>& arguments) {
                     true);
     CohesionOptions cohesion;
     options.add("lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
-                "cohesion lines go through points from this P* on [1] (default 2.3)");
+                "cohesion lines go through points from this P* on [1] (default: as calibrated)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -39,8 +39,11 @@ int compare(const std::vector<std::string>& arguments) {
     c.prediction = predict_readings(model.model(), c);
     const Comparison comparison = compare(c);
 
-    std::vector<std::string> notes;
-    c.cohesion_lines = cohesion_lines(c, cohesion, notes);
+    if (options.given("lowest-reduced-pressure")) {
+        check(cohesion);
+        c.cohesion = cohesion;
+    }
+    draw_cohesion_lines(c);
 
     const auto json = to_json(comparison, c.cohesion_lines);
     write_json(out / "compare.json", json);
@@ -63,18 +66,15 @@ int compare(const std::vector<std::string>& arguments) {
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
-    for (const auto& note : notes) {
-        console.note(note);
-    }
-    for (const auto& note : c.notes) {
-        if (std::ranges::find(notes, note) == notes.end()) {
+    for (const auto& notes : {c.cohesion_notes, c.notes}) {
+        for (const auto& note : notes) {
             console.note(note);
         }
     }
     if (!c.fit.converged) {
         console.note("the calibration had not converged");
     }
-    for (const auto& figure : comparison_figures(model, c, comparison, cohesion)) {
+    for (const auto& figure : comparison_figures(model, c, comparison)) {
         draw(figure, out / "figures");
         console.line(
             fmt::format("figure: {}", (out / "figures" / (figure.name + ".png")).string()));

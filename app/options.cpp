@@ -95,7 +95,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     common.add_options()("json", po::value(&json)->value_name("FILE"),
                          "write the result as JSON; '-': alone on standard output")(
-        "out", po::value(&out)->value_name("DIR"), "folder for results (default: STUDY/out)")(
+        "out", po::value(&out)->value_name("DIR"),
+        "folder for results of a study (default: STUDY/out)")(
         "fidelity", po::value(&fidelity)->default_value("standard")->value_name("NAME"),
         "quick, standard or paper: beads / stiffness number / lowest inertial number / averaged "
         "strain "
@@ -135,7 +136,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
         return std::nullopt;
     }
     if (takes_study_ && study.empty()) {
-        throw InputError(fmt::format("a folder is missing; usage: pendular {}", usage_));
+        throw InputError(fmt::format("the study or folder is missing; usage: pendular {}", usage_));
     }
     if (result.threads < 1) {
         throw InputError(

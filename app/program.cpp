@@ -16,7 +16,8 @@ namespace {
 constexpr std::array<Command, 5> commands = {{
     {"import", "recordings to readings: stresses and solid fractions with their errors", import},
     {"simulate", "one discrete-element run of steady shear and its observables", simulate},
-    {"calibrate", "fit the intergranular friction to the dry readings of a study", calibrate},
+    {"calibrate", "fit the intergranular friction to dry readings, predict the wet ones",
+     calibrate},
     {"compare", "model beside measurement: misfit by observable and condition, figures", compare},
     {"virtual-lab", "a study as an instrument with a hidden truth would have recorded it",
      virtual_lab},

@@ -153,10 +153,11 @@ int virtual_lab(const std::vector<std::string>& arguments) {
     if (common->out) {
         throw InputError("the study is written to OUT itself; leave out --out");
     }
-    if (dry && (options.given("wet-normal-stresses") || options.given("liquid-contents"))) {
+    if (dry && (options.given("wet-normal-stresses") || options.given("liquid-contents") ||
+                options.given("surface-tension"))) {
         throw InputError(
-            "--dry leaves out what --wet-normal-stresses and --liquid-contents name; "
-            "remove one or the other");
+            "--dry leaves out what --wet-normal-stresses, --liquid-contents and --surface-tension "
+            "name; remove one or the other");
     }
     const std::filesystem::path& folder = common->study;
     demand_new(folder);
@@ -167,6 +168,11 @@ int virtual_lab(const std::vector<std::string>& arguments) {
 
     const InterruptGuard guard;
     Console console(*common);
+    for (const double content : plan.liquid_contents) {
+        if (const auto warning = pendular_range_warning(content)) {
+            console.note(*warning);
+        }
+    }
     std::string phase;
     const Workers workers{common->threads, guard.token(),
                           [&](const EnsembleProgress& p) { console.progress(phase, p); }};

@@ -32,8 +32,7 @@ BENCHMARK_CAPTURE(shear_step, dry, BridgeLaw())
     ->Arg(4000)
     ->Arg(16000)
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(shear_step, wet,
-                  BridgeLaw({.reduced_pressure = 2, .bridge_volume = 4e-3}))
+BENCHMARK_CAPTURE(shear_step, wet, BridgeLaw({.reduced_pressure = 2, .bridge_volume = 4e-3}))
     ->Arg(1000)
     ->Arg(4000)
     ->Arg(16000)

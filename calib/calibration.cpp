@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 
 #include "data/input_error.h"
@@ -14,12 +15,36 @@ constexpr double softest_corrected = 300;
 
 /// Below this reduced pressure the source saw the flow localise.
 constexpr double uniform_reduced_pressure = 0.5;
-/// Wet runs are made until their noise causes no more than this share of the readings' variance.
-constexpr double wet_noise_share = 0.3;
+/// Wet runs are made until the variance of their noise is no more than this part of the readings'.
+constexpr double wet_noise_ratio = 0.4;
 constexpr int most_wet_turns = 4;
 
+/// @throws InputError where no bridge of the reading's liquid content can be simulated
+void check_wet(const Reading& reading, const Study& study, const Fidelity& fidelity) {
+    const Condition& condition = reading.condition;
+    const double pressure = reduced_pressure(condition.normal_stress, study.grains, *study.liquid);
+    // Bridges of a bead: 4 to 12 whatever friction, pressure and content, offsets of runs included.
+    for (const double bridges : {4.0, 12.0}) {
+        try {
+            dem::check({.stiffness_number = fidelity.stiffness_number,
+                        .wetting = dem::Wetting{pressure, dem::bridge_volume(
+                                                              condition.liquid_content, bridges)},
+                        .beads = fidelity.beads});
+        } catch (const std::invalid_argument& error) {
+            throw InputError(
+                reading.origin,
+                fmt::format("{:.3g} Pa (reduced pressure {:.3g}) and liquid content {:.3g} cannot "
+                            "be simulated: {}; check their units and those of [liquid], or leave "
+                            "this reading out",
+                            condition.normal_stress, pressure, condition.liquid_content,
+                            error.what()));
+        }
+    }
+}
+
 /// @throws InputError where a reading is outside what can be simulated
-void check_range(const std::vector<Reading>& readings, const Study& study) {
+void check_range(const std::vector<Reading>& readings, const Study& study,
+                 const Fidelity& fidelity) {
     for (const auto& reading : readings) {
         const auto kappa = stiffness_number(reading.condition.normal_stress, study.grains);
         if (kappa && *kappa < softest_corrected) {
@@ -37,6 +62,9 @@ void check_range(const std::vector<Reading>& readings, const Study& study) {
                     "inertial number {:.3g} is above {}, where beads no longer flow densely; "
                     "leave this reading out",
                     reading.condition.inertial_number, dem::largest_inertial_number));
+        }
+        if (!reading.condition.dry()) {
+            check_wet(reading, study, fidelity);
         }
     }
 }
@@ -108,18 +136,20 @@ Fit fit_to(const std::vector<Reading>& readings, FlowModel& model,
 }
 
 /// Wet runs until their noise is small beside the errors of the readings to predict.
-void learn_wet(FlowModel& model, const Calibration& c) {
+/// @return whether it is
+bool learn_wet(FlowModel& model, const Calibration& c) {
     const auto readings = part(c.readings, c.fitted, c.readings.size());
     const Eigen::VectorXd measured = stack(readings).covariance.diagonal();
     for (int turn = 0; turn < most_wet_turns; ++turn) {
-        model.learn_wet(c.fit.parameters);
+        model.learn_wet(c.fit.parameters, 1);
         const Eigen::VectorXd noise =
             model.predict_conditions(c.fit.parameters, conditions_of(readings))
                 .run_noise.diagonal();
-        if (noise.cwiseQuotient(measured).mean() <= wet_noise_share / (1 - wet_noise_share)) {
-            return;
+        if (noise.cwiseQuotient(measured).mean() <= wet_noise_ratio) {
+            return true;
         }
     }
+    return false;
 }
 
 }  // namespace
@@ -142,28 +172,56 @@ std::vector<Reading> dry_first(const Measurements& measurements) {
     return readings;
 }
 
+Prediction predict_unseen(const FlowModel& model, const Calibration& c,
+                          const std::vector<Condition>& conditions) {
+    const auto seen = part(c.readings, 0, c.fitted);
+    std::vector<Condition> all = conditions_of(seen);
+    all.insert(all.end(), conditions.begin(), conditions.end());
+    const Prediction both = model.predict_conditions(c.fit.parameters, all);
+    const auto n = 2 * static_cast<Eigen::Index>(c.fitted);
+    const Eigen::Index rest = both.value.size() - n;
+    const Eigen::MatrixXd measured = stack(seen).covariance;
+    const Eigen::MatrixXd weight = (measured + both.covariance.topLeftCorner(n, n)).inverse();
+    // theta = K (y - f) + ..., so that errors e of the seen readings and d of all predictions make
+    // an error J K (e - d_seen) + d_unseen.
+    const Eigen::MatrixXd through_fit = both.jacobian.bottomRows(rest) * c.fit.covariance *
+                                        both.jacobian.topRows(n).transpose() * weight;
+    Eigen::MatrixXd map(rest, n + rest);
+    map << -through_fit, Eigen::MatrixXd::Identity(rest, rest);
+    return {.value = both.value.tail(rest),
+            .jacobian = both.jacobian.bottomRows(rest),
+            .covariance = map * both.covariance * map.transpose() +
+                          through_fit * measured * through_fit.transpose(),
+            .run_noise = both.run_noise.bottomRightCorner(rest, rest)};
+}
+
 Prediction predict_readings(const FlowModel& model, const Calibration& c) {
     Prediction all = model.predict_conditions(c.fit.parameters, conditions_of(c.readings));
+    if (c.fitted == c.readings.size()) {
+        return all;
+    }
     const auto fitted = 2 * static_cast<Eigen::Index>(c.fitted);
     const Eigen::Index rest = all.value.size() - fitted;
-    const Eigen::MatrixXd slopes = all.jacobian.bottomRows(rest);
     all.covariance.topRightCorner(fitted, rest).setZero();
     all.covariance.bottomLeftCorner(rest, fitted).setZero();
-    all.covariance.bottomRightCorner(rest, rest) += slopes * c.fit.covariance * slopes.transpose();
+    all.covariance.bottomRightCorner(rest, rest) =
+        predict_unseen(model, c, conditions_of(part(c.readings, c.fitted, c.readings.size())))
+            .covariance;
     return all;
 }
 
-std::vector<CohesionLine> cohesion_lines(const Calibration& c, const CohesionOptions& options,
-                                         std::vector<std::string>& notes) {
+void draw_cohesion_lines(Calibration& c) {
+    c.cohesion_lines.clear();
+    c.cohesion_notes.clear();
     if (dry_count(c.readings) == c.readings.size()) {
-        return {};
+        return;
     }
-    auto lines = cohesion_lines(c.readings, c.grains, *c.liquid, options, notes);
+    c.cohesion_lines =
+        cohesion_lines(c.readings, c.grains, *c.liquid, c.cohesion, c.cohesion_notes);
     std::vector<std::string> same_notes;
     std::ranges::copy(
-        cohesion_lines(c.readings, c.prediction, c.grains, *c.liquid, options, same_notes),
-        std::back_inserter(lines));
-    return lines;
+        cohesion_lines(c.readings, c.prediction, c.grains, *c.liquid, c.cohesion, same_notes),
+        std::back_inserter(c.cohesion_lines));
 }
 
 Calibration calibrate_study(const Study& study, const Measurements& measurements,
@@ -177,7 +235,7 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
                   .seed = request.seed};
     c.fitted = fitted_count(study, c.readings);
     check_fitted(study, measurements, c);
-    check_range(c.readings, study);
+    check_range(c.readings, study, c.fidelity);
     StudyModel study_model(study, conditions_of(c.readings), request.fidelity, request.seed,
                            workers);
     FlowModel& model = study_model.model();
@@ -199,16 +257,21 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
         if (request.stage) {
             request.stage("wet readings");
         }
-        learn_wet(model, c);
+        if (!learn_wet(model, c)) {
+            c.notes.push_back(
+                "the noise of the wet runs is not small beside the errors of the wet readings: "
+                "their predictions are less sharp than the readings; a higher fidelity helps");
+        }
     }
     c.prediction = predict_readings(model, c);
     const DirectSimulation& simulation = study_model.simulation();
     c.parameters = model.parameters();
     c.surface_centre = simulation.centre();
     c.runs = simulation.runs();
-    c.notes = simulation.notes();
+    std::ranges::copy(simulation.notes(), std::back_inserter(c.notes));
     std::ranges::copy(warnings(c), std::back_inserter(c.notes));
-    c.cohesion_lines = cohesion_lines(c, request.cohesion, c.notes);
+    c.cohesion = request.cohesion;
+    draw_cohesion_lines(c);
     if (request.profile) {
         model.predict_for(conditions_of(fitted));
         c.profile = profile_interval(model, stack(fitted), c.fit, 0);

@@ -30,10 +30,11 @@ struct Calibration {
     std::uint64_t seed = 1;
     std::vector<Parameter> parameters;
     Fit fit;
-    /// Of all readings. Those only predicted carry the fit's error too: their covariance is that of
-    /// the model plus J Cov(parameters) J'.
+    /// Of all readings; those only predicted as by `predict_unseen`.
     Prediction prediction;
+    CohesionOptions cohesion;
     std::vector<CohesionLine> cohesion_lines;  ///< measured, then simulated; none where dry
+    std::vector<std::string> cohesion_notes;   ///< which readings are on no line, and why
     int rounds = 0;
     double surface_centre = 0;  ///< friction at which the response surface is centred
     std::vector<dem::RunResult> runs;
@@ -63,14 +64,20 @@ std::vector<Reading> dry_first(const Measurements& measurements);
 /// How many of them the study's calibration fits.
 std::size_t fitted_count(const Study& study, const std::vector<Reading>& readings);
 
+/// Predictions of conditions that the calibration did not fit, with its error: the model's
+/// covariance plus J Cov(parameters) J', less what errors of the model that are common to them and
+/// the fitted readings (corrections, shared runs) have already done through the fit. Where no such
+/// errors are shared and the model is linear, the chi2 of fitted and of predicted readings add up
+/// to that of a joint fit.
+Prediction predict_unseen(const FlowModel& model, const Calibration& calibration,
+                          const std::vector<Condition>& conditions);
+
 /// Predictions of all readings of a calibration, with its error in those it did not fit.
 Prediction predict_readings(const FlowModel& model, const Calibration& calibration);
 
-/// Cohesion lines through the measured wet readings of a calibration and through their predictions;
-/// `notes` says which readings have none.
-std::vector<CohesionLine> cohesion_lines(const Calibration& calibration,
-                                         const CohesionOptions& options,
-                                         std::vector<std::string>& notes);
+/// Draws the cohesion lines of a calibration anew, through its wet readings and through their
+/// predictions.
+void draw_cohesion_lines(Calibration& calibration);
 
 std::vector<Condition> conditions_of(const std::vector<Reading>& readings);
 

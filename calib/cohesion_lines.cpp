@@ -10,6 +10,7 @@
 
 #include "calib/fit.h"
 #include "calib/wet_groups.h"
+#include "data/input_error.h"
 
 namespace pendular {
 namespace {
@@ -204,6 +205,13 @@ std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& re
 }
 
 }  // namespace
+
+void check(const CohesionOptions& options) {
+    if (!(options.lowest_reduced_pressure > 0) || !std::isfinite(options.lowest_reduced_pressure)) {
+        throw InputError(fmt::format("lowest reduced pressure {}: it must be above 0",
+                                     options.lowest_reduced_pressure));
+    }
+}
 
 bool CohesionOptions::fits(double reduced_pressure) const {
     constexpr double rounding = 1e-9;

@@ -53,6 +53,9 @@ struct CohesionOptions {
     bool fits(double reduced_pressure) const;
 };
 
+/// @throws InputError where the limit is no reduced pressure
+void check(const CohesionOptions& options);
+
 /// Straight lines through the measured wet readings, one per group of `wet_groups` and in their
 /// order. A group without two distinct P* (2 % apart) at or above the limit has no line; `notes`
 /// says so, and which readings a line leaves out.

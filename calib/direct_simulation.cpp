@@ -32,6 +32,9 @@ constexpr double wet_friction_width = 0.25, wet_volume_width = 0.2;
 /// Sets of three runs that one round may order at each inertial number.
 constexpr double most_sets = 8;
 
+/// Times that one round may go through the wet settings.
+constexpr double most_turns = 4;
+
 /// Short runs over the whole range, to find the neighbourhood of the answer.
 constexpr double scout_frictions[] = {0.02, 0.07, 0.15, 0.3, 0.6};
 constexpr double scout_share_of_strain = 0.4;
@@ -91,30 +94,38 @@ void DirectSimulation::improve(const Eigen::VectorXd& parameters, double excess)
         renew_surfaces(centre, window);
     }
     if (wet) {
-        learn_wet(parameters);
+        learn_wet(parameters, static_cast<int>(std::clamp(std::ceil(excess - 1), 1.0, most_turns)));
     }
 }
 
-void DirectSimulation::learn_wet(const Eigen::VectorXd& parameters) {
+void DirectSimulation::learn_wet(const Eigen::VectorXd& parameters, int turns) {
     constexpr std::size_t fewest = 6;
-    const std::size_t turns = (fewest + wet_settings_.size() - 1) / wet_settings_.size();
+    const std::size_t at_least = (fewest + wet_settings_.size() - 1) / wet_settings_.size();
+    std::vector<WetSetting> settings;
+    for (std::size_t turn = 0; turn < std::max(at_least, static_cast<std::size_t>(turns)); ++turn) {
+        settings.insert(settings.end(), wet_settings_.begin(), wet_settings_.end());
+    }
+    const auto places =
+        latin_places(settings, seed_of_run(seed_, wet_rounds_++, SeedDomain::run_places));
     std::vector<dem::RunParameters> wanted;
-    for (std::size_t turn = 0; turn < turns; ++turn) {
-        const auto places = latin_places(wet_settings_, seed_of_run(seed_, ordered_ + turn));
-        for (std::size_t k = 0; k < wet_settings_.size(); ++k) {
-            const WetSetting& setting = wet_settings_[k];
-            const double friction =
-                friction_at(wet_friction_width * places[k].first, parameters(0));
-            FlowState state{
-                .friction = std::clamp(friction, parameters_[0].lower, parameters_[0].upper),
-                .inertial_number = setting.inertial_number,
-                .inverse_pressure = setting.inverse_pressure};
-            state.bridge_volume = network_.volume_of(setting.liquid_content, state) *
-                                  std::exp(wet_volume_width * places[k].second);
-            wanted.push_back(run_at(state, fidelity_.strain));
-        }
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+        const WetSetting& setting = settings[k];
+        const double friction = friction_at(wet_friction_width * places[k].first, parameters(0));
+        FlowState state{
+            .friction = std::clamp(friction, parameters_[0].lower, parameters_[0].upper),
+            .inertial_number = setting.inertial_number,
+            .inverse_pressure = setting.inverse_pressure};
+        state.bridge_volume = network_.volume_of(setting.liquid_content, state) *
+                              std::exp(wet_volume_width * places[k].second);
+        wanted.push_back(run_at(state, fidelity_.strain));
     }
     carry_out(std::move(wanted));
+    const auto usable =
+        std::ranges::count_if(points_, [](const SurfacePoint& p) { return !p.state.dry(); });
+    if (usable < 3) {
+        throw dem::SimulationError("fewer than three wet runs succeeded; the last: " +
+                                   (notes_.empty() ? std::string("none was made") : notes_.back()));
+    }
     renew_surfaces(centre_, half_width_);
 }
 
@@ -277,10 +288,11 @@ Prediction DirectSimulation::predict_conditions(const Eigen::VectorXd& parameter
                                            surfaces_[2].of(terms.state).value(terms.state)) /
                                        2;
     }
-    // Dry readings rest on the dry runs alone. That wet ones rest on the same runs too is left out:
-    // it could only make their errors a little smaller.
+    const Eigen::MatrixXd shared =
+        dry_rows * best.all.covariance_with(best.dry) * all_rows.transpose();
     prediction.run_noise = dry_rows * best.dry.covariance() * dry_rows.transpose() +
-                           all_rows * best.all.covariance() * all_rows.transpose();
+                           all_rows * best.all.covariance() * all_rows.transpose() + shared +
+                           shared.transpose();
     prediction.covariance = prediction.run_noise + stiffness_error * stiffness_error.transpose() +
                             form_error * form_error.transpose();
     return prediction;

@@ -36,7 +36,7 @@ class DirectSimulation : public FlowModel {
     void improve(const Eigen::VectorXd& parameters, double excess) override;
     Supported supported() const override;
 
-    void learn_wet(const Eigen::VectorXd& parameters) override;
+    void learn_wet(const Eigen::VectorXd& parameters, int turns = 1) override;
 
     /// Inertial numbers at which dry runs are made.
     const std::vector<double>& inertial_numbers() const { return inertial_numbers_; }
@@ -92,8 +92,9 @@ class DirectSimulation : public FlowModel {
     BridgeNetwork network_;
     std::vector<std::string> notes_;
     double centre_ = 0, half_width_ = 0;
-    std::uint64_t ordered_ = 0;  ///< runs ordered so far, each with a seed of its own
-    std::size_t placed_ = 0;     ///< sets of dry runs placed around a centre so far
+    std::uint64_t ordered_ = 0;     ///< runs ordered so far, each with a seed of its own
+    std::uint64_t wet_rounds_ = 0;  ///< of wet runs so far
+    std::size_t placed_ = 0;        ///< sets of dry runs placed around a centre so far
 };
 
 }  // namespace pendular

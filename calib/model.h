@@ -65,9 +65,9 @@ class FlowModel : public Model {
     virtual Prediction predict_conditions(const Eigen::VectorXd& parameters,
                                           const std::vector<Condition>& conditions) const = 0;
 
-    /// Makes wet runs around `parameters`, one more for each wet setting at least; predictions of
-    /// dry readings stay as they are.
-    virtual void learn_wet(const Eigen::VectorXd& parameters) = 0;
+    /// Makes wet runs around `parameters`, `turns` more for each wet setting; predictions of dry
+    /// readings stay as they are.
+    virtual void learn_wet(const Eigen::VectorXd& parameters, int turns) = 0;
 
     /// (stress ratio [1], solid fraction [1]) with their covariance.
     struct Point {

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace pendular {
@@ -44,8 +45,16 @@ double inertia(const FlowState& s) {
     return s.inertial_number;
 }
 
-/// The dry terms that the points can tell.
-void add_dry_terms(Basis& basis, const std::vector<SurfacePoint>& points) {
+std::vector<SurfacePoint> dry_ones(const std::vector<SurfacePoint>& points) {
+    std::vector<SurfacePoint> dry;
+    std::ranges::copy_if(points, std::back_inserter(dry),
+                         [](const SurfacePoint& p) { return p.state.dry(); });
+    return dry;
+}
+
+/// The dry terms that the dry points can tell, whatever wet ones there are besides.
+void add_dry_terms(Basis& basis, const std::vector<SurfacePoint>& all) {
+    const auto points = dry_ones(all);
     const std::size_t inertial_numbers = distinct(settings(points, false, inertia), same_setting);
     basis.add({});
     basis.add({.x = 1});
@@ -139,6 +148,12 @@ Eigen::Vector2d ResponseSurface::value(const FlowState& state) const {
     return {row.dot(coefficients_.head(terms())), row.dot(coefficients_.tail(terms()))};
 }
 
+Eigen::MatrixXd ResponseSurface::covariance_with(const ResponseSurface& dry) const {
+    Eigen::MatrixXd shared(2 * dry.terms(), 2 * terms());
+    shared << covariance_.topRows(dry.terms()), covariance_.middleRows(terms(), dry.terms());
+    return std::sqrt(dry.growth() / growth()) * shared;
+}
+
 void ResponseSurface::fit(const std::vector<SurfacePoint>& points) {
     const auto rows = static_cast<Eigen::Index>(points.size());
     const double correlation = pooled_correlation(points);
@@ -165,9 +180,8 @@ void ResponseSurface::fit(const std::vector<SurfacePoint>& points) {
     coefficients_ = qr.solve(target);
     chi2_ = (target - design * coefficients_).squaredNorm();
     dof_ = static_cast<int>(2 * rows - qr.rank());
-    const double growth = dof_ > 0 ? std::max(1.0, chi2_ / dof_) : 1.0;
     covariance_ =
-        growth * (design.transpose() * design).completeOrthogonalDecomposition().pseudoInverse();
+        growth() * (design.transpose() * design).completeOrthogonalDecomposition().pseudoInverse();
     shift_ = shift_design.colPivHouseholderQr().solve(shift_target);
 }
 

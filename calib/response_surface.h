@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include "calib/basis.h"
@@ -44,6 +45,13 @@ class ResponseSurface {
     /// Coefficients of the rigidity shift.
     const Eigen::VectorXd& shift() const { return shift_; }
     Eigen::Index terms() const { return basis_.size(); }
+
+    /// Factor by which the covariance grew for scatter beyond the runs' errors.
+    double growth() const { return dof_ > 0 ? std::max(1.0, chi2_ / dof_) : 1.0; }
+    /// Covariance of the coefficients of `dry`, made from the dry ones of these points, with those
+    /// of this surface. An estimate from part of the data covaries with the better one from all of
+    /// it as the better one does with itself; dry terms come first in both.
+    Eigen::MatrixXd covariance_with(const ResponseSurface& dry) const;
 
     double chi2() const { return chi2_; }
     int dof() const { return dof_; }

@@ -1,6 +1,6 @@
 #include "calib/rumpf.h"
 
-#include <numbers>
+#include "sim/closures/strength.h"
 
 namespace pendular {
 
@@ -32,19 +32,24 @@ Prediction RumpfModel::predict_conditions(const Eigen::VectorXd& parameters,
         if (condition.dry()) {
             continue;
         }
-        const double u =
-            1 / reduced_pressure(condition.normal_stress, study_.grains, *study_.liquid);
+        const double pressure =
+            reduced_pressure(condition.normal_stress, study_.grains, *study_.liquid);
         const auto z = simulation_.effective_coordination(parameters(0), condition);
         const double dry = simulated.value(twin), fraction = simulated.value(2 * k + 1);
-        const double growth = 1 + fraction * z.value * u / std::numbers::pi;
-        const double by_fraction = dry * z.value * u / std::numbers::pi;
+        const double dry_ratio = dry / condition.normal_stress;
+        // mu* is linear in each of mu*_dry, Phi_S and Z*: its slopes are ratios.
+        const double wet =
+            condition.normal_stress *
+            closures::stress_ratio_from_cohesion(
+                dry_ratio, closures::reduced_cohesion(dry_ratio, fraction, z.value), pressure);
+        const double by_fraction = (wet - dry) / fraction, by_z = (wet - dry) / z.value;
         map(2 * k, 2 * k) = 0;
-        map(2 * k, twin) = growth;
+        map(2 * k, twin) = wet / dry;
         map(2 * k, 2 * k + 1) = by_fraction;
-        result.value(2 * k) = dry * growth;
-        result.jacobian.row(2 * k) =
-            growth * simulated.jacobian.row(twin) + by_fraction * simulated.jacobian.row(2 * k + 1);
-        result.jacobian(2 * k, 0) += dry * fraction * u / std::numbers::pi * z.by_friction;
+        result.value(2 * k) = wet;
+        result.jacobian.row(2 * k) = wet / dry * simulated.jacobian.row(twin) +
+                                     by_fraction * simulated.jacobian.row(2 * k + 1);
+        result.jacobian(2 * k, 0) += by_z * z.by_friction;
         twin += 2;
     }
     result.covariance = map * simulated.covariance * map.transpose();

@@ -8,7 +8,8 @@ namespace pendular {
 /// coordination simulated,
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)]                          (eq:strength3)
 /// Dry readings and all solid fractions are those of the simulation. It neglects the shear stress
-/// that capillary forces carry, and so is too high where there is little liquid.
+/// that capillary forces carry, and so is too high where there is little liquid. The error of Z*, a
+/// few per mille, is not in its covariance.
 /// Source: Badetti et al. (2018), eq:strength3 and eq:cohesion3, after Rumpf.
 class RumpfModel : public FlowModel {
   public:
@@ -20,8 +21,8 @@ class RumpfModel : public FlowModel {
     Prediction predict_conditions(const Eigen::VectorXd& parameters,
                                   const std::vector<Condition>& conditions) const override;
     void improve(const Eigen::VectorXd& parameters, double excess) override;
-    void learn_wet(const Eigen::VectorXd& parameters) override {
-        simulation_.learn_wet(parameters);
+    void learn_wet(const Eigen::VectorXd& parameters, int turns) override {
+        simulation_.learn_wet(parameters, turns);
     }
     Supported supported() const override { return simulation_.supported(); }
 

@@ -30,7 +30,11 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 /// V0 = 0.008 a^3, which is a content of 0.063; theirs begin at 0.003.
 constexpr double driest_pendular = 0.002, wettest_pendular = 0.065;
 
-std::string content_warning(double content) {
+}  // namespace
+
+std::optional<std::string> pendular_range_warning(double content) {
+    if (content == 0 || (content >= driest_pendular && content <= wettest_pendular))
+        return std::nullopt;
     return content > wettest_pendular
                ? fmt::format(
                      "liquid content {:g} is above the pendular range, which ends at about {:g}: "
@@ -44,14 +48,15 @@ std::string content_warning(double content) {
                      content, driest_pendular);
 }
 
+namespace {
+
 /// Warns once of each liquid content that separate bridges do not describe.
 void check_pendular_range(Measurements& all) {
     std::set<double> contents;
     for (const Reading& reading : all.readings)
         contents.insert(reading.condition.liquid_content);
     for (const double content : contents) {
-        if (content > 0 && (content < driest_pendular || content > wettest_pendular))
-            all.notes.push_back(content_warning(content));
+        if (const auto warning = pendular_range_warning(content)) all.notes.push_back(*warning);
     }
 }
 

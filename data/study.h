@@ -89,6 +89,9 @@ struct Study {
 ///         key), of the wrong dimension, or impossible (Ri >= Re, density <= 0, ...)
 Study read_study(const std::filesystem::path& study);
 
+/// Why separate bridges do not describe beads of this liquid content; empty where they do.
+std::optional<std::string> pendular_range_warning(double liquid_content);
+
 /// Turns every source of the study into readings, in run order.
 /// @throws InputError at file:line:column for a malformed file
 Measurements read_measurements(const Study& study);

@@ -251,14 +251,15 @@ Figure residual_figure(const Comparison& comparison) {
 }  // namespace
 
 std::vector<Figure> comparison_figures(const StudyModel& study_model,
-                                       const Calibration& calibration, const Comparison& comparison,
-                                       const CohesionOptions& cohesion) {
+                                       const Calibration& calibration,
+                                       const Comparison& comparison) {
     const DirectSimulation& model = study_model.simulation();
     std::vector<Figure> figures;
     if (!dry_readings(calibration).empty()) {
         figures = {calibration_figure(calibration, model), inertial_figure(calibration, model)};
     }
-    std::ranges::move(wet_figures(study_model, calibration, cohesion), std::back_inserter(figures));
+    std::ranges::move(wet_figures(study_model, calibration, calibration.cohesion),
+                      std::back_inserter(figures));
     figures.push_back(parity_figure(comparison));
     figures.push_back(residual_figure(comparison));
     return figures;

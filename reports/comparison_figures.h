@@ -13,7 +13,6 @@ namespace pendular {
 /// number, those of wet readings (wet_figures.h), parity, and residuals.
 /// `cohesion` is what the calibration's cohesion lines were made with.
 std::vector<Figure> comparison_figures(const StudyModel& model, const Calibration& calibration,
-                                       const Comparison& comparison,
-                                       const CohesionOptions& cohesion = {});
+                                       const Comparison& comparison);
 
 }  // namespace pendular

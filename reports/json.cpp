@@ -224,6 +224,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
     json["converged"] = c.fit.converged;
     json["covariance_scaled_by_chi2"] = false;
     json["cohesion_lines"] = cohesion_lines_json(c.cohesion_lines);
+    json["cohesion_lines_from"] = c.cohesion.lowest_reduced_pressure;
     json["predictions"] = Json::array();
     for (std::size_t k = 0; k < comparison.readings.size(); ++k) {
         json["predictions"].push_back(prediction_json(comparison.readings[k]));
@@ -286,6 +287,7 @@ Calibration parse_calibration(const Json& json, const Study& study,
                   f.at("lowest_inertial_number"), f.at("strain")};
     c.seed = json.at("seed");
     c.rounds = json.at("rounds");
+    c.cohesion.lowest_reduced_pressure = json.at("cohesion_lines_from");
     c.surface_centre = json.at("surface_centre");
     c.notes = json.at("notes").get<std::vector<std::string>>();
     const Json& friction = json.at("parameters").at("friction");

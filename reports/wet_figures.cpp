@@ -102,18 +102,6 @@ Shown shown(const Prediction& predicted, Eigen::Index place, double normal_stres
             {error(2 * place) / normal_stress, error(2 * place + 1)}};
 }
 
-/// Predictions with the errors that those of the calibration have: what was not fitted carries the
-/// fit's error too.
-Prediction predict(const WetStudy& study, const std::vector<Condition>& conditions) {
-    const Calibration& c = study.calibration;
-    Prediction predicted = study.model.predict_conditions(c.fit.parameters, conditions);
-    if (c.fitted < c.readings.size()) {
-        predicted.covariance +=
-            predicted.jacobian * c.fit.covariance * predicted.jacobian.transpose();
-    }
-    return predicted;
-}
-
 /// The model from nearly dry to the strongest cohesion that was measured.
 void draw_model(Panel& panel, const WetStudy& study, const WetGroup& group, std::size_t o) {
     constexpr int steps = 60;
@@ -126,7 +114,7 @@ void draw_model(Panel& panel, const WetStudy& study, const WetGroup& group, std:
                               .inertial_number = group.inertial_number,
                               .liquid_content = group.liquid_content});
     }
-    const Prediction predicted = predict(study, conditions);
+    const Prediction predicted = predict_unseen(study.model, study.calibration, conditions);
     Curve band = line;
     for (std::size_t k = 0; k < conditions.size(); ++k) {
         const Shown one =

@@ -6,7 +6,7 @@ namespace pendular {
 
 /// What random numbers are drawn for. A calibration whose runs started from the very samples that
 /// made its measurement would test nothing, so each purpose has seeds of its own.
-enum class SeedDomain : std::uint64_t { calibration, instrument, virtual_lab };
+enum class SeedDomain : std::uint64_t { calibration, instrument, virtual_lab, run_places };
 
 /// Seed of one of many runs, well mixed from the user's seed and the run's number.
 ///     z = seed x A + (run + 1) x B + domain x 2^62 (mod 2^64), A and B odd, then the finalizer of

@@ -106,7 +106,7 @@ class Runs {
   private:
     void note_or_give_up(const dem::RunParameters& p, const std::string& why, int attempt) {
         const std::string what = fmt::format(
-            "a run at friction {:g}, inertial number {:g}{} {}", p.friction, p.inertial_number,
+            "a run at inertial number {:g}{} {}", p.inertial_number,
             p.wetting ? fmt::format(", reduced pressure {:.3g}", p.wetting->reduced_pressure) : "",
             why);
         if (attempt == most_attempts) {
@@ -202,8 +202,7 @@ void note_scatter(LabResult& result) {
     const double noise = result.plan.instrument.noise;
     const double torque = typical_error(result, dem::Observable::stress_ratio);
     const double fraction = typical_error(result, dem::Observable::solid_fraction);
-    if (noise > 0 &&
-        (torque > noise * torque_scatter || fraction > noise * solid_fraction_scatter)) {
+    if (torque > noise * torque_scatter || fraction > noise * solid_fraction_scatter) {
         result.notes.push_back(fmt::format(
             "the simulations alone scatter by {:.2g} % in torque and {:.2g} % in solid fraction, "
             "where --noise {:g} asks for {:g} and {:g} % in all; a higher fidelity scatters less",
@@ -237,9 +236,9 @@ void demand_distinct(const std::vector<double>& values, const std::string& what)
         for (std::size_t k = 0; k < i; ++k) {
             if (std::abs(values[i] / values[k] - 1) < 0.05) {
                 throw InputError(
-                    fmt::format("{} {:g} and {:g} are too close: within 2 % steps pass for "
-                                "replicates, and scatter may add as much; leave one out, or raise "
-                                "--replicates",
+                    fmt::format("{} {:g} and {:g} are too close: what differs by less than 5 % "
+                                "may pass for the same; leave one out, or raise --replicates to "
+                                "measure it more often",
                                 what, values[k], values[i]));
             }
         }

@@ -25,8 +25,9 @@ struct TrueState {
 
 /// How well and how often an instrument records.
 struct Instrument {
-    double noise = 1;  ///< scatter: 1 for 1 % in torque and 0.2 % in solid fraction; 0: none
-    int rows = 400;    ///< of each step
+    double noise =
+        1;  ///< scatter: 1 for 1 % in torque and 0.2 % in solid fraction; 0: the simulations' alone
+    int rows = 400;  ///< of each step
 };
 
 /// The recording an annular cell shows of steady states, one step each, a start-up first.

@@ -73,7 +73,7 @@ TEST(VirtualLaboratories, AreCalibratedBackAndPredictedWet) {
         }
         std::printf("\n");
         std::fflush(stdout);
-        EXPECT_TRUE(c.fit.converged);
+        EXPECT_TRUE(c.fit.converged) << c.fit.message;
         found += std::abs(z) <= 2;
         square += z * z / laboratories;
     }

@@ -203,9 +203,10 @@ TEST(BadInput, OfWetStudiesIsAnsweredWithTheReason) {
         "points.csv",
         "normal_stress [Pa],stress_ratio [1],solid_fraction [1],inertial_number [1],"
         "liquid_content [1]\n300,0.4,0.6,0,0.03\n300,0.5,0.6,0,0.2\n300,0.3,0.6,0,0.0005\n");
-    folder.write("study.toml", grains +
-                                   "[liquid]\nsurface_tension = \"20.6 mN/m\"\ncontact_angle = \"0 deg\"\n"
-                                   "[[readings]]\nfile = \"points.csv\"\n");
+    folder.write("study.toml",
+                 grains +
+                     "[liquid]\nsurface_tension = \"20.6 mN/m\"\ncontact_angle = \"0 deg\"\n"
+                     "[[readings]]\nfile = \"points.csv\"\n");
     const Outcome wet = run_pendular("import " + folder.path().string());
     EXPECT_EQ(wet.code, 0);  // a warning, with the reason
     EXPECT_THAT(wet.output + wet.errors,

@@ -151,8 +151,8 @@ inline Calibration calibration(const std::vector<Reading>& readings,
     c.parameters = {{.name = "friction", .lower = 0, .upper = 1, .start = friction}};
     c.fit.converged = true;
     c.prediction = predict_readings(StudyModel(study(), c).model(), c);
-    std::vector<std::string> notes;
-    c.cohesion_lines = cohesion_lines(c, cohesion, notes);
+    c.cohesion = cohesion;
+    draw_cohesion_lines(c);
     return c;
 }
 
