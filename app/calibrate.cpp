@@ -34,10 +34,11 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
         c.fidelity.name, c.rounds));
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format(
-            "{} wet readings predicted without any further parameter: chi2 = {:.2f} for {} degrees "
-            "of freedom (p = {:.2g})",
-            c.readings.size() - c.fitted, comparison.predicted.chi2, comparison.predicted.dof,
-            comparison.predicted.p()));
+            "{} wet readings predicted by {} without any further parameter: chi2 = {:.2f} for {} "
+            "degrees of freedom (p = {:.2g})",
+            c.readings.size() - c.fitted,
+            c.model.base == "rumpf" ? "Rumpf's cohesion on the simulated dry law" : "simulation",
+            comparison.predicted.chi2, comparison.predicted.dof, comparison.predicted.p()));
     }
     for (const auto& line : predictions_table(comparison)) {
         console.line(line);
