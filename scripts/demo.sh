@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to a calibrated friction with its figures: installs what is missing, builds, calibrates
-# the published measurement of dry polystyrene beads by discrete-element simulation, and compares.
-# About 3 minutes on 2 cores once the packages are installed.
+# the published measurement of dry polystyrene beads by discrete-element simulation, predicts the wet
+# range, and compares. A few minutes on 2 cores once the packages are installed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
