@@ -49,13 +49,6 @@ std::string describe(const dem::RunParameters& p) {
     return text;
 }
 
-std::vector<SurfacePoint> dry_ones(const std::vector<SurfacePoint>& points) {
-    std::vector<SurfacePoint> dry;
-    std::ranges::copy_if(points, std::back_inserter(dry),
-                         [](const SurfacePoint& p) { return p.state.dry(); });
-    return dry;
-}
-
 }  // namespace
 
 DirectSimulation::DirectSimulation(const Study& study, const std::vector<Condition>& conditions,

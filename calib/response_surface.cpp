@@ -45,13 +45,6 @@ double inertia(const FlowState& s) {
     return s.inertial_number;
 }
 
-std::vector<SurfacePoint> dry_ones(const std::vector<SurfacePoint>& points) {
-    std::vector<SurfacePoint> dry;
-    std::ranges::copy_if(points, std::back_inserter(dry),
-                         [](const SurfacePoint& p) { return p.state.dry(); });
-    return dry;
-}
-
 /// The dry terms that the dry points can tell, whatever wet ones there are besides.
 void add_dry_terms(Basis& basis, const std::vector<SurfacePoint>& all) {
     const auto points = dry_ones(all);
@@ -112,6 +105,13 @@ double pooled_correlation(const std::vector<SurfacePoint>& points) {
 }
 
 }  // namespace
+
+std::vector<SurfacePoint> dry_ones(const std::vector<SurfacePoint>& points) {
+    std::vector<SurfacePoint> dry;
+    std::ranges::copy_if(points, std::back_inserter(dry),
+                         [](const SurfacePoint& p) { return p.state.dry(); });
+    return dry;
+}
 
 ResponseSurface::ResponseSurface(const std::vector<SurfacePoint>& points, double centre,
                                  double exponent, double window)

@@ -16,6 +16,9 @@ struct SurfacePoint {
     double rigidity_shift = 0;  ///< by which rigid beads would pack less densely [1]
 };
 
+/// The dry ones among the points.
+std::vector<SurfacePoint> dry_ones(const std::vector<SurfacePoint>& points);
+
 /// Local polynomial through simulation runs: stress ratio and solid fraction as smooth functions of
 /// friction, inertial number, reduced pressure and bridge volume,
 ///     dry:  y = c0 + c1 x + c2 x^2 + c3 q + c4 x q + c5 q^2
