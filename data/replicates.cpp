@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <vector>
 
@@ -11,6 +13,8 @@ namespace {
 
 constexpr double set_point_tolerance = 0.02;
 constexpr double assumed_error = 0.02;
+/// From a factor of two on, more replicates are worth a word.
+constexpr double worth_a_note = 2;
 
 using Group = std::vector<Reading*>;
 
@@ -67,11 +71,19 @@ void add(const Group& group, Pooled& pooled) {
     pooled.freedom += size - 1;
 }
 
+/// Factor on a standard error estimated with so many degrees of freedom, so that twice the product
+/// covers as often as twice a known standard error does: Student's quantile over the normal one.
+double widening(double freedom) {
+    const double level = boost::math::cdf(boost::math::normal(), 2.0);
+    return boost::math::quantile(boost::math::students_t(freedom), level) / 2;
+}
+
 /// What the errors within the runs leave unexplained, relative: a covariance.
 Eigen::Matrix2d excess(const Pooled& pooled) {
     Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
     if (pooled.freedom == 0) return result;
-    const Eigen::Matrix2d difference = (pooled.between - pooled.within) / pooled.freedom;
+    const Eigen::Matrix2d difference =
+        std::pow(widening(pooled.freedom), 2) * (pooled.between - pooled.within) / pooled.freedom;
     for (int i = 0; i < 2; ++i)
         result(i, i) = std::max(0.0, difference(i, i));
     const double shrunk = difference(0, 1) * (pooled.freedom - 1) / (pooled.freedom + 1);
@@ -105,6 +117,12 @@ void pool_replicates(Measurements& measurements) {
         add(group, pooled);
     }
     const Eigen::Matrix2d added = excess(pooled);
+    if (!added.isZero() && widening(pooled.freedom) >= worth_a_note)
+        measurements.notes.push_back(fmt::format(
+            "the scatter between replicates is known from {0} only: their standard errors are "
+            "widened {1:.1f} times so that two of them cover 95 %; more replicates narrow them",
+            pooled.freedom == 1 ? "one pair" : fmt::format("{:.0f} differences", pooled.freedom),
+            widening(pooled.freedom)));
     std::ptrdiff_t assumed = 0;
     for (Reading& reading : measurements.readings) {
         const Eigen::Matrix2d scale = reading.value.asDiagonal();
