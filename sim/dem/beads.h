@@ -1,32 +1,47 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <vector>
+
+#include "sim/dem/vector.h"
 
 namespace pendular::dem {
 
-/// The beads of a sample, structure of arrays, in reduced units (diameter, mass and normal stress
-/// are 1). Velocities are peculiar: what remains after the imposed shear and height change.
+/// The beads of a sample in reduced units (diameter, mass and normal stress are 1). What the force
+/// loop reads of one bead lies together, and so does what it writes: a pair touches few cache
+/// lines.
 struct Beads {
-    std::vector<double> x, y, z;     ///< centres; inside the cell when the neighbour list was built
-    std::vector<double> vx, vy, vz;  ///< peculiar velocities, half a step behind the centres
-    std::vector<double> wx, wy, wz;  ///< angular velocities
-    std::vector<double> fx, fy, fz;  ///< forces
-    std::vector<double> tx, ty, tz;  ///< torques
-    std::vector<double> ux, uy, uz;  ///< peculiar displacements since the contact list was made
+    struct Motion {
+        Vector position;  ///< centre; inside the cell when the neighbour list was built
+        Vector velocity;  ///< peculiar: what remains after the imposed flow; half a step behind
+        Vector spin;      ///< angular velocity, half a step behind
+    };
+    /// A cache line of its own.
+    struct alignas(64) Load {
+        Vector force, torque;
+    };
 
-    explicit Beads(std::size_t count = 0) {
-        for (auto* column : columns()) {
-            column->assign(count, 0.0);
-        }
-    }
-    std::size_t size() const { return x.size(); }
+    std::vector<Motion> motion;
+    std::vector<Load> load;
+    std::vector<Vector> displacement;  ///< peculiar, since the narrow list was made
+    std::vector<std::int32_t> number;  ///< by which a bead was called at first
 
-    /// All arrays, for whoever treats them alike.
-    std::vector<std::vector<double>*> columns() {
-        return {&x,  &y,  &z,  &vx, &vy, &vz, &wx, &wy, &wz,
-                &fx, &fy, &fz, &tx, &ty, &tz, &ux, &uy, &uz};
+    explicit Beads(std::size_t count = 0)
+        : motion(count), load(count), displacement(count), number(count) {
+        std::iota(number.begin(), number.end(), 0);
     }
+    std::size_t size() const { return motion.size(); }
+
+    Vector& position(std::size_t i) { return motion[i].position; }
+    Vector& velocity(std::size_t i) { return motion[i].velocity; }
+    Vector& spin(std::size_t i) { return motion[i].spin; }
+    const Vector& position(std::size_t i) const { return motion[i].position; }
+    const Vector& velocity(std::size_t i) const { return motion[i].velocity; }
+    const Vector& spin(std::size_t i) const { return motion[i].spin; }
+    const Vector& force(std::size_t i) const { return load[i].force; }
+    const Vector& torque(std::size_t i) const { return load[i].torque; }
 };
 
 /// Moment of inertia of a bead of unit mass and diameter: (2/5)(1/2)^2.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/dem/vector.h"
+
 namespace pendular::dem {
 
 /// Periodic cell of a Lees-Edwards shear flow, in bead diameters. Its lattice vectors are
@@ -19,19 +21,26 @@ struct Cell {
     /// Brings the offset into [-length/2, length/2).
     void reduce_offset() { offset -= length * std::floor(offset / length + 0.5); }
 
+    /// Fractional coordinates along the lattice vectors; in [0, 1) inside the cell.
+    Vector fractions(const Vector& r) const {
+        const double up = r[1] / height;
+        return {(r[0] - up * offset) / length, up, r[2] / width};
+    }
     /// Moves a position into the cell by whole lattice vectors.
-    void wrap(double& x, double& y, double& z) const {
-        const double up = std::floor(y / height);
-        y -= up * height;
-        x -= up * offset;
-        x -= length * std::floor(x / length);
-        z -= width * std::floor(z / width);
+    Vector wrapped(const Vector& r) const {
+        const Vector at = fractions(r);
+        const double n1 = std::floor(at[0]), n2 = std::floor(at[1]), n3 = std::floor(at[2]);
+        return r - Vector(n1 * length + n2 * offset, n2 * height, n3 * width);
     }
 };
 
 /// Whole lattice vectors that lead to an image: image = n1 a1 + n2 a2 + n3 a3.
 struct Image {
     int n1 = 0, n2 = 0, n3 = 0;
+
+    Vector shift(const Cell& cell) const {
+        return {n1 * cell.length + n2 * cell.offset, n2 * cell.height, n3 * cell.width};
+    }
 };
 
 /// Images as small numbers, so that a pair of the neighbour list carries one byte.

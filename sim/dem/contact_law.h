@@ -33,6 +33,8 @@ struct Hertz {
         const double root = std::sqrt(overlap);
         return {root, modulus / 3 * overlap * root, modulus / 2 * root};
     }
+    /// Elastic energy of the normal force: (2/15) E~ h^(5/2).
+    double energy(double overlap) const { return 0.4 * overlap * elastic; }
     /// Viscous force for a rate of overlap dh/dt.
     double viscous(double overlap_rate, double damping) const {
         return damping * std::sqrt(2 * normal_stiffness) * overlap_rate;
@@ -50,6 +52,17 @@ inline double coulomb_factor(double squared, double limit) {
 /// Source: the same simplified Hertz-Mindlin law as `Hertz`.
 inline double unloading_factor(double root_new, double root_old) {
     return root_new < root_old ? root_new / root_old : 1.0;
+}
+
+/// Energy of a tangential force of squared length `squared` in its spring [a^3 s22].
+inline double tangential_energy(double squared, double stiffness) {
+    return stiffness > 0 ? squared / (2 * stiffness) : 0.0;
+}
+
+/// Energy lost by sliding when a tangential force is cut to `allowed` times itself: the force that
+/// is left times the displacement that is not remembered [a^3 s22].
+inline double sliding_loss(double squared, double allowed, double stiffness) {
+    return stiffness > 0 ? allowed * (1 - allowed) * squared / stiffness : 0.0;
 }
 
 /// Overlap at which a contact carries the elastic normal force `force` [diameters].

@@ -11,10 +11,10 @@ namespace {
 constexpr std::size_t lanes = PairList::batch;
 using Lane = std::array<double, lanes>;
 
-/// One batch of pairs as seen by the contact law, in reduced units.
+/// One batch of pairs as seen by the laws, in reduced units.
 struct alignas(64) Batch {
     Lane rx, ry, rz;  ///< separation from the first to the second bead
-    Lane vx, vy, vz;  ///< relative velocity of the centres, affine part included
+    Lane vx, vy, vz;  ///< relative velocity of the centres, without the imposed flow
     Lane wx, wy, wz;  ///< sum of the angular velocities
     Lane fx, fy, fz;  ///< force on the second bead
     Lane tx, ty, tz;  ///< torque on either bead
@@ -24,55 +24,127 @@ struct alignas(64) Batch {
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
 };
+struct alignas(64) LaneEnergy {
+    Lane elastic{}, capillary{}, friction{}, viscosity{}, bridges{}, unloading{};
+};
 
-using Shifts = std::array<std::array<double, 3>, image_code::count + 1>;
+using Shifts = std::array<Vector, image_code::count + 1>;
 
 Shifts image_shifts(const Cell& cell) {
     Shifts shifts;
     for (int code = 0; code < image_code::count; ++code) {
-        const Image n = image_code::image(code);
-        shifts[code] = {n.n1 * cell.length + n.n2 * cell.offset, n.n2 * cell.height,
-                        n.n3 * cell.width};
+        shifts[code] = image_code::image(code).shift(cell);
     }
     shifts[image_code::nowhere] = {1e3, 0, 0};
     return shifts;
 }
 
-/// Reads what the contact law needs of the pairs from `begin` on.
+/// Turns four vectors into their components, or back.
+[[gnu::always_inline]] inline void transpose(const Vector::Lanes (&in)[4],
+                                             Vector::Lanes (&out)[4]) {
+    const auto even01 = __builtin_shufflevector(in[0], in[1], 0, 4, 2, 6);
+    const auto odd01 = __builtin_shufflevector(in[0], in[1], 1, 5, 3, 7);
+    const auto even23 = __builtin_shufflevector(in[2], in[3], 0, 4, 2, 6);
+    const auto odd23 = __builtin_shufflevector(in[2], in[3], 1, 5, 3, 7);
+    out[0] = __builtin_shufflevector(even01, even23, 0, 1, 4, 5);
+    out[1] = __builtin_shufflevector(odd01, odd23, 0, 1, 4, 5);
+    out[2] = __builtin_shufflevector(even01, even23, 2, 3, 6, 7);
+    out[3] = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
+}
+
+/// Writes four vectors to lanes k to k + 3 of three components.
+[[gnu::always_inline]] inline void to_lanes(const Vector::Lanes (&in)[4], std::size_t k, Lane& x,
+                                            Lane& y, Lane& z) {
+    Vector::Lanes out[4];
+    transpose(in, out);
+    *reinterpret_cast<Vector::Lanes*>(&x[k]) = out[0];
+    *reinterpret_cast<Vector::Lanes*>(&y[k]) = out[1];
+    *reinterpret_cast<Vector::Lanes*>(&z[k]) = out[2];
+}
+
+/// Reads four vectors from lanes k to k + 3 of three components.
+[[gnu::always_inline]] inline void from_lanes(const Lane& x, const Lane& y, const Lane& z,
+                                              std::size_t k, Vector::Lanes (&out)[4]) {
+    const Vector::Lanes in[4] = {*reinterpret_cast<const Vector::Lanes*>(&x[k]),
+                                 *reinterpret_cast<const Vector::Lanes*>(&y[k]),
+                                 *reinterpret_cast<const Vector::Lanes*>(&z[k]), Vector::Lanes{}};
+    transpose(in, out);
+}
+
+/// Reads separations, and where the pairs may touch the relative motion, of the pairs from `begin`
+/// on: bead by bead, then turned into lanes.
+template <bool moving>
 [[gnu::always_inline]] inline void gather(const Beads& beads, const Pairs& pairs, std::size_t begin,
-                                          const Shifts& shifts, const Flow& flow, Batch& b) {
+                                          const Shifts& shifts, Batch& b) {
     const std::int32_t* first = pairs.first.data() + begin;
     const std::int32_t* second = pairs.second.data() + begin;
     const std::uint8_t* image = pairs.image.data() + begin;
-    for (std::size_t k = 0; k < lanes; ++k) {
-        const auto i = first[k], j = second[k];
-        const auto& shift = shifts[image[k]];
-        b.rx[k] = beads.x[j] - beads.x[i] + shift[0];
-        b.ry[k] = beads.y[j] - beads.y[i] + shift[1];
-        b.rz[k] = beads.z[j] - beads.z[i] + shift[2];
-        b.vx[k] = beads.vx[j] - beads.vx[i] + flow.shear_rate * b.ry[k];
-        b.vy[k] = beads.vy[j] - beads.vy[i] + flow.height_rate * b.ry[k];
-        b.vz[k] = beads.vz[j] - beads.vz[i];
-        b.wx[k] = beads.wx[j] + beads.wx[i];
-        b.wy[k] = beads.wy[j] + beads.wy[i];
-        b.wz[k] = beads.wz[j] + beads.wz[i];
+    const Beads::Motion* motion = beads.motion.data();
+    for (std::size_t k = 0; k < lanes; k += 4) {
+        Vector::Lanes r[4], v[4], w[4];
+        for (std::size_t l = 0; l < 4; ++l) {
+            const Beads::Motion &i = motion[first[k + l]], &j = motion[second[k + l]];
+            r[l] = j.position.lanes - i.position.lanes + shifts[image[k + l]].lanes;
+            if constexpr (moving) {
+                v[l] = j.velocity.lanes - i.velocity.lanes;
+                w[l] = j.spin.lanes + i.spin.lanes;
+            }
+        }
+        to_lanes(r, k, b.rx, b.ry, b.rz);
+        if constexpr (moving) {
+            to_lanes(v, k, b.vx, b.vy, b.vz);
+            to_lanes(w, k, b.wx, b.wy, b.wz);
+        }
     }
 }
 
+/// Adds the forces, and where the pairs may touch the torques, of a batch to the beads.
+template <bool touching>
+[[gnu::always_inline]] inline void scatter(const Batch& b, const Pairs& pairs, std::size_t begin,
+                                           Beads::Load* load) {
+    const std::int32_t* first = pairs.first.data() + begin;
+    const std::int32_t* second = pairs.second.data() + begin;
+    for (std::size_t k = 0; k < lanes; k += 4) {
+        Vector::Lanes f[4], t[4];
+        from_lanes(b.fx, b.fy, b.fz, k, f);
+        if constexpr (touching) {
+            from_lanes(b.tx, b.ty, b.tz, k, t);
+        }
+        for (std::size_t l = 0; l < 4; ++l) {
+            Beads::Load &i = load[first[k + l]], &j = load[second[k + l]];
+            j.force.lanes += f[l];
+            i.force.lanes -= f[l];
+            if constexpr (touching) {
+                j.torque.lanes += t[l];
+                i.torque.lanes += t[l];
+            }
+        }
+    }
+}
+
+[[gnu::always_inline]] inline void add_virial(const Batch& b, std::size_t k, LaneSums& sums) {
+    sums.virial_11[k] += b.fx[k] * b.rx[k];
+    sums.virial_22[k] += b.fy[k] * b.ry[k];
+    sums.virial_33[k] += b.fz[k] * b.rz[k];
+    sums.virial_12[k] += b.fx[k] * b.ry[k];
+}
+
 /// Contact and capillary forces of a batch; pairs that do not touch get zeros without a branch.
-/// Without bridges nothing of them is computed.
-template <bool wet>
-[[gnu::always_inline]] inline void near_forces(Batch& b, Pairs& pairs, std::size_t begin,
-                                               const Material& material, const BridgeLaw& bridges,
-                                               double dt, LaneSums& sums) {
+/// What is not asked for, bridges or books, is not computed.
+template <bool wet, bool books>
+[[gnu::always_inline]] inline void near_batch(Batch& b, Pairs& pairs, std::size_t begin,
+                                              const PairLaws& laws, LaneSums& sums,
+                                              LaneEnergy& energy) {
     double* __restrict sx = pairs.sx.data() + begin;
     double* __restrict sy = pairs.sy.data() + begin;
     double* __restrict sz = pairs.sz.data() + begin;
     double* __restrict root = pairs.root.data() + begin;
     double* __restrict bridge = pairs.bridge.data() + begin;
-    const double modulus = material.modulus, damping = material.damping;
-    const double friction = material.friction;
-    const double ratio = tangential_ratio(material.poisson_ratio);
+    const double modulus = laws.material.modulus, damping = laws.material.damping;
+    const double friction = laws.material.friction, dt = laws.time_step;
+    const double ratio = tangential_ratio(laws.material.poisson_ratio);
+    const Flow flow = laws.flow;
+    const BridgeLaw bridges = laws.bridges;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
         // Geometry: unit normal from the first to the second bead, overlap.
@@ -81,21 +153,31 @@ template <bool wet>
         const double inverse = 1 / distance;
         const double nx = b.rx[k] * inverse, ny = b.ry[k] * inverse, nz = b.rz[k] * inverse;
         const double overlap = distance < 1 ? 1 - distance : 0.0;
+        const double vx = b.vx[k] + flow.length_rate * b.rx[k] + flow.shear_rate * b.ry[k];
+        const double vy = b.vy[k] + flow.height_rate * b.ry[k];
+        const double vz = b.vz[k] + flow.width_rate * b.rz[k];
 
         // Normal motion: elastic and viscous force.
-        const double normal_speed = b.vx[k] * nx + b.vy[k] * ny + b.vz[k] * nz;
+        const double normal_speed = vx * nx + vy * ny + vz * nz;
         const Hertz hertz = Hertz::at(overlap, modulus);
-        double normal_force = hertz.elastic + hertz.viscous(-normal_speed, damping);
+        const double viscous = hertz.viscous(-normal_speed, damping);
+        double normal_force = hertz.elastic + viscous;
         if constexpr (wet) {
             const double gap = distance > 1 ? distance - 1 : 0.0;
-            bridge[k] = bridges.joined(overlap, gap, bridge[k]);
-            normal_force -= bridge[k] * bridges.pull_off_force * bridges.relative_force(gap);
+            const double joined = bridges.joined(overlap, gap, bridge[k]);
+            normal_force -= joined * bridges.pull_off_force * bridges.relative_force(gap);
+            if constexpr (books) {
+                const double depth = bridges.potential(gap) - bridges.pull_off_force * overlap;
+                energy.capillary[k] += joined * depth;
+                energy.bridges[k] += (bridge[k] - joined) * depth;
+            }
+            bridge[k] = joined;
         }
 
         // Tangential velocity of the two surfaces where they touch, at the middle of the branch.
         const double arm = distance * 0.5;
-        const double tx = b.vx[k] - normal_speed * nx, ty = b.vy[k] - normal_speed * ny,
-                     tz = b.vz[k] - normal_speed * nz;
+        const double tx = vx - normal_speed * nx, ty = vy - normal_speed * ny,
+                     tz = vz - normal_speed * nz;
         const double ux = tx - arm * (b.wy[k] * nz - b.wz[k] * ny);
         const double uy = ty - arm * (b.wz[k] * nx - b.wx[k] * nz);
         const double uz = tz - arm * (b.wx[k] * ny - b.wy[k] * nx);
@@ -113,16 +195,32 @@ template <bool wet>
 
         // Unloading, the elastic increment of this step, and the Coulomb limit.
         const double kept = unloading_factor(hertz.root, root[k]);
-        const double stiffness = dt * ratio * hertz.normal_stiffness;
-        px = kept * (px - along * nx) - stiffness * ux;
-        py = kept * (py - along * ny) - stiffness * uy;
-        pz = kept * (pz - along * nz) - stiffness * uz;
-        const double allowed =
-            coulomb_factor(px * px + py * py + pz * pz, friction * hertz.elastic);
+        const double stiffness = ratio * hertz.normal_stiffness;
+        px = kept * (px - along * nx);
+        py = kept * (py - along * ny);
+        pz = kept * (pz - along * nz);
+        if constexpr (books) {
+            const double old_stiffness = ratio * (modulus / 2 * root[k]);
+            energy.unloading[k] +=
+                tangential_energy(sx[k] * sx[k] + sy[k] * sy[k] + sz[k] * sz[k], old_stiffness) -
+                tangential_energy(px * px + py * py + pz * pz, stiffness);
+        }
+        px -= dt * stiffness * ux;
+        py -= dt * stiffness * uy;
+        pz -= dt * stiffness * uz;
+        const double limit = friction * hertz.elastic;
+        const double squared = px * px + py * py + pz * pz;
+        const double allowed = coulomb_factor(squared, limit);
         sx[k] = px * allowed;
         sy[k] = py * allowed;
         sz[k] = pz * allowed;
         root[k] = hertz.root;
+        if constexpr (books) {
+            energy.elastic[k] +=
+                hertz.energy(overlap) + tangential_energy(allowed * allowed * squared, stiffness);
+            energy.friction[k] += sliding_loss(squared, allowed, stiffness);
+            energy.viscosity[k] -= dt * viscous * normal_speed;
+        }
 
         // Force on the second bead; the torque -(arm) n x s acts on both.
         b.fx[k] = normal_force * nx + sx[k];
@@ -132,66 +230,37 @@ template <bool wet>
         b.ty[k] = -arm * (nz * sx[k] - nx * sz[k]);
         b.tz[k] = -arm * (nx * sy[k] - ny * sx[k]);
 
-        sums.virial_11[k] += b.fx[k] * b.rx[k];
-        sums.virial_22[k] += b.fy[k] * b.ry[k];
-        sums.virial_33[k] += b.fz[k] * b.rz[k];
-        sums.virial_12[k] += b.fx[k] * b.ry[k];
+        add_virial(b, k, sums);
         sums.largest_overlap[k] =
             overlap > sums.largest_overlap[k] ? overlap : sums.largest_overlap[k];
     }
 }
 
-[[gnu::always_inline]] inline void scatter(const Batch& b, const Pairs& pairs, std::size_t begin,
-                                           Beads& beads) {
-    for (std::size_t k = 0; k < lanes; ++k) {
-        const auto i = pairs.first[begin + k], j = pairs.second[begin + k];
-        beads.fx[j] += b.fx[k], beads.fy[j] += b.fy[k], beads.fz[j] += b.fz[k];
-        beads.fx[i] -= b.fx[k], beads.fy[i] -= b.fy[k], beads.fz[i] -= b.fz[k];
-        beads.tx[j] += b.tx[k], beads.ty[j] += b.ty[k], beads.tz[j] += b.tz[k];
-        beads.tx[i] += b.tx[k], beads.ty[i] += b.ty[k], beads.tz[i] += b.tz[k];
-    }
-}
-
 /// Attraction of a batch of distant pairs.
-[[gnu::always_inline]] inline void distant_batch(const Beads& beads, Pairs& pairs,
-                                                 std::size_t begin, const Shifts& shifts,
-                                                 const BridgeLaw& bridges, Batch& b,
-                                                 LaneSums& sums) {
-    const std::int32_t* first = pairs.first.data() + begin;
-    const std::int32_t* second = pairs.second.data() + begin;
-    const std::uint8_t* image = pairs.image.data() + begin;
+template <bool books>
+[[gnu::always_inline]] inline void distant_batch(Batch& b, Pairs& pairs, std::size_t begin,
+                                                 const BridgeLaw& law, LaneSums& sums,
+                                                 LaneEnergy& energy) {
     double* __restrict bridge = pairs.bridge.data() + begin;
-    for (std::size_t k = 0; k < lanes; ++k) {
-        const auto i = first[k], j = second[k];
-        const auto& shift = shifts[image[k]];
-        b.rx[k] = beads.x[j] - beads.x[i] + shift[0];
-        b.ry[k] = beads.y[j] - beads.y[i] + shift[1];
-        b.rz[k] = beads.z[j] - beads.z[i] + shift[2];
-    }
+    const BridgeLaw bridges = law;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
         const double distance =
             std::sqrt(b.rx[k] * b.rx[k] + b.ry[k] * b.ry[k] + b.rz[k] * b.rz[k]);
         const double gap = distance > 1 ? distance - 1 : 0.0;
-        bridge[k] = bridges.joined(0.0, gap, bridge[k]);
+        const double joined = bridges.joined(0.0, gap, bridge[k]);
         const double over_distance =
-            -bridge[k] * bridges.pull_off_force * bridges.relative_force(gap) / distance;
+            -joined * bridges.pull_off_force * bridges.relative_force(gap) / distance;
         b.fx[k] = over_distance * b.rx[k];
         b.fy[k] = over_distance * b.ry[k];
         b.fz[k] = over_distance * b.rz[k];
-        sums.virial_11[k] += b.fx[k] * b.rx[k];
-        sums.virial_22[k] += b.fy[k] * b.ry[k];
-        sums.virial_33[k] += b.fz[k] * b.rz[k];
-        sums.virial_12[k] += b.fx[k] * b.ry[k];
-    }
-}
-
-[[gnu::always_inline]] inline void scatter_forces(const Batch& b, const Pairs& pairs,
-                                                  std::size_t begin, Beads& beads) {
-    for (std::size_t k = 0; k < lanes; ++k) {
-        const auto i = pairs.first[begin + k], j = pairs.second[begin + k];
-        beads.fx[j] += b.fx[k], beads.fy[j] += b.fy[k], beads.fz[j] += b.fz[k];
-        beads.fx[i] -= b.fx[k], beads.fy[i] -= b.fy[k], beads.fz[i] -= b.fz[k];
+        add_virial(b, k, sums);
+        if constexpr (books) {
+            const double depth = bridges.potential(gap);
+            energy.capillary[k] += joined * depth;
+            energy.bridges[k] += (bridge[k] - joined) * depth;
+        }
+        bridge[k] = joined;
     }
 }
 
@@ -203,44 +272,81 @@ double sum(const Lane& lane) {
     return total;
 }
 
-}  // namespace
+PairSums total(const LaneSums& sums, const LaneEnergy& energy) {
+    return {sum(sums.virial_11),
+            sum(sums.virial_22),
+            sum(sums.virial_33),
+            sum(sums.virial_12),
+            *std::ranges::max_element(sums.largest_overlap),
+            {sum(energy.elastic), sum(energy.capillary), sum(energy.friction),
+             sum(energy.viscosity), sum(energy.bridges), sum(energy.unloading)}};
+}
 
-PENDULAR_SIMD_CLONES
-PairSums pair_forces(Beads& beads, Pairs& pairs, const Cell& cell, const Flow& flow,
-                     const Material& material, double dt, const BridgeLaw& bridges) {
-    for (auto* column : {&beads.fx, &beads.fy, &beads.fz, &beads.tx, &beads.ty, &beads.tz}) {
-        std::fill(column->begin(), column->end(), 0.0);
-    }
-    const Shifts shifts = image_shifts(cell);
+template <bool wet, bool books>
+[[gnu::always_inline]] inline PairSums all_near(const Beads& beads, Pairs& pairs, Stretch stretch,
+                                                const PairLaws& laws, Beads::Load* load) {
+    const Shifts shifts = image_shifts(laws.cell);
     Batch batch;
     LaneSums sums;
-    for (std::size_t begin = 0; begin < pairs.size(); begin += lanes) {
-        gather(beads, pairs, begin, shifts, flow, batch);
-        if (bridges.wet()) {
-            near_forces<true>(batch, pairs, begin, material, bridges, dt, sums);
-        } else {
-            near_forces<false>(batch, pairs, begin, material, bridges, dt, sums);
-        }
-        scatter(batch, pairs, begin, beads);
+    LaneEnergy energy;
+    for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
+        gather<true>(beads, pairs, begin, shifts, batch);
+        near_batch<wet, books>(batch, pairs, begin, laws, sums, energy);
+        scatter<true>(batch, pairs, begin, load);
     }
-    return {sum(sums.virial_11), sum(sums.virial_22), sum(sums.virial_33), sum(sums.virial_12),
-            *std::ranges::max_element(sums.largest_overlap)};
+    return total(sums, energy);
+}
+
+}  // namespace
+
+PairEnergy& PairEnergy::operator+=(const PairEnergy& other) {
+    elastic += other.elastic, capillary += other.capillary, friction += other.friction;
+    viscosity += other.viscosity, bridges += other.bridges, unloading += other.unloading;
+    return *this;
+}
+
+PairSums& PairSums::operator+=(const PairSums& other) {
+    virial_11 += other.virial_11, virial_22 += other.virial_22;
+    virial_33 += other.virial_33, virial_12 += other.virial_12;
+    largest_overlap = std::max(largest_overlap, other.largest_overlap);
+    energy += other.energy;
+    return *this;
 }
 
 PENDULAR_SIMD_CLONES
-void distant_forces(Beads& beads, Pairs& distant, const Cell& cell, const BridgeLaw& bridges,
-                    PairSums& total) {
-    const Shifts shifts = image_shifts(cell);
+PairSums near_forces(const Beads& beads, Pairs& near, Stretch stretch, const PairLaws& laws,
+                     std::vector<Beads::Load>& load) {
+    const bool books = laws.books == Books::open;
+    if (laws.bridges.wet()) {
+        return books ? all_near<true, true>(beads, near, stretch, laws, load.data())
+                     : all_near<true, false>(beads, near, stretch, laws, load.data());
+    }
+    return books ? all_near<false, true>(beads, near, stretch, laws, load.data())
+                 : all_near<false, false>(beads, near, stretch, laws, load.data());
+}
+
+PENDULAR_SIMD_CLONES
+PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, const PairLaws& laws,
+                        std::vector<Beads::Load>& load) {
+    const Shifts shifts = image_shifts(laws.cell);
     Batch batch;
     LaneSums sums;
-    for (std::size_t begin = 0; begin < distant.size(); begin += lanes) {
-        distant_batch(beads, distant, begin, shifts, bridges, batch, sums);
-        scatter_forces(batch, distant, begin, beads);
+    LaneEnergy energy;
+    for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
+        gather<false>(beads, distant, begin, shifts, batch);
+        if (laws.books == Books::open) {
+            distant_batch<true>(batch, distant, begin, laws.bridges, sums, energy);
+        } else {
+            distant_batch<false>(batch, distant, begin, laws.bridges, sums, energy);
+        }
+        scatter<false>(batch, distant, begin, load.data());
     }
-    total.virial_11 += sum(sums.virial_11);
-    total.virial_22 += sum(sums.virial_22);
-    total.virial_33 += sum(sums.virial_33);
-    total.virial_12 += sum(sums.virial_12);
+    return total(sums, energy);
+}
+
+PairSums pair_forces(Beads& beads, Pairs& near, const PairLaws& laws) {
+    std::ranges::fill(beads.load, Beads::Load{});
+    return near_forces(beads, near, {0, near.size()}, laws, beads.load);
 }
 
 }  // namespace pendular::dem

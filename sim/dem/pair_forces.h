@@ -1,17 +1,28 @@
 #pragma once
 
+#include <utility>
+
 #include "sim/dem/beads.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/contact_law.h"
+#include "sim/dem/flow.h"
 #include "sim/dem/pair_list.h"
 
 namespace pendular::dem {
 
-/// Velocity gradient imposed on the sample, reduced units.
-struct Flow {
-    double shear_rate = 0;   ///< dv1/dx2, equal to the inertial number
-    double height_rate = 0;  ///< (dH/dt)/H
+/// Energy that pairs hold and what they lost during one step, reduced units (a^3 s22).
+struct PairEnergy {
+    double elastic = 0;    ///< normal (2/15) E~ h^(5/2) plus tangential s^2/(2 K_T)
+    double capillary = 0;  ///< of bridges, zero at rupture
+    double friction = 0;   ///< lost by sliding
+    double viscosity = 0;  ///< lost by the viscous part of the normal force
+    double bridges = 0;  ///< lost where a bridge forms: its potential jumps from zero to its depth
+    /// Lost by tangential springs without sliding: K_T changes with the overlap under a force that
+    /// is there, and what points along the new normal is dropped.
+    double unloading = 0;
+
+    PairEnergy& operator+=(const PairEnergy& other);
 };
 
 /// Sums over the pairs of one force evaluation, reduced units.
@@ -21,21 +32,44 @@ struct PairSums {
     double virial_33 = 0;
     double virial_12 = 0;  ///< sum of F1 r2, negative in simple shear
     double largest_overlap = 0;
+    PairEnergy energy;  ///< where it was asked for
+
+    PairSums& operator+=(const PairSums& other);
 };
 
-/// Sets forces and torques of all beads from near pairs and advances the tangential forces by one
-/// step `dt`. The tangential force turns with the pair and about its normal, is rescaled when the
-/// contact unloads, and obeys the Coulomb limit (contact_law.h) on the elastic force alone. Where
-/// `bridges` are wet, contacts form bridges, and what bridges join is attracted (bridge_law.h).
+/// Whether a force evaluation keeps the books of energy, which takes about a third more time.
+enum class Books { closed, open };
+
+/// The laws of one force evaluation.
+struct PairLaws {
+    Cell cell;
+    Flow flow;
+    Material material;
+    BridgeLaw bridges;
+    double time_step = 0;
+    Books books = Books::closed;
+};
+
+/// A stretch of a pair list, in whole batches.
+using Stretch = std::pair<std::size_t, std::size_t>;
+
+/// Adds the forces and torques of a stretch of near pairs to `load` and advances their tangential
+/// forces by one step. The tangential force turns with the pair and about its normal, is rescaled
+/// when the contact unloads, and obeys the Coulomb limit (contact_law.h) on the elastic force
+/// alone. Where bridges are wet, contacts form them, and what they join is attracted
+/// (bridge_law.h).
 ///
 /// Pairs are worked on in batches through vector lanes; the instruction set is chosen at run time
 /// and does not change a bit of the result.
-PairSums pair_forces(Beads& beads, Pairs& pairs, const Cell& cell, const Flow& flow,
-                     const Material& material, double dt, const BridgeLaw& bridges = {});
+PairSums near_forces(const Beads& beads, Pairs& near, Stretch stretch, const PairLaws& laws,
+                     std::vector<Beads::Load>& load);
 
-/// Adds the attraction of distant pairs, which bridges join without contact, to forces and sums;
-/// breaks the bridges whose gap has passed the rupture distance.
-void distant_forces(Beads& beads, Pairs& distant, const Cell& cell, const BridgeLaw& bridges,
-                    PairSums& sums);
+/// Adds the attraction of a stretch of distant pairs, which bridges join without contact; breaks
+/// the bridges whose gap has passed the rupture distance.
+PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, const PairLaws& laws,
+                        std::vector<Beads::Load>& load);
+
+/// Sets forces and torques of all beads from the near pairs alone.
+PairSums pair_forces(Beads& beads, Pairs& near, const PairLaws& laws);
 
 }  // namespace pendular::dem

@@ -10,18 +10,31 @@
 
 namespace pendular::dem {
 
-/// Pairs of beads with what a contact remembers, structure of arrays. The separation points from
-/// `first` to the image of `second`.
-struct Pairs {
+/// Pairs of beads, ordered by first and then by second bead; `first` is the smaller number. The
+/// separation points from `first` to the image of `second`.
+struct Neighbours {
     std::vector<std::int32_t> first, second;
     std::vector<std::uint8_t> image;  ///< image_code of the second bead
-    std::vector<double> sx, sy, sz;   ///< tangential force on the second bead
-    std::vector<double> root;         ///< sqrt(overlap) of the last step, 0 without contact
-    std::vector<double> bridge;       ///< 1 where a liquid bridge joins the beads, else 0
 
     std::size_t size() const { return first.size(); }
-    void clear();
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
+    void append(const Neighbours& others);
+    void reserve(std::size_t count);
+};
+
+/// Pairs with what a contact remembers, structure of arrays.
+struct Pairs : Neighbours {
+    std::vector<double> sx, sy, sz;  ///< tangential force on the second bead
+    std::vector<double> root;        ///< sqrt(overlap) of the last step, 0 without contact
+    std::vector<double> bridge;      ///< 1 where a liquid bridge joins the beads, else 0
+
+    Pairs() = default;
+    explicit Pairs(Neighbours neighbours);
+    void clear();
+    void reserve(std::size_t count);
+    void add(std::int32_t i, std::int32_t j, std::uint8_t code);
+    /// Adds pairs outside the cell, which never touch, up to a whole number of batches.
+    void fill_up(std::size_t batch);
     /// Copies what pair `from` of another list remembers to pair `to` of this one.
     void remember(std::size_t to, const Pairs& other, std::size_t from);
 };
@@ -33,21 +46,28 @@ struct Pairs {
 /// Both stay valid while no missing pair can have come too close. Two beads that were further
 /// apart than 1 + skin remain further apart than a distance d while
 ///     (1 + skin - 2 u (1 + g)) (1 - g) > d,
-/// u the largest peculiar displacement of any bead and g the affine strain (shear plus height
-/// change) since then: the moving image offset is part of the criterion, not a special case.
+/// u the largest peculiar displacement of any bead and g the affine strain (shear plus changes of
+/// the cell's edges) since then: the moving image offset is part of the criterion, not a special
+/// case.
+///
+/// Beads are renumbered along a space-filling curve when shear has carried them apart, so that a
+/// pair's beads lie close in memory.
 class PairList {
   public:
     static constexpr std::size_t batch = 64;  ///< the narrow list is filled up to whole batches
     static constexpr double shortest_wide_skin = 0.15;
     static constexpr double narrow_skin = 0.02;
 
-    /// Bridges live up to this gap [diameters], 0 without.
-    explicit PairList(double rupture_distance = 0)
-        : wide_skin_(std::max(shortest_wide_skin, rupture_distance)) {}
+    /// Bridges live up to this gap [diameters], 0 without. Lists are made in `parts` side by side,
+    /// which does not change them.
+    explicit PairList(double rupture_distance = 0, int parts = 1)
+        : wide_skin_(std::max(shortest_wide_skin, rupture_distance)), parts_(parts) {}
 
     /// Notes the displacement and affine strain of a step just made, and renews what they make
     /// invalid. Wraps the beads into the cell when the wide list is renewed.
     void update(Beads& beads, Cell& cell, double affine_strain);
+    /// The same with the largest squared displacement since the narrow list was made, if known.
+    void update(Beads& beads, Cell& cell, double affine_strain, double largest_squared);
 
     /// Renews both lists now, keeping what contacts remember.
     void rebuild(Beads& beads, Cell& cell);
@@ -55,30 +75,36 @@ class PairList {
     Pairs& narrow() { return narrow_; }
     const Pairs& narrow() const { return narrow_; }
     /// Pairs of the narrow list that are real; the rest only fills up the last batch.
-    std::size_t live() const { return narrow_index_.size(); }
+    std::size_t live() const { return live_; }
     /// Pairs that a bridge joined when the list was made, none of which can have come to touch.
     Pairs& distant() { return distant_; }
     const Pairs& distant() const { return distant_; }
     std::size_t wide_rebuilds() const { return wide_rebuilds_; }
 
   private:
+    void renumber(Beads& beads, const Cell& cell);
     void select(Beads& beads, const Cell& cell);
-    void write_back();
+    void find_close_ones(const Beads& beads, const Cell& cell);
 
     double wide_skin_;
-    Pairs wide_, narrow_, distant_;
-    std::vector<std::size_t> narrow_index_, distant_index_;  ///< in the wide list, of live pairs
-    std::vector<double> moved_x_, moved_y_,
-        moved_z_;  ///< peculiar displacements, wide to narrow list
-    double wide_strain_ = 0, narrow_strain_ = 0;
+    int parts_;
+    Neighbours wide_;
+    Pairs narrow_, distant_;
+    std::size_t live_ = 0, live_distant_ = 0;
+    std::vector<Vector> moved_;  ///< peculiar displacements, wide to narrow list
+    double wide_strain_ = 0, narrow_strain_ = 0, strain_since_renumbered_ = 1e9;
     std::size_t wide_rebuilds_ = 0;
+    // Kept between calls for their memory only.
+    std::vector<std::uint8_t> close_;
+    Pairs old_narrow_, old_distant_;
 };
 
-/// All pairs closer than `range`, each once and ordered by first bead. Cells are sheared with the
-/// lattice, so that the image offset needs no special case; small samples are searched whole.
-Pairs find_pairs(const Beads& beads, const Cell& cell, double range);
+/// All pairs closer than `range` of beads inside the cell. Bins are sheared with the lattice, so
+/// that the image offset needs no special case; small samples are searched whole. Done in `parts`
+/// side by side, which does not change the result.
+Neighbours find_pairs(const Beads& beads, const Cell& cell, double range, int parts = 1);
 
 /// The same by looking at every pair of beads: slow, and the truth the other is tested against.
-Pairs find_pairs_by_brute_force(const Beads& beads, const Cell& cell, double range);
+Neighbours find_pairs_by_brute_force(const Beads& beads, const Cell& cell, double range);
 
 }  // namespace pendular::dem

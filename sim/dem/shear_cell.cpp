@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/dem/simd.h"
+#include "sim/dem/parts.h"
 #include "sim/dem/simulation_error.h"
 
 namespace pendular::dem {
@@ -23,90 +23,6 @@ constexpr double initial_closing_rate = 0.05;
 constexpr double steady_solid_fraction = 0.62;
 constexpr double servo_modulus = 0.05;
 constexpr int steps_between_time_steps = 20;
-
-/// Sums of v v over the beads, in eight interleaved parts so that lanes do not change their order.
-struct KineticSums {
-    double xx[8] = {}, yy[8] = {}, zz[8] = {}, xy[8] = {};
-    static double sum(const double (&part)[8]) {
-        return ((part[0] + part[1]) + (part[2] + part[3])) +
-               ((part[4] + part[5]) + (part[6] + part[7]));
-    }
-};
-
-/// Velocities by one step: dv/dt = f - L v with L the imposed velocity gradient, since v is
-/// peculiar.
-PENDULAR_SIMD_CLONES
-void advance_velocities(Beads& beads, const Flow& flow, double dt) {
-    const std::size_t n = beads.size();
-    double* __restrict vx = beads.vx.data();
-    double* __restrict vy = beads.vy.data();
-    double* __restrict vz = beads.vz.data();
-    const double* __restrict fx = beads.fx.data();
-    const double* __restrict fy = beads.fy.data();
-    const double* __restrict fz = beads.fz.data();
-    for (std::size_t i = 0; i < n; ++i) {
-        const double up = vy[i];
-        vx[i] += dt * (fx[i] - flow.shear_rate * up);
-        vy[i] += dt * (fy[i] - flow.height_rate * up);
-        vz[i] += dt * fz[i];
-    }
-    for (auto [w, t] : {std::pair(&beads.wx, &beads.tx), std::pair(&beads.wy, &beads.ty),
-                        std::pair(&beads.wz, &beads.tz)}) {
-        double* __restrict rate = w->data();
-        const double* __restrict torque = t->data();
-        for (std::size_t i = 0; i < n; ++i) {
-            rate[i] += dt / moment_of_inertia * torque[i];
-        }
-    }
-}
-
-/// Positions by one step: dx/dt = v + L x.
-PENDULAR_SIMD_CLONES
-void advance_positions(Beads& beads, const Flow& flow, double dt) {
-    const std::size_t n = beads.size();
-    double* __restrict x = beads.x.data();
-    double* __restrict y = beads.y.data();
-    double* __restrict z = beads.z.data();
-    double* __restrict ux = beads.ux.data();
-    double* __restrict uy = beads.uy.data();
-    double* __restrict uz = beads.uz.data();
-    const double* __restrict vx = beads.vx.data();
-    const double* __restrict vy = beads.vy.data();
-    const double* __restrict vz = beads.vz.data();
-    for (std::size_t i = 0; i < n; ++i) {
-        const double dx = dt * vx[i], dy = dt * vy[i], dz = dt * vz[i];
-        x[i] += dx + dt * flow.shear_rate * y[i];
-        y[i] += dy + dt * flow.height_rate * y[i];
-        z[i] += dz;
-        ux[i] += dx;
-        uy[i] += dy;
-        uz[i] += dz;
-    }
-}
-
-PENDULAR_SIMD_CLONES
-KineticSums kinetic_sums(const Beads& beads) {
-    KineticSums sums;
-    const std::size_t n = beads.size(), whole = n / 8 * 8;
-    const double* __restrict vx = beads.vx.data();
-    const double* __restrict vy = beads.vy.data();
-    const double* __restrict vz = beads.vz.data();
-    const auto add = [&](std::size_t i, std::size_t lane) {
-        sums.xx[lane] += vx[i] * vx[i];
-        sums.yy[lane] += vy[i] * vy[i];
-        sums.zz[lane] += vz[i] * vz[i];
-        sums.xy[lane] += vx[i] * vy[i];
-    };
-    for (std::size_t i = 0; i < whole; i += 8) {
-        for (std::size_t lane = 0; lane < 8; ++lane) {
-            add(i + lane, lane);
-        }
-    }
-    for (std::size_t i = whole; i < n; ++i) {
-        add(i, i - whole);
-    }
-    return sums;
-}
 
 /// Uniform in [0, 1) with 53 bits, the same on every platform.
 double uniform(std::mt19937_64& random) {
@@ -162,16 +78,19 @@ class RandomPlacement {
 }  // namespace
 
 ShearCell::ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
-                     const BridgeLaw& bridges)
-    : beads_(static_cast<std::size_t>(count < fewest_beads ? 0 : count)),
-      pairs_(bridges.rupture_distance),
+                     const BridgeLaw& bridges, int parts)
+    : ShearCell(random_gas(count, seed), material, {.shear_rate = shear_rate}, bridges, parts) {}
+
+ShearCell::ShearCell(Sample sample, const Material& material, const Flow& flow,
+                     const BridgeLaw& bridges, int parts)
+    : beads_(std::move(sample.beads)),
+      cell_(sample.cell),
+      pairs_(bridges.rupture_distance, parts),
       material_(material),
-      bridges_(bridges) {
-    if (count < fewest_beads) {
-        throw std::invalid_argument("a sample needs at least 64 beads");
-    }
-    flow_.shear_rate = shear_rate;
-    place_at_random(seed);
+      bridges_(bridges),
+      flow_(flow),
+      parts_(parts),
+      other_loads_(static_cast<std::size_t>(parts) - 1, std::vector<Beads::Load>(beads_.size())) {
     recent_overlap_ = overlap_at(1.0, material_.modulus);
     follow_stiffest_contact();
     pairs_.rebuild(beads_, cell_);
@@ -181,34 +100,36 @@ double ShearCell::edge(int count) {
     return std::cbrt(count * bead_volume / steady_solid_fraction);
 }
 
-void ShearCell::place_at_random(std::uint64_t seed) {
-    // Tall enough that the sample is a cube once it flows.
-    const double solid = static_cast<double>(beads_.size()) * bead_volume;
-    const double base = edge(static_cast<int>(beads_.size()));
-    cell_ = {base, solid / initial_solid_fraction / (base * base), base, 0};
-    RandomPlacement placement({cell_.length, cell_.height, cell_.width});
-    std::mt19937_64 random(seed);
-    for (std::size_t i = 0; i < beads_.size(); ++i) {
-        do {
-            beads_.x[i] = cell_.length * uniform(random);
-            beads_.y[i] = cell_.height * uniform(random);
-            beads_.z[i] = cell_.width * uniform(random);
-        } while (!placement.place({beads_.x[i], beads_.y[i], beads_.z[i]}));
+Sample random_gas(int count, std::uint64_t seed) {
+    if (count < ShearCell::fewest_beads) {
+        throw std::invalid_argument("a sample needs at least 64 beads");
     }
+    // Tall enough that the sample is a cube once it flows.
+    Sample sample{Beads(static_cast<std::size_t>(count)), {}};
+    Cell& cell = sample.cell;
+    const double base = ShearCell::edge(count);
+    cell = {base, count * bead_volume / initial_solid_fraction / (base * base), base, 0};
+    RandomPlacement placement({cell.length, cell.height, cell.width});
+    std::mt19937_64 random(seed);
+    for (std::size_t i = 0; i < sample.beads.size(); ++i) {
+        std::array<double, 3> at;
+        do {
+            at = {cell.length * uniform(random), cell.height * uniform(random),
+                  cell.width * uniform(random)};
+        } while (!placement.place(at));
+        sample.beads.position(i) = {at[0], at[1], at[2]};
+    }
+    return sample;
 }
 
 double ShearCell::solid_fraction() const {
     return static_cast<double>(beads_.size()) * bead_volume / cell_.volume();
 }
 
-void ShearCell::step() {
-    const BridgeLaw bridges = servo_ ? bridges_ : BridgeLaw();
-    PairSums sums =
-        pair_forces(beads_, pairs_.narrow(), cell_, flow_, material_, time_step_, bridges);
-    if (bridges.wet()) {
-        distant_forces(beads_, pairs_.distant(), cell_, bridges, sums);
-    }
-    measure_stress(sums);
+void ShearCell::step(Books books) {
+    const PairLaws laws{cell_,      flow_, material_, bridging_ ? bridges_ : BridgeLaw(),
+                        time_step_, books};
+    measure(sum_forces(laws));
     check_state();
     if (servo_) {
         const double modulus = servo_modulus * std::cbrt(material_.modulus * material_.modulus);
@@ -221,13 +142,33 @@ void ShearCell::step() {
     }
 }
 
-void ShearCell::measure_stress(const PairSums& sums) {
-    const KineticSums kinetic = kinetic_sums(beads_);
+PairSums ShearCell::sum_forces(const PairLaws& laws) {
+    std::vector<PairSums> sums(static_cast<std::size_t>(parts_));
+    in_parts(parts_, [&](int part) {
+        auto& load = part == 0 ? beads_.load : other_loads_[static_cast<std::size_t>(part) - 1];
+        std::ranges::fill(load, Beads::Load{});
+        const auto stretch = [&](const Pairs& pairs) {
+            return range_of(part, parts_, pairs.size(), PairList::batch);
+        };
+        PairSums& mine = sums[static_cast<std::size_t>(part)];
+        mine = near_forces(beads_, pairs_.narrow(), stretch(pairs_.narrow()), laws, load);
+        if (laws.bridges.wet()) {
+            mine += distant_forces(beads_, pairs_.distant(), stretch(pairs_.distant()), laws, load);
+        }
+    });
+    for (std::size_t part = 1; part < sums.size(); ++part) {
+        sums.front() += sums[part];
+    }
+    return sums.front();
+}
+
+void ShearCell::measure(const PairSums& sums) {
     const double volume = cell_.volume();
-    stress_.s11 = (sums.virial_11 + KineticSums::sum(kinetic.xx)) / volume;
-    stress_.s22 = (sums.virial_22 + KineticSums::sum(kinetic.yy)) / volume;
-    stress_.s33 = (sums.virial_33 + KineticSums::sum(kinetic.zz)) / volume;
-    stress_.s12 = (sums.virial_12 + KineticSums::sum(kinetic.xy)) / volume;
+    stress_.s11 = (sums.virial_11 + motion_.squares[0]) / volume;
+    stress_.s22 = (sums.virial_22 + motion_.squares[1]) / volume;
+    stress_.s33 = (sums.virial_33 + motion_.squares[2]) / volume;
+    stress_.s12 = (sums.virial_12 + motion_.shear) / volume;
+    energy_ = sums.energy;
     largest_overlap_ = sums.largest_overlap;
     recent_overlap_ = std::max(recent_overlap_, largest_overlap_);
 }
@@ -244,13 +185,25 @@ void ShearCell::check_state() const {
 
 void ShearCell::advance() {
     const double dt = time_step_;
-    advance_velocities(beads_, flow_, dt);
-    advance_positions(beads_, flow_, dt);
+    std::vector<MotionSums> sums(static_cast<std::size_t>(parts_));
+    in_parts(parts_, [&](int part) {
+        sums[static_cast<std::size_t>(part)] =
+            dem::advance(beads_, range_of(part, parts_, beads_.size()), other_loads_, flow_, dt);
+    });
+    motion_ = sums.front();
+    for (std::size_t part = 1; part < sums.size(); ++part) {
+        motion_ += sums[part];
+    }
     // The image of a bead one height up moves by exactly what the bead's own law gives it there.
-    cell_.offset += dt * flow_.shear_rate * cell_.height;
+    cell_.offset += dt * (flow_.shear_rate * cell_.height + flow_.length_rate * cell_.offset);
+    cell_.length += dt * flow_.length_rate * cell_.length;
     cell_.height += dt * flow_.height_rate * cell_.height;
+    cell_.width += dt * flow_.width_rate * cell_.width;
     strain_ += dt * flow_.shear_rate;
-    pairs_.update(beads_, cell_, dt * (flow_.shear_rate + std::abs(flow_.height_rate)));
+    pairs_.update(beads_, cell_,
+                  dt * (std::abs(flow_.shear_rate) + std::abs(flow_.length_rate) +
+                        std::abs(flow_.height_rate) + std::abs(flow_.width_rate)),
+                  motion_.largest_squared);
 }
 
 void ShearCell::follow_stiffest_contact() {
@@ -272,6 +225,7 @@ bool ShearCell::compress(const std::stop_token& stop) {
             throw Interrupted();
         }
     }
+    bridging_ = true;
     servo_ = true;
     return true;
 }

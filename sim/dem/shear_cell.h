@@ -6,6 +6,7 @@
 #include "sim/dem/beads.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
+#include "sim/dem/integrator.h"
 #include "sim/dem/pair_forces.h"
 #include "sim/dem/pair_list.h"
 
@@ -15,6 +16,17 @@ namespace pendular::dem {
 struct Stress {
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0;
 };
+
+/// Beads in their cell.
+struct Sample {
+    Beads beads;
+    Cell cell;
+};
+
+/// `count` beads at random, without contact, at solid fraction 0.3 and at rest, in a cell that is a
+/// cube once they flow.
+/// @throws std::invalid_argument for fewer than 64 beads
+Sample random_gas(int count, std::uint64_t seed);
 
 /// A sample in simple shear between Lees-Edwards images at a constant rate, its height free so that
 /// s22 stays at 1. Reduced units: bead diameter, mass and imposed normal stress are 1, so that the
@@ -29,11 +41,15 @@ struct Stress {
 /// where the damping is more than critical.
 class ShearCell {
   public:
-    /// `count` beads at random, without contact, at solid fraction 0.3 and at rest. Bridges form
-    /// from the end of `compress` on.
-    /// @throws std::invalid_argument for fewer than `fewest_beads`
+    /// A random gas. Bridges form from the end of `compress` on. Each step is done in `parts` side
+    /// by side, a thread each; forces are summed part by part, so that a run is the same for the
+    /// same number of parts.
+    /// @throws std::invalid_argument as random_gas
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
-              const BridgeLaw& bridges = {});
+              const BridgeLaw& bridges = {}, int parts = 1);
+    /// Any sample in any uniform flow, its stress not held and without bridges until asked for.
+    ShearCell(Sample sample, const Material& material, const Flow& flow,
+              const BridgeLaw& bridges = {}, int parts = 1);
 
     /// Edge of the cube that so many beads fill once they flow [diameters].
     static double edge(int count);
@@ -43,7 +59,7 @@ class ShearCell {
 
     /// One step of the leapfrog: forces at x(t) from v(t - dt/2), then velocities, then positions.
     /// @throws SimulationError where the state is no longer finite
-    void step();
+    void step(Books books = Books::closed);
 
     /// Closes the gaps of the initial state at a constant rate until s22 first reaches its target.
     /// @return false where it was not reached before the beads would fill the cell
@@ -56,20 +72,31 @@ class ShearCell {
     const Material& material() const { return material_; }
     const BridgeLaw& bridges() const { return bridges_; }
     const Stress& stress() const { return stress_; }
+    const Flow& flow() const { return flow_; }
     double shear_rate() const { return flow_.shear_rate; }
+    /// Energies of the last step, where its books were open.
+    const PairEnergy& energy() const { return energy_; }
+    /// Of the peculiar motion, half a step after the last forces.
+    double kinetic_energy() const { return motion_.energy(); }
     double strain() const { return strain_; }
     double time_step() const { return time_step_; }
     std::uint64_t steps() const { return steps_; }
     double solid_fraction() const;
 
+    /// Changes the imposed flow; its height rate is the servo's while the stress is held.
+    void set_flow(const Flow& flow) { flow_ = flow; }
+    /// Whether the servo holds s22 at 1.
+    void hold_normal_stress(bool held) { servo_ = held; }
+    /// Whether contacts form bridges from now on.
+    void let_bridges_form(bool form) { bridging_ = form; }
     /// Makes the time step this fraction of sqrt(m/K_N) instead of the standard one, for tests of
     /// convergence.
     void set_time_step_fraction(double fraction) { fraction_ = fraction; }
 
   private:
-    void place_at_random(std::uint64_t seed);
     void check_state() const;
-    void measure_stress(const PairSums& sums);
+    PairSums sum_forces(const PairLaws& laws);
+    void measure(const PairSums& sums);
     void advance();
     void follow_stiffest_contact();
 
@@ -79,8 +106,12 @@ class ShearCell {
     Material material_;
     BridgeLaw bridges_;
     Flow flow_;
+    int parts_ = 1;
+    std::vector<std::vector<Beads::Load>> other_loads_;  ///< of the parts after the first
     Stress stress_;
-    bool servo_ = false;
+    PairEnergy energy_;
+    MotionSums motion_;
+    bool servo_ = false, bridging_ = false;
     double fraction_ = time_step_fraction;
     double time_step_ = 0;
     double strain_ = 0;

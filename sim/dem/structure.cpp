@@ -94,11 +94,11 @@ void for_each_pair(const Beads& beads, const Cell& cell, const Pairs& pairs, con
         if (pairs.image[k] == image_code::nowhere) {
             continue;
         }
-        const auto i = pairs.first[k], j = pairs.second[k];
-        const Image n = image_code::image(pairs.image[k]);
-        visit(k, Eigen::Vector3d(beads.x[j] - beads.x[i] + n.n1 * cell.length + n.n2 * cell.offset,
-                                 beads.y[j] - beads.y[i] + n.n2 * cell.height,
-                                 beads.z[j] - beads.z[i] + n.n3 * cell.width));
+        const auto i = static_cast<std::size_t>(pairs.first[k]),
+                   j = static_cast<std::size_t>(pairs.second[k]);
+        const Vector r =
+            beads.position(j) - beads.position(i) + image_code::image(pairs.image[k]).shift(cell);
+        visit(k, Eigen::Vector3d(r[0], r[1], r[2]));
     }
 }
 
@@ -201,9 +201,9 @@ void VelocityProfile::add(const Beads& beads, double height) {
     }
     const auto bins = static_cast<double>(velocity_.size());
     for (std::size_t i = 0; i < beads.size(); ++i) {
-        const double place = beads.y[i] / height;
+        const double place = beads.position(i)[1] / height;
         const auto bin = static_cast<std::size_t>((place - std::floor(place)) * bins);
-        velocity_[std::min(bin, velocity_.size() - 1)] += beads.vx[i];
+        velocity_[std::min(bin, velocity_.size() - 1)] += beads.velocity(i)[0];
         count_[std::min(bin, velocity_.size() - 1)] += 1;
     }
 }

@@ -12,14 +12,6 @@ namespace {
 
 constexpr double modulus = 31622.8;  // stiffness number 1000
 
-double sum_of(const std::vector<double>& values) {
-    double total = 0;
-    for (const double value : values) {
-        total += value;
-    }
-    return total;
-}
-
 /// Overlapping beads with random velocities in a sheared cell, and their pairs.
 struct State {
     Beads beads;
@@ -33,21 +25,20 @@ struct State {
         std::mt19937_64 random(seed);
         std::uniform_real_distribution<double> at(0, 1), velocity(-0.1, 0.1);
         for (std::size_t i = 0; i < count; ++i) {
-            beads.x[i] = cell.length * at(random), beads.y[i] = cell.height * at(random);
-            beads.z[i] = cell.width * at(random);
-            for (auto* v : {&beads.vx, &beads.vy, &beads.vz, &beads.wx, &beads.wy, &beads.wz}) {
-                (*v)[i] = velocity(random);
+            beads.position(i)[0] = cell.length * at(random),
+            beads.position(i)[1] = cell.height * at(random);
+            beads.position(i)[2] = cell.width * at(random);
+            for (std::size_t d = 0; d < 3; ++d) {
+                beads.velocity(i)[d] = velocity(random), beads.spin(i)[d] = velocity(random);
             }
         }
         find();
     }
     void find() {
-        pairs = find_pairs_by_brute_force(beads, cell, 1.0);
-        while (pairs.size() % PairList::batch != 0) {
-            pairs.add(0, 0, image_code::nowhere);
-        }
+        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 1.0));
+        pairs.fill_up(PairList::batch);
     }
-    PairSums forces() { return pair_forces(beads, pairs, cell, flow, material, dt); }
+    PairSums forces() { return pair_forces(beads, pairs, {cell, flow, material, {}, dt}); }
 };
 
 }  // namespace
@@ -56,12 +47,14 @@ TEST(PairForces, SumToZero) {
     State state(1);
     state.forces();
     double scale = 0;
-    for (const double f : state.beads.fx) {
-        scale = std::max(scale, std::abs(f));
+    Vector sum;
+    for (const auto& load : state.beads.load) {
+        scale = std::max(scale, std::abs(load.force[0]));
+        sum += load.force;
     }
     ASSERT_GT(scale, 1);
-    for (const auto* f : {&state.beads.fx, &state.beads.fy, &state.beads.fz}) {
-        EXPECT_NEAR(sum_of(*f), 0, 1e-11 * scale * 400);
+    for (std::size_t d = 0; d < 3; ++d) {
+        EXPECT_NEAR(sum[d], 0, 1e-11 * scale * 400);
     }
 }
 
@@ -72,31 +65,32 @@ TEST(PairForces, NeitherPushNorTurnBeadsThatTurnTogether) {
     state.beads = Beads(2);
     state.flow = {};
     state.cell = {10, 10, 10, 0};
-    state.beads.x = {5, 5.99};
-    state.beads.y = {5, 5};
-    state.beads.z = {5, 5};
+    state.beads.position(0)[0] = 5, state.beads.position(1)[0] = 5.99;
+    state.beads.position(0)[1] = 5, state.beads.position(1)[1] = 5;
+    state.beads.position(0)[2] = 5, state.beads.position(1)[2] = 5;
     const double rate = 0.2;  // about z through the contact: v = omega x r
-    state.beads.vy = {-rate * 0.495, rate * 0.495};
-    state.beads.wz = {rate, rate};
+    state.beads.velocity(0)[1] = -rate * 0.495, state.beads.velocity(1)[1] = rate * 0.495;
+    state.beads.spin(0)[2] = rate, state.beads.spin(1)[2] = rate;
     state.find();
     state.forces();
-    EXPECT_NEAR(state.beads.fy[0], 0, 1e-12);
-    EXPECT_NEAR(state.beads.tz[0], 0, 1e-12);
-    EXPECT_LT(state.beads.fx[0], -1);  // it is a contact
+    EXPECT_NEAR(state.beads.force(0)[1], 0, 1e-12);
+    EXPECT_NEAR(state.beads.torque(0)[2], 0, 1e-12);
+    EXPECT_LT(state.beads.force(0)[0], -1);  // it is a contact
 }
 
 TEST(PairForces, DoNotDependOnWhichImagesTheBeadsAreWrittenIn) {
     State here(3), there(3);
     for (std::size_t i = 0; i < there.beads.size(); i += 3) {
         // One lattice vector up: the cell is sheared, so the image is shifted along the flow too.
-        there.beads.x[i] += there.cell.offset, there.beads.y[i] += there.cell.height;
+        there.beads.position(i)[0] += there.cell.offset,
+            there.beads.position(i)[1] += there.cell.height;
     }
     there.find();
     const PairSums a = here.forces(), b = there.forces();
     ASSERT_GT(a.largest_overlap, 0.01);
     for (std::size_t i = 0; i < here.beads.size(); ++i) {
-        EXPECT_NEAR(here.beads.fx[i], there.beads.fx[i], 1e-7);
-        EXPECT_NEAR(here.beads.tz[i], there.beads.tz[i], 1e-7);
+        EXPECT_NEAR(here.beads.force(i)[0], there.beads.force(i)[0], 1e-7);
+        EXPECT_NEAR(here.beads.torque(i)[2], there.beads.torque(i)[2], 1e-7);
     }
     EXPECT_NEAR(a.virial_12, b.virial_12, 1e-6 * std::abs(a.virial_22));
 }
@@ -105,18 +99,21 @@ TEST(PairForces, MirrorWithTheSample) {
     // The mirror x -> -x, z -> -z is a rotation by pi about y; shear along x changes sign with it.
     State here(4), there(4);
     for (std::size_t i = 0; i < there.beads.size(); ++i) {
-        there.beads.x[i] = -here.beads.x[i], there.beads.z[i] = -here.beads.z[i];
-        there.beads.vx[i] = -here.beads.vx[i], there.beads.vz[i] = -here.beads.vz[i];
-        there.beads.wx[i] = -here.beads.wx[i], there.beads.wz[i] = -here.beads.wz[i];
+        there.beads.position(i)[0] = -here.beads.position(i)[0],
+        there.beads.position(i)[2] = -here.beads.position(i)[2];
+        there.beads.velocity(i)[0] = -here.beads.velocity(i)[0],
+        there.beads.velocity(i)[2] = -here.beads.velocity(i)[2];
+        there.beads.spin(i)[0] = -here.beads.spin(i)[0],
+        there.beads.spin(i)[2] = -here.beads.spin(i)[2];
     }
     there.cell.offset = -here.cell.offset;
     there.flow.shear_rate = -here.flow.shear_rate;
     there.find();
     const PairSums a = here.forces(), b = there.forces();
     for (std::size_t i = 0; i < here.beads.size(); ++i) {
-        EXPECT_NEAR(here.beads.fx[i], -there.beads.fx[i], 1e-7);
-        EXPECT_NEAR(here.beads.fy[i], there.beads.fy[i], 1e-7);
-        EXPECT_NEAR(here.beads.ty[i], there.beads.ty[i], 1e-7);
+        EXPECT_NEAR(here.beads.force(i)[0], -there.beads.force(i)[0], 1e-7);
+        EXPECT_NEAR(here.beads.force(i)[1], there.beads.force(i)[1], 1e-7);
+        EXPECT_NEAR(here.beads.torque(i)[1], there.beads.torque(i)[1], 1e-7);
     }
     EXPECT_NEAR(a.virial_12, -b.virial_12, 1e-6 * std::abs(a.virial_22));
 }
@@ -146,10 +143,12 @@ TEST(PairForces, AreTangentialWhereTheyAreRemembered) {
         }
         const auto i = state.pairs.first[k], j = state.pairs.second[k];
         const Image n = image_code::image(state.pairs.image[k]);
-        const double x = state.beads.x[j] - state.beads.x[i] + n.n1 * state.cell.length +
-                         n.n2 * state.cell.offset;
-        const double y = state.beads.y[j] - state.beads.y[i] + n.n2 * state.cell.height;
-        const double z = state.beads.z[j] - state.beads.z[i] + n.n3 * state.cell.width;
+        const double x = state.beads.position(j)[0] - state.beads.position(i)[0] +
+                         n.n1 * state.cell.length + n.n2 * state.cell.offset;
+        const double y =
+            state.beads.position(j)[1] - state.beads.position(i)[1] + n.n2 * state.cell.height;
+        const double z =
+            state.beads.position(j)[2] - state.beads.position(i)[2] + n.n3 * state.cell.width;
         const double force = std::hypot(state.pairs.sx[k], state.pairs.sy[k], state.pairs.sz[k]);
         EXPECT_NEAR(x * state.pairs.sx[k] + y * state.pairs.sy[k] + z * state.pairs.sz[k], 0,
                     1e-10 * (1 + force));

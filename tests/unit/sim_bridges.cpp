@@ -27,23 +27,22 @@ struct TwoBeads {
     BridgeLaw bridges{wetting};
 
     TwoBeads() {
-        beads.x = {5, 6.5}, beads.y = {5, 5}, beads.z = {5, 5};
-        pairs = find_pairs_by_brute_force(beads, cell, 1.6);
-        while (pairs.size() % PairList::batch != 0) {
-            pairs.add(0, 0, image_code::nowhere);
-        }
+        beads.position(0)[0] = 5, beads.position(1)[0] = 6.5, beads.position(0)[1] = 5,
+        beads.position(1)[1] = 5, beads.position(0)[2] = 5, beads.position(1)[2] = 5;
+        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 1.6));
+        pairs.fill_up(PairList::batch);
     }
     /// Force that pulls the second bead towards the first at this gap.
     double attraction(double gap, bool as_distant = false) {
-        beads.x[1] = beads.x[0] + 1 + gap;
+        beads.position(1)[0] = beads.position(0)[0] + 1 + gap;
+        const PairLaws laws{cell, {}, material, bridges, 1e-3};
         if (as_distant) {
-            beads.fx = {0, 0};
-            PairSums sums;
-            distant_forces(beads, pairs, cell, bridges, sums);
+            beads.load.assign(2, {});
+            distant_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
         } else {
-            pair_forces(beads, pairs, cell, {}, material, 1e-3, bridges);
+            pair_forces(beads, pairs, laws);
         }
-        return -beads.fx[1];
+        return -beads.force(1)[0];
     }
 };
 
@@ -123,17 +122,23 @@ TEST(Bridges, DoNotEnterTheCoulombLimit) {
     two.bridges = BridgeLaw({.reduced_pressure = 0.2, .bridge_volume = 4e-3});
     two.material.friction = 0.3;
     const double overlap = overlap_at(10, two.material.modulus);
-    two.beads.vy[1] = 1;
+    two.beads.velocity(1)[1] = 1;
     for (int step = 0; step < 200; ++step) {
         two.attraction(-overlap);
     }
     EXPECT_NEAR(std::hypot(two.pairs.sy[0], two.pairs.sz[0]), 3, 1e-9);
-    EXPECT_NEAR(two.beads.fx[1], 10 - 5, 1e-9);
+    EXPECT_NEAR(two.beads.force(1)[0], 10 - 5, 1e-9);
 }
 
 namespace {
 
 using PairSet = std::set<std::pair<int, int>>;
+
+/// The beads of a pair by the numbers that never change.
+std::pair<int, int> called_at_first(const Beads& beads, const Neighbours& pairs, std::size_t k) {
+    return std::minmax({beads.number[static_cast<std::size_t>(pairs.first[k])],
+                        beads.number[static_cast<std::size_t>(pairs.second[k])]});
+}
 
 /// Pairs closer than the range now, by looking at all of them.
 PairSet closer_than(double range, const ShearCell& sample) {
@@ -141,12 +146,12 @@ PairSet closer_than(double range, const ShearCell& sample) {
     Cell cell = sample.cell();
     cell.reduce_offset();
     for (std::size_t i = 0; i < wrapped.size(); ++i) {
-        cell.wrap(wrapped.x[i], wrapped.y[i], wrapped.z[i]);
+        wrapped.position(i) = cell.wrapped(wrapped.position(i));
     }
-    const Pairs near = find_pairs_by_brute_force(wrapped, cell, range);
+    const Neighbours near = find_pairs_by_brute_force(wrapped, cell, range);
     PairSet result;
     for (std::size_t k = 0; k < near.size(); ++k) {
-        result.insert({near.first[k], near.second[k]});
+        result.insert(called_at_first(sample.beads(), near, k));
     }
     return result;
 }
@@ -179,7 +184,7 @@ TEST(Bridges, AreThoseThatAPairByPairHistoryGives) {
         for (const auto* list : {&sample.pairs().narrow(), &sample.pairs().distant()}) {
             for (std::size_t k = 0; k < list->size(); ++k) {
                 if (list->bridge[k] > 0) {
-                    listed.insert({list->first[k], list->second[k]});
+                    listed.insert(called_at_first(sample.beads(), *list, k));
                 }
             }
         }
@@ -201,9 +206,9 @@ TEST(Bridges, NeverPushTheSampleAndLeaveMomentumAlone) {
         sample.step();
     }
     double force = 0, largest = 0;
-    for (const double f : sample.beads().fx) {
-        force += f;
-        largest = std::max(largest, std::abs(f));
+    for (const auto& load : sample.beads().load) {
+        force += load.force[0];
+        largest = std::max(largest, std::abs(load.force[0]));
     }
     EXPECT_NEAR(force, 0, 1e-10 * largest * 150);
     EXPECT_GT(sample.pairs().distant().size(), 0u);
@@ -219,7 +224,7 @@ struct Star {
 
     template <typename Gap>
     Star(int count, const Gap& gap) : beads(static_cast<std::size_t>(count) + 1) {
-        beads.x[0] = beads.y[0] = beads.z[0] = 50;
+        beads.position(0)[0] = beads.position(0)[1] = beads.position(0)[2] = 50;
         for (int k = 0; k < count; ++k) {
             const double up = 1 - (2 * k + 1.0) / count;  // Fibonacci sphere
             const double turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
@@ -227,8 +232,8 @@ struct Star {
             const double nx = side * std::cos(turn), ny = side * std::sin(turn);
             const double length = 1 + gap(nx * ny);
             const auto i = static_cast<std::size_t>(k) + 1;
-            beads.x[i] = 50 + nx * length, beads.y[i] = 50 + ny * length;
-            beads.z[i] = 50 + up * length;
+            beads.position(i)[0] = 50 + nx * length, beads.position(i)[1] = 50 + ny * length;
+            beads.position(i)[2] = 50 + up * length;
             distant.add(0, k + 1, static_cast<std::uint8_t>(image_code::of({})));
             distant.bridge.back() = 1;
         }

@@ -20,19 +20,19 @@ struct Collision {
 
     Collision(double modulus, double damping, double approach, double step) : dt(step) {
         material = {.modulus = modulus, .friction = 0, .damping = damping};
-        beads.x = {9, 10.001}, beads.y = {10, 10}, beads.z = {10, 10};
-        beads.vx = {approach / 2, -approach / 2};
-        pairs = find_pairs_by_brute_force(beads, cell, 1.5);
-        while (pairs.size() % PairList::batch != 0) {
-            pairs.add(0, 0, image_code::nowhere);
-        }
+        beads.position(0)[0] = 9, beads.position(1)[0] = 10.001, beads.position(0)[1] = 10,
+        beads.position(1)[1] = 10, beads.position(0)[2] = 10, beads.position(1)[2] = 10;
+        beads.velocity(0)[0] = approach / 2, beads.velocity(1)[0] = -approach / 2;
+        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 1.5));
+        pairs.fill_up(PairList::batch);
     }
-    double separation_speed() const { return beads.vx[1] - beads.vx[0]; }
+    double separation_speed() const { return beads.velocity(1)[0] - beads.velocity(0)[0]; }
+    void forces() { pair_forces(beads, pairs, {cell, {}, material, {}, dt}); }
     void step() {
-        pair_forces(beads, pairs, cell, {}, material, dt);
+        forces();
         for (int i = 0; i < 2; ++i) {
-            beads.vx[i] += dt * beads.fx[i];
-            beads.x[i] += dt * beads.vx[i];
+            beads.velocity(i)[0] += dt * beads.force(i)[0];
+            beads.position(i)[0] += dt * beads.velocity(i)[0];
         }
         contact_time += pairs.root[0] > 0 ? dt : 0;
         time += dt;
@@ -88,31 +88,31 @@ TEST(MindlinContact, SlidesAtTheCoulombLimitAndSpinsTheBeadsUp) {
     // overlap, the tangential force mu times it, and both beads turn the same way.
     Collision c(1e5, 0.98, 0, 1e-5);
     c.material.friction = 0.2;
-    c.beads.x = {9.5, 10.49};
-    c.beads.vx = {0, 0};
-    c.beads.vy = {-1, 1};
+    c.beads.position(0)[0] = 9.5, c.beads.position(1)[0] = 10.49;
+    c.beads.velocity(0)[0] = 0, c.beads.velocity(1)[0] = 0;
+    c.beads.velocity(0)[1] = -1, c.beads.velocity(1)[1] = 1;
     for (int step = 0; step < 200; ++step) {
-        pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);
+        c.forces();
     }
     const double elastic = Hertz::at(0.01, 1e5).elastic;
-    EXPECT_NEAR(c.beads.fy[1], -0.2 * elastic, 1e-9 * elastic);
-    EXPECT_NEAR(c.beads.fx[1], elastic, 1e-9 * elastic);
-    EXPECT_NEAR(c.beads.tz[0], c.beads.tz[1], 1e-12);
-    EXPECT_NEAR(c.beads.tz[1], 0.495 * 0.2 * elastic, 1e-9 * elastic);
+    EXPECT_NEAR(c.beads.force(1)[1], -0.2 * elastic, 1e-9 * elastic);
+    EXPECT_NEAR(c.beads.force(1)[0], elastic, 1e-9 * elastic);
+    EXPECT_NEAR(c.beads.torque(0)[2], c.beads.torque(1)[2], 1e-12);
+    EXPECT_NEAR(c.beads.torque(1)[2], 0.495 * 0.2 * elastic, 1e-9 * elastic);
 }
 
 TEST(MindlinContact, IsAsStiffAsTheRatioOfMindlinSays) {
     // Before it slides, K_T = K_N (2 - 2 nu)/(2 - nu) times the tangential displacement.
     Collision c(1e5, 0, 0, 1e-4);
     c.material.friction = 10;
-    c.beads.x = {9.5, 10.49};
-    c.beads.vx = {0, 0};
-    c.beads.vz = {0, 0.001};
+    c.beads.position(0)[0] = 9.5, c.beads.position(1)[0] = 10.49;
+    c.beads.velocity(0)[0] = 0, c.beads.velocity(1)[0] = 0;
+    c.beads.velocity(0)[2] = 0, c.beads.velocity(1)[2] = 0.001;
     for (int step = 0; step < 10; ++step) {
-        pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);
+        c.forces();
     }
     const double stiffness = Hertz::at(0.01, 1e5).normal_stiffness * (2 - 0.6) / (2 - 0.3);
-    EXPECT_NEAR(c.beads.fz[1], -stiffness * 10 * 1e-4 * 0.001, 1e-6 * stiffness * 1e-6);
+    EXPECT_NEAR(c.beads.force(1)[2], -stiffness * 10 * 1e-4 * 0.001, 1e-6 * stiffness * 1e-6);
 }
 
 namespace {
@@ -121,9 +121,9 @@ namespace {
 Collision stuck_pair(double step) {
     Collision c(1e5, 0, 0, step);
     c.material.friction = 10;
-    c.beads.x = {9.505, 10.495};
-    c.beads.vx = {0, 0};
-    pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);  // into contact
+    c.beads.position(0)[0] = 9.505, c.beads.position(1)[0] = 10.495;
+    c.beads.velocity(0)[0] = 0, c.beads.velocity(1)[0] = 0;
+    c.forces();  // into contact
     c.pairs.sy[0] = 1;
     return c;
 }
@@ -136,13 +136,15 @@ TEST(MindlinContact, TurnsItsTangentialForceWithThePair) {
     const int steps = 20000;
     const double angle = 0.5 * std::numbers::pi, rate = 1, dt = angle / rate / steps;
     Collision c = stuck_pair(dt);
-    c.beads.wz = {rate, rate};
+    c.beads.spin(0)[2] = rate, c.beads.spin(1)[2] = rate;
     for (int step = 1; step <= steps; ++step) {
         const double phi = angle * step / steps, x = 0.495 * std::cos(phi),
                      y = 0.495 * std::sin(phi);
-        c.beads.x = {10 - x, 10 + x}, c.beads.y = {10 - y, 10 + y};
-        c.beads.vx = {rate * y, -rate * y}, c.beads.vy = {-rate * x, rate * x};
-        pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);
+        c.beads.position(0)[0] = 10 - x, c.beads.position(1)[0] = 10 + x,
+        c.beads.position(0)[1] = 10 - y, c.beads.position(1)[1] = 10 + y;
+        c.beads.velocity(0)[0] = rate * y, c.beads.velocity(1)[0] = -rate * y,
+        c.beads.velocity(0)[1] = -rate * x, c.beads.velocity(1)[1] = rate * x;
+        c.forces();
     }
     EXPECT_NEAR(c.pairs.sx[0], -1, 1e-2);
     EXPECT_NEAR(c.pairs.sy[0], 0, 1e-2);
@@ -155,9 +157,9 @@ TEST(MindlinContact, SpinsItsTangentialForceAboutItsNormal) {
     const int steps = 20000;
     const double dt = 0.5 * std::numbers::pi / steps;
     Collision c = stuck_pair(dt);
-    c.beads.wx = {1, 1};
+    c.beads.spin(0)[0] = 1, c.beads.spin(1)[0] = 1;
     for (int step = 0; step < steps; ++step) {
-        pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);
+        c.forces();
     }
     EXPECT_NEAR(c.pairs.sy[0], 0, 1e-2);
     EXPECT_NEAR(c.pairs.sz[0], 1, 1e-2);
@@ -166,11 +168,11 @@ TEST(MindlinContact, SpinsItsTangentialForceAboutItsNormal) {
 TEST(MindlinContact, LosesTangentialForceInTheLoopAsItUnloads) {
     // From overlap 0.01 to 0.0025 K_T halves, and so does the force; back again it stays.
     Collision c = stuck_pair(1e-4);
-    c.beads.x = {9.50125, 10.49875};
-    pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);
+    c.beads.position(0)[0] = 9.50125, c.beads.position(1)[0] = 10.49875;
+    c.forces();
     EXPECT_NEAR(c.pairs.sy[0], 0.5, 1e-9);
-    c.beads.x = {9.505, 10.495};
-    pair_forces(c.beads, c.pairs, c.cell, {}, c.material, c.dt);
+    c.beads.position(0)[0] = 9.505, c.beads.position(1)[0] = 10.495;
+    c.forces();
     EXPECT_NEAR(c.pairs.sy[0], 0.5, 1e-9);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Key = std::tuple<int, int, int>;
 
-std::set<Key> keys(const Pairs& pairs) {
+std::set<Key> keys(const Neighbours& pairs) {
     std::set<Key> result;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         if (pairs.image[k] != image_code::nowhere) {
@@ -33,8 +33,10 @@ TEST(FindPairs, AgreesWithBruteForceAtEveryOffset) {
         const Cell cell{9, 11, 8, turn * 9};
         Beads beads(600);
         for (std::size_t i = 0; i < beads.size(); ++i) {
-            beads.x[i] = cell.length * at(random), beads.y[i] = cell.height * at(random);
-            beads.z[i] = cell.width * at(random);
+            beads.position(i)[0] = cell.length * at(random),
+            beads.position(i)[1] = cell.height * at(random);
+            beads.position(i)[2] = cell.width * at(random);
+            beads.position(i) = cell.wrapped(beads.position(i));
         }
         const auto fast = keys(find_pairs(beads, cell, 1.15));
         EXPECT_EQ(fast, keys(find_pairs_by_brute_force(beads, cell, 1.15)));
@@ -46,12 +48,14 @@ TEST(FindPairs, FallsBackOnSmallSamples) {
     Beads beads(64);
     std::mt19937_64 random(8);
     std::uniform_real_distribution<double> at(0, 3.2);
-    for (auto* x : {&beads.x, &beads.y, &beads.z}) {
-        for (double& value : *x) {
-            value = at(random);
-        }
+    for (auto& bead : beads.motion) {
+        const double x = at(random), y = at(random), z = at(random);
+        bead.position = {x, y, z};
     }
     const Cell cell{3.2, 3.2, 3.2, 1.0};
+    for (auto& bead : beads.motion) {
+        bead.position = cell.wrapped(bead.position);
+    }
     EXPECT_EQ(keys(find_pairs(beads, cell, 1.1)),
               keys(find_pairs_by_brute_force(beads, cell, 1.1)));
 }
@@ -75,9 +79,9 @@ TEST(PairList, MissesNoContactUnderShearAndHeightChange) {
         Cell cell = sample.cell();
         cell.reduce_offset();
         for (std::size_t i = 0; i < wrapped.size(); ++i) {
-            cell.wrap(wrapped.x[i], wrapped.y[i], wrapped.z[i]);
+            wrapped.position(i) = cell.wrapped(wrapped.position(i));
         }
-        const Pairs touching = find_pairs_by_brute_force(wrapped, cell, 1.0);
+        const Neighbours touching = find_pairs_by_brute_force(wrapped, cell, 1.0);
         for (std::size_t k = 0; k < touching.size(); ++k) {
             ASSERT_EQ(listed.count({touching.first[k], touching.second[k]}), 1u) << "step " << step;
         }
@@ -94,15 +98,16 @@ TEST(PairList, FollowsAnAffineShearInWhichNoBeadMovesOfItself) {
     Cell cell{7, 7, 7, 0};
     Beads beads(300);
     for (std::size_t i = 0; i < beads.size(); ++i) {
-        beads.x[i] = cell.length * at(random), beads.y[i] = cell.height * at(random);
-        beads.z[i] = cell.width * at(random);
+        beads.position(i)[0] = cell.length * at(random),
+        beads.position(i)[1] = cell.height * at(random);
+        beads.position(i)[2] = cell.width * at(random);
     }
     PairList list;
     list.rebuild(beads, cell);
     const double step = 2e-3;
     for (int k = 0; k < 1500; ++k) {
         for (std::size_t i = 0; i < beads.size(); ++i) {
-            beads.x[i] += step * beads.y[i];
+            beads.position(i)[0] += step * beads.position(i)[1];
         }
         cell.offset += step * cell.height;
         list.update(beads, cell, step);
@@ -114,9 +119,9 @@ TEST(PairList, FollowsAnAffineShearInWhichNoBeadMovesOfItself) {
         Cell reduced = cell;
         reduced.reduce_offset();
         for (std::size_t i = 0; i < wrapped.size(); ++i) {
-            reduced.wrap(wrapped.x[i], wrapped.y[i], wrapped.z[i]);
+            wrapped.position(i) = reduced.wrapped(wrapped.position(i));
         }
-        const Pairs touching = find_pairs_by_brute_force(wrapped, reduced, 1.0);
+        const Neighbours touching = find_pairs_by_brute_force(wrapped, reduced, 1.0);
         for (std::size_t n = 0; n < touching.size(); ++n) {
             ASSERT_TRUE(listed.contains({touching.first[n], touching.second[n]}))
                 << "strain " << k * step;

@@ -138,7 +138,8 @@ TEST(ShearCell, KeepsItsMomentum) {
     }
     double px = 0, py = 0, pz = 0;
     for (std::size_t i = 0; i < sample.beads().size(); ++i) {
-        px += sample.beads().vx[i], py += sample.beads().vy[i], pz += sample.beads().vz[i];
+        px += sample.beads().velocity(i)[0], py += sample.beads().velocity(i)[1],
+            pz += sample.beads().velocity(i)[2];
     }
     EXPECT_NEAR(px, 0, 1e-9);
     EXPECT_NEAR(py, 0, 1e-9);
@@ -156,7 +157,7 @@ TEST(ShearCell, StartsAtRandomWithoutContact) {
     const ShearCell a(500, {.modulus = 3e4}, 0.01, 1), b(500, {.modulus = 3e4}, 0.01, 2);
     EXPECT_NEAR(a.solid_fraction(), 0.3, 1e-12);
     EXPECT_EQ(find_pairs_by_brute_force(a.beads(), a.cell(), 1.0).size(), 0u);
-    EXPECT_NE(a.beads().x, b.beads().x);
+    EXPECT_NE(a.beads().position(0), b.beads().position(0));
 }
 
 TEST(Ensemble, GivesTheSameWhateverTheNumberOfThreads) {

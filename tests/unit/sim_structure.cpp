@@ -15,12 +15,12 @@ namespace {
 Structure around_one_bead(const std::vector<std::array<double, 3>>& directions) {
     Beads beads(directions.size() + 1);
     Pairs pairs;
-    beads.x[0] = beads.y[0] = beads.z[0] = 50;
+    beads.position(0)[0] = beads.position(0)[1] = beads.position(0)[2] = 50;
     for (std::size_t k = 0; k < directions.size(); ++k) {
         const auto& [x, y, z] = directions[k];
         const double length = std::hypot(x, y, z);
-        beads.x[k + 1] = 50 + x / length, beads.y[k + 1] = 50 + y / length,
-                    beads.z[k + 1] = 50 + z / length;
+        beads.position(k + 1)[0] = 50 + x / length, beads.position(k + 1)[1] = 50 + y / length,
+                           beads.position(k + 1)[2] = 50 + z / length;
         pairs.add(0, static_cast<std::int32_t>(k + 1),
                   static_cast<std::uint8_t>(image_code::of({})));
         pairs.root.back() = 0.05;
@@ -92,10 +92,11 @@ TEST(Localization, IsZeroForUniformShearAndOneForAThinBand) {
     Beads uniform(2000), band(2000);
     for (std::size_t i = 0; i < 2000; ++i) {
         const double y = height * (static_cast<double>(i) + 0.5) / 2000;
-        uniform.y[i] = band.y[i] = y;
+        uniform.position(i)[1] = band.position(i)[1] = y;
         // Two blocks that slide on one another at mid-height: v1 = +-rate H/2, peculiar v1 - rate
         // x2.
-        band.vx[i] = (y < height / 2 ? -1 : 1) * rate * height / 2 - rate * (y - height / 2);
+        band.velocity(i)[0] =
+            (y < height / 2 ? -1 : 1) * rate * height / 2 - rate * (y - height / 2);
     }
     VelocityProfile flat, sharp;
     flat.add(uniform, height);

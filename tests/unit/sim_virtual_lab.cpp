@@ -232,9 +232,9 @@ TEST(VirtualLab, GivesUpOnAConditionThatOnlyCrystallises) {
     plan.friction = 0;
     plan.dry_normal_stresses = {300};
     plan.liquid_contents.clear();
-    plan.inertial_numbers = {0.05};
+    plan.inertial_numbers = {0.1};
     plan.replicates = 1;
-    plan.fidelity = {"tiny", 54, 100, 0.05, 30};
+    plan.fidelity = {"tiny", 43, 100, 0.1, 60};
     try {
         simulate_lab(plan, two_workers);
         FAIL() << "no SimulationError";

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/dem/beads.h"
+#include "sim/dem/cell.h"
+
+namespace pendular::dem {
+
+/// Beads sorted into bins that are sheared with the lattice, each wider than a range in every
+/// direction.
+class Bins {
+  public:
+    Bins(const Beads& beads, const Cell& cell, double range);
+
+    /// With fewer than three bins in a direction a neighbour bin would be searched twice.
+    bool enough() const;
+
+    /// Bin of a bead inside the cell: one that rounding puts outside goes to the last bin before
+    /// the face, where it is, not to the one across the cell.
+    std::array<int, 3> bin_of(const Vector& position) const;
+    int count(int direction) const { return count_[direction]; }
+    std::size_t index(int b1, int b2, int b3) const {
+        return (static_cast<std::size_t>(b3) * count_[1] + b2) * count_[0] + b1;
+    }
+
+    struct Entry {
+        Vector position;
+        std::int32_t bead;
+    };
+    const Entry* begin(std::size_t bin) const { return entries_.data() + begin_[bin]; }
+    const Entry* end(std::size_t bin) const { return entries_.data() + begin_[bin + 1]; }
+
+  private:
+    void sort(const Beads& beads);
+
+    const Cell& cell_;
+    std::array<int, 3> count_{};
+    std::vector<std::size_t> begin_;
+    std::vector<Entry> entries_;
+};
+
+/// The beads' numbers in the order in which a Morton curve over bins of two diameters visits them.
+std::vector<std::int32_t> order_along_curve(const Beads& beads, const Cell& cell);
+
+}  // namespace pendular::dem

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "sim/dem/vector.h"
+
+namespace pendular::dem {
+
+/// Velocity gradient imposed on the sample, reduced units: v1 = length_rate x1 + shear_rate x2,
+/// v2 = height_rate x2, v3 = width_rate x3.
+struct Flow {
+    double shear_rate = 0;   ///< dv1/dx2, equal to the inertial number
+    double height_rate = 0;  ///< (dH/dt)/H
+    double length_rate = 0;  ///< of the cell along the flow
+    double width_rate = 0;   ///< of the cell along the vorticity
+
+    /// The gradient applied to a vector: of positions their velocity.
+    [[gnu::always_inline]] Vector operator()(const Vector& r) const {
+        return Vector(length_rate, height_rate, width_rate) * r + r[1] * Vector(shear_rate, 0, 0);
+    }
+};
+
+}  // namespace pendular::dem

@@ -1,0 +1,50 @@
+#include "sim/dem/integrator.h"
+
+#include <algorithm>
+
+#include "sim/dem/simd.h"
+
+namespace pendular::dem {
+
+MotionSums& MotionSums::operator+=(const MotionSums& other) {
+    squares += other.squares;
+    shear += other.shear;
+    spin += other.spin;
+    largest_squared = std::max(largest_squared, other.largest_squared);
+    return *this;
+}
+
+double MotionSums::energy() const {
+    return 0.5 * (squares[0] + squares[1] + squares[2]) + 0.5 * moment_of_inertia * spin;
+}
+
+PENDULAR_SIMD_CLONES
+MotionSums advance(Beads& beads, std::pair<std::size_t, std::size_t> range,
+                   const std::vector<std::vector<Beads::Load>>& other_loads, const Flow& flow,
+                   double time_step) {
+    Vector squares, shear, spin;
+    double largest_squared = 0;
+    for (std::size_t i = range.first; i < range.second; ++i) {
+        Beads::Load& load = beads.load[i];
+        for (const auto& other : other_loads) {
+            load.force += other[i].force;
+            load.torque += other[i].torque;
+        }
+        Beads::Motion& bead = beads.motion[i];
+        const Vector v = bead.velocity + time_step * (load.force - flow(bead.velocity));
+        const Vector w = bead.spin + time_step / moment_of_inertia * load.torque;
+        const Vector moved = time_step * v;
+        const Vector displacement = beads.displacement[i] + moved;
+        bead.velocity = v;
+        bead.spin = w;
+        bead.position += moved + time_step * flow(bead.position);
+        beads.displacement[i] = displacement;
+        squares += v * v;
+        shear += v[1] * v;
+        spin += w * w;
+        largest_squared = std::max(largest_squared, dot(displacement, displacement));
+    }
+    return {squares, shear[0], spin[0] + spin[1] + spin[2], largest_squared};
+}
+
+}  // namespace pendular::dem

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "sim/dem/beads.h"
+#include "sim/dem/flow.h"
+
+namespace pendular::dem {
+
+/// What one step of a range of beads says of all of them.
+struct MotionSums {
+    Vector squares;              ///< sums of v1^2, v2^2, v3^2 after the step
+    double shear = 0;            ///< sum of v1 v2
+    double spin = 0;             ///< sum of the squared angular velocities
+    double largest_squared = 0;  ///< displacement since the narrow list was made
+    MotionSums& operator+=(const MotionSums& other);
+    /// Kinetic energy of the peculiar motion, reduced units.
+    double energy() const;
+};
+
+/// One leapfrog step of the beads of a range: dv/dt = f - L v, since v is peculiar, then
+/// dx/dt = v + L x, with L the imposed velocity gradient. Forces are the sum over the loads, whose
+/// first is the beads' own, and are left there.
+MotionSums advance(Beads& beads, std::pair<std::size_t, std::size_t> range,
+                   const std::vector<std::vector<Beads::Load>>& other_loads, const Flow& flow,
+                   double time_step);
+
+}  // namespace pendular::dem

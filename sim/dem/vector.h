@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+
+namespace pendular::dem {
+
+/// Three components in a vector register of four lanes; the fourth lane is free. Operators work
+/// lane by lane, so that every instruction set gives the same bits.
+struct alignas(32) Vector {
+    using Lanes = double __attribute__((vector_size(32)));
+    Lanes lanes{};
+
+    constexpr Vector() = default;
+    constexpr Vector(double x, double y, double z, double free = 0) : lanes{x, y, z, free} {}
+    constexpr explicit Vector(Lanes all) : lanes(all) {}
+
+    double operator[](std::size_t k) const { return lanes[k]; }
+    /// A component to write to; writing through `lanes` keeps the others in their register.
+    double& operator[](std::size_t k) { return reinterpret_cast<double*>(&lanes)[k]; }
+
+    Vector& operator+=(const Vector& other) {
+        lanes += other.lanes;
+        return *this;
+    }
+    Vector& operator-=(const Vector& other) {
+        lanes -= other.lanes;
+        return *this;
+    }
+    friend Vector operator+(const Vector& a, const Vector& b) { return Vector(a.lanes + b.lanes); }
+    friend Vector operator-(const Vector& a, const Vector& b) { return Vector(a.lanes - b.lanes); }
+    friend Vector operator-(const Vector& a) { return Vector(-a.lanes); }
+    friend Vector operator*(double factor, const Vector& a) { return Vector(factor * a.lanes); }
+    /// Lane by lane.
+    friend Vector operator*(const Vector& a, const Vector& b) { return Vector(a.lanes * b.lanes); }
+    friend bool operator==(const Vector& a, const Vector& b) {
+        return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+    }
+};
+
+inline double dot(const Vector& a, const Vector& b) {
+    const Vector p = a * b;
+    return p[0] + p[1] + p[2];
+}
+
+}  // namespace pendular::dem
