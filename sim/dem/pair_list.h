@@ -55,7 +55,7 @@ struct Pairs : Neighbours {
 class PairList {
   public:
     static constexpr std::size_t batch = 64;  ///< the narrow list is filled up to whole batches
-    static constexpr double shortest_wide_skin = 0.15;
+    static constexpr double shortest_wide_skin = 0.2;
     static constexpr double narrow_skin = 0.02;
 
     /// Bridges live up to this gap [diameters], 0 without. Lists are made in `parts` side by side,
