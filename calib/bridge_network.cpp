@@ -8,7 +8,7 @@ namespace pendular {
 namespace {
 
 /// Z, Z* and a^2 s12cap/F0 in the middle of the pendular range, used before there are runs.
-const Eigen::RowVector3d typical(7.5, 6.7, 0.06);
+const Eigen::RowVector3d typical(dem::typical_coordination, 6.7, 0.06);
 /// How the network depends on the inertial number is weak; any smooth coordinate serves.
 constexpr double exponent = 0.75;
 

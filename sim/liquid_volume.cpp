@@ -8,10 +8,6 @@
 namespace pendular {
 namespace {
 
-/// Contacts and bridges of a bead: 7 to 8 at friction 0.09 over the pendular range, where Badetti
-/// et al. (2018) print contents beside bridge volumes.
-constexpr double typical_coordination = 7.5;
-
 constexpr double tolerance = 0.03;
 
 bool off(double found, double wanted) {
@@ -40,7 +36,7 @@ double secant(const Trial& first, const Trial& second, double wanted) {
 }  // namespace
 
 double first_bridge_volume(double liquid_content) {
-    return dem::bridge_volume(liquid_content, typical_coordination);
+    return dem::bridge_volume(liquid_content, dem::typical_coordination);
 }
 
 std::vector<double> bridge_volumes(std::span<const double> liquid_contents,

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
 
 #include "data/input_error.h"
 #include "data/robust.h"
@@ -15,56 +13,7 @@
 namespace pendular {
 namespace {
 
-/// Beads of a run over the fidelity's: a sample of another size than those fitted to it.
-constexpr double size_ratio = 1.5;
-/// Bridge volumes are wanted within 3 %, so pilots may be small and short.
-constexpr double pilot_share_of_beads = 0.5, pilot_strain = 1;
 constexpr int most_attempts = 4;
-
-/// Condition of every step of one recording, in the order measured.
-std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content) {
-    std::vector<Condition> conditions;
-    for (const double stress :
-         liquid_content > 0 ? plan.wet_normal_stresses : plan.dry_normal_stresses) {
-        for (const double inertial_number : plan.inertial_numbers) {
-            conditions.push_back({.normal_stress = stress,
-                                  .inertial_number = inertial_number,
-                                  .liquid_content = liquid_content,
-                                  .height = {}});
-        }
-    }
-    return conditions;
-}
-
-/// Dry, then each liquid content.
-std::vector<double> contents_of(const LabPlan& plan) {
-    std::vector<double> contents = {0};
-    contents.insert(contents.end(), plan.liquid_contents.begin(), plan.liquid_contents.end());
-    return contents;
-}
-
-dem::RunParameters run_at(const LabPlan& plan, const Condition& condition, double bridge_volume) {
-    dem::RunParameters run{.friction = plan.friction,
-                           .inertial_number = condition.inertial_number,
-                           .stiffness_number = plan.fidelity.stiffness_number,
-                           .poisson_ratio = plan.grains.poisson_ratio,
-                           .wetting = {},
-                           .beads = static_cast<int>(std::lround(size_ratio * plan.fidelity.beads)),
-                           .strain = plan.fidelity.strain};
-    if (!condition.dry()) {
-        run.wetting = dem::Wetting{
-            .reduced_pressure = reduced_pressure(condition.normal_stress, plan.grains, plan.liquid),
-            .bridge_volume = bridge_volume};
-    }
-    return run;
-}
-
-dem::RunParameters pilot_at(const LabPlan& plan, const Condition& condition, double bridge_volume) {
-    dem::RunParameters run = run_at(plan, condition, bridge_volume);
-    run.beads = static_cast<int>(std::lround(pilot_share_of_beads * plan.fidelity.beads));
-    run.strain = pilot_strain;
-    return run;
-}
 
 /// The runs of one laboratory, whose seeds follow one another.
 class Runs {
@@ -185,18 +134,6 @@ std::vector<double> find_bridge_volumes(const LabPlan& plan, Runs& runs, LabResu
     });
 }
 
-/// Typical standard error of an observable in the laboratory's runs, relative [1]: the median,
-/// since the error of one run is itself known from few independent samples only.
-double typical_error(const LabResult& result, dem::Observable which) {
-    std::vector<double> errors;
-    for (const LabRecording& recording : result.recordings) {
-        for (const LabStep& step : recording.steps) {
-            errors.push_back(step.run[which].standard_error / step.run[which].value);
-        }
-    }
-    return median(errors);
-}
-
 /// Runs that scatter more than the whole recording was to.
 void note_scatter(LabResult& result) {
     const double noise = result.plan.instrument.noise;
@@ -227,141 +164,16 @@ void note_merging_bridges(LabResult& result) {
     }
 }
 
-/// Every pair must differ by more than replicates do.
-void demand_distinct(const std::vector<double>& values, const std::string& what) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!(values[i] > 0) || !std::isfinite(values[i])) {
-            throw InputError(fmt::format("{} {:g}: it must be above 0", what, values[i]));
-        }
-        for (std::size_t k = 0; k < i; ++k) {
-            if (std::abs(values[i] / values[k] - 1) < 0.05) {
-                throw InputError(
-                    fmt::format("{} {:g} and {:g} are too close: what differs by less than 5 % "
-                                "may pass for the same; leave one out, or raise --replicates to "
-                                "measure it more often",
-                                what, values[k], values[i]));
-            }
-        }
-    }
-}
-
-void check_cell(const LabPlan& plan) {
-    constexpr double fewest_layers = 5, loose = 0.6;
-    if (!(plan.cell.bead_volume > 0)) {
-        throw InputError("the bead mass must be above 0");
-    }
-    if (height(loose, plan.cell) < fewest_layers * plan.grains.diameter) {
-        throw InputError(
-            fmt::format("a bead mass of {:g} g fills the cell to {:.2g} mm, less than {:g} bead "
-                        "diameters; use more beads",
-                        1e3 * plan.cell.bead_volume * plan.grains.density,
-                        1e3 * height(loose, plan.cell), fewest_layers));
-    }
-}
-
-void check_instrument(const LabPlan& plan) {
-    constexpr double largest_noise = 10;
-    constexpr int fewest_rows = 200, most_rows = 100'000, most_replicates = 99;
-    if (!(plan.instrument.noise >= 0 && plan.instrument.noise <= largest_noise)) {
-        throw InputError(fmt::format("--noise {:g} is not between 0 and {:g}",
-                                     plan.instrument.noise, largest_noise));
-    }
-    if (plan.instrument.rows < fewest_rows || plan.instrument.rows > most_rows) {
-        throw InputError(fmt::format("--rows {} is not between {} and {}", plan.instrument.rows,
-                                     fewest_rows, most_rows));
-    }
-    if (plan.replicates < 1 || plan.replicates > most_replicates) {
-        throw InputError(fmt::format("--replicates {} is not between 1 and {}", plan.replicates,
-                                     most_replicates));
-    }
-}
-
-void check_runs(const LabPlan& plan) {
-    try {
-        for (const double content : contents_of(plan)) {
-            const double volume = first_bridge_volume(content);
-            for (const Condition& condition : conditions_of(plan, content)) {
-                check(run_at(plan, condition, volume));
-                if (!condition.dry()) check(pilot_at(plan, condition, volume));
-            }
-        }
-    } catch (const std::invalid_argument& error) {
-        throw InputError(error.what());
-    }
-}
-
-std::string names_of_fidelities(double stiffness_number) {
-    std::vector<std::string> names;
-    for (const Fidelity& f : fidelities()) {
-        if (f.stiffness_number == stiffness_number) names.push_back(f.name);
-    }
-    return fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::string study_toml(const LabResult& result) {
-    const LabPlan& plan = result.plan;
-    const double kappa = plan.fidelity.stiffness_number;
-    std::string text = fmt::format(
-        "# Recordings of a virtual laboratory: simulated beads as an annular cell would have shown "
-        "them.\n\n"
-        "[grains]\n"
-        "diameter = \"{:.7g} um\"\n"
-        "density = \"{:.7g} kg/m^3\"\n"
-        "poisson_ratio = {:.7g}\n"
-        "# No youngs_modulus: the beads were simulated at stiffness number {:g}, whatever the "
-        "normal stress.\n"
-        "# Use a fidelity that shares it ({}).\n\n",
-        1e6 * plan.grains.diameter, plan.grains.density, plan.grains.poisson_ratio, kappa,
-        names_of_fidelities(kappa));
-    if (!plan.liquid_contents.empty()) {
-        text += fmt::format(
-            "[liquid]\n"
-            "surface_tension = \"{:.7g} mN/m\"\n"
-            "contact_angle = \"{:.7g} deg\"\n\n",
-            1e3 * plan.liquid.surface_tension, plan.liquid.contact_angle * 180 / std::numbers::pi);
-    }
-    text += fmt::format(
-        "[cell]\n"
-        "inner_radius = \"{:.7g} mm\"\n"
-        "outer_radius = \"{:.7g} mm\"\n"
-        "bead_mass = \"{:.7g} g\"           # weightless: normal stress is normal force over "
-        "area\n",
-        1e3 * plan.cell.inner_radius, 1e3 * plan.cell.outer_radius,
-        1e3 * plan.cell.bead_volume * plan.grains.density);
-    for (const double content : contents_of(plan)) {
-        text += content > 0 ? fmt::format(
-                                  "\n[[recording]]\nfile = \"wet_{0:g}_*.csv\"\n"
-                                  "liquid_content = {0:g}\n",
-                                  content)
-                            : "\n[[recording]]\nfile = \"dry_*.csv\"\nliquid_content = 0.0\n";
-    }
-    return text +
-           "\n[model]\nbase = \"dem\"\ncalibrate = [\"friction\"]\nfit_to = \"dry\"\n"
-           "effects = []\n";
-}
-
-/// What a step is to show, with the laboratory's typical errors.
-TrueState true_state(const LabStep& step, double ratio_error, double fraction_error) {
-    Mean ratio = step.run[dem::Observable::stress_ratio];
-    Mean fraction = step.run[dem::Observable::solid_fraction];
-    ratio.standard_error = ratio_error * ratio.value;
-    fraction.standard_error = fraction_error * fraction.value;
-    return {step.condition, ratio, fraction};
-}
-
 }  // namespace
 
-void check(const LabPlan& plan) {
-    if (plan.dry_normal_stresses.empty() || plan.inertial_numbers.empty()) {
-        throw InputError("nothing to measure: name normal stresses and inertial numbers");
+double typical_error(const LabResult& result, dem::Observable which) {
+    std::vector<double> errors;
+    for (const LabRecording& recording : result.recordings) {
+        for (const LabStep& step : recording.steps) {
+            errors.push_back(step.run[which].standard_error / step.run[which].value);
+        }
     }
-    demand_distinct(plan.dry_normal_stresses, "dry normal stress");
-    demand_distinct(plan.wet_normal_stresses, "wet normal stress");
-    demand_distinct(plan.liquid_contents, "liquid content");
-    demand_distinct(plan.inertial_numbers, "inertial number");
-    check_cell(plan);
-    check_instrument(plan);
-    check_runs(plan);
+    return median(errors);
 }
 
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers, const AnnouncePhase& announce) {
@@ -396,21 +208,6 @@ LabResult simulate_lab(const LabPlan& plan, const Workers& workers, const Announ
     note_scatter(result);
     note_merging_bridges(result);
     return result;
-}
-
-std::map<std::string, std::string> study_files(const LabResult& result) {
-    const double ratio_error = typical_error(result, dem::Observable::stress_ratio);
-    const double fraction_error = typical_error(result, dem::Observable::solid_fraction);
-    std::map<std::string, std::string> files = {{"study.toml", study_toml(result)}};
-    for (const LabRecording& recording : result.recordings) {
-        std::vector<TrueState> states;
-        for (const LabStep& step : recording.steps) {
-            states.push_back(true_state(step, ratio_error, fraction_error));
-        }
-        files[recording.file] = recording_csv(record(states, result.plan.cell, result.plan.grains,
-                                                     result.plan.instrument, recording.seed));
-    }
-    return files;
 }
 
 }  // namespace pendular

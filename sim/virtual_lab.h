@@ -6,32 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "data/study.h"
 #include "sim/ensemble.h"
-#include "sim/fidelity.h"
-#include "sim/virtual_recording.h"
+#include "sim/lab_plan.h"
 
 namespace pendular {
-
-/// What a virtual laboratory measures, with which instrument, and the truth it hides; SI units.
-struct LabPlan {
-    double friction = 0.09;
-    Grains grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
-    Liquid liquid = {.surface_tension = 20.6e-3};
-    AnnularCell cell = {.inner_radius = 21e-3, .outer_radius = 45e-3, .bead_volume = 60e-3 / 1050};
-    std::vector<double> dry_normal_stresses = {300, 1000, 3000};
-    std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};
-    std::vector<double> liquid_contents = {0.007, 0.03};  ///< none: dry recordings only
-    std::vector<double> inertial_numbers = {3e-3, 3e-2};
-    int replicates = 2;
-    Instrument instrument;
-    Fidelity fidelity;
-    std::uint64_t seed = 1;
-};
-
-/// Refuses, before any work, what cannot be simulated, recorded or told apart.
-/// @throws InputError saying what is wrong and what to do
-void check(const LabPlan& plan);
 
 /// One step of a recording: what was imposed and the run that says what was to be seen.
 struct LabStep {
@@ -68,6 +46,10 @@ using AnnouncePhase = std::function<void(const std::string&)>;
 /// @throws dem::Interrupted when a stop is requested
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers,
                        const AnnouncePhase& announce = {});
+
+/// Typical standard error of an observable in the laboratory's runs, relative [1]: the median,
+/// since the error of one run is itself known from few independent samples only.
+double typical_error(const LabResult& result, dem::Observable which);
 
 /// The study folder: recordings and study.toml by file name. Nothing in it tells the truth.
 std::map<std::string, std::string> study_files(const LabResult& result);

@@ -18,6 +18,10 @@ struct Wetting {
 /// with each other merge. Source: Badetti et al. (2018), section 3.1.
 constexpr double largest_pendular_volume = 8e-3;
 
+/// Contacts and bridges of a bead: 7 to 8 at friction 0.09 over the pendular range, where Badetti
+/// et al. (2018) print contents beside bridge volumes; a first guess.
+constexpr double typical_coordination = 7.5;
+
 /// Liquid content Phi_L/Phi_S [1] of a sample whose beads have on average `coordination` bridges of
 /// volume V0/a^3: 3 Z V0/(pi a^3). Source: Badetti et al. (2018), eq:lcont.
 inline double liquid_content(double bridge_volume, double coordination) {
