@@ -95,16 +95,18 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     common.add_options()("json", po::value(&json)->value_name("FILE"),
                          "write the result as JSON; '-': alone on standard output")(
-        "out", po::value(&out)->value_name("DIR"),
-        "folder for results of a study (default: STUDY/out)")(
+        "out", po::value(&out)->value_name("DIR"), out_meaning_.c_str())(
         "fidelity", po::value(&fidelity)->default_value("standard")->value_name("NAME"),
         "quick, standard or paper: beads / stiffness number / lowest inertial number / averaged "
         "strain "
         "1000/1000/3e-3/5, 2000/1000/2e-3/10, 4000/8400/1e-3/20")(
         "store", po::value(&store)->value_name("FILE"), "store of runs (this version keeps none)")(
-        "threads", po::value(&result.threads)->default_value(cores)->value_name("N"),
-        "runs carried out side by side")("quiet", po::bool_switch(&result.quiet),
-                                         "no progress on standard error")("help", "this text");
+        "threads",
+        po::value(&result.threads)
+            ->default_value(default_threads_ > 0 ? default_threads_ : cores)
+            ->value_name("N"),
+        threads_meaning_.c_str())("quiet", po::bool_switch(&result.quiet),
+                                  "no progress on standard error")("help", "this text");
     po::options_description all, hidden;
     hidden.add_options()("study", po::value(&study));
     all.add(own_).add(common).add(hidden);
@@ -152,6 +154,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
     }
     if (variables_.count("out") > 0) {
         result.out = out;
+        demand_writable(*result.out, "--out", true);
     }
     if (takes_study_ && std::filesystem::exists(study)) {
         demand_writable(result.out_folder(), "--out", true);

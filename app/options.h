@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/fidelity.h"
@@ -44,6 +45,12 @@ class Options {
         own_.add_options()(name, boost::program_options::value<T>(value)->value_name("X"),
                            description.c_str());
     }
+    /// What --threads means to this command, if not runs side by side on all cores.
+    void set_threads(int by_default, std::string meaning) {
+        default_threads_ = by_default, threads_meaning_ = std::move(meaning);
+    }
+    /// What --out means to this command, if not the results of a study.
+    void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
     void add_switch(const char* name, bool* value, const std::string& description);
 
     /// Parses the arguments. Empty: help was asked for and printed.
@@ -60,6 +67,9 @@ class Options {
 
     std::string usage_, about_, examples_;
     bool takes_study_;
+    int default_threads_ = 0;  ///< 0: as many as there are cores
+    std::string threads_meaning_ = "runs carried out side by side";
+    std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";
     boost::program_options::options_description own_;
     boost::program_options::variables_map variables_;
 };

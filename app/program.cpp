@@ -66,8 +66,8 @@ int run_command(const std::vector<std::string>& arguments) {
     } catch (const InputError& error) {
         fmt::print(stderr, "error: {}\n", error.what());
         return wrong_input;
-    } catch (const dem::Interrupted&) {
-        fmt::print(stderr, "\ninterrupted; nothing was written\n");
+    } catch (const dem::Interrupted& interruption) {
+        fmt::print(stderr, "\n{}\n", interruption.what());
         return interrupted;
     } catch (const std::exception& error) {
         fmt::print(stderr, "pendular failed: {}\n", error.what());

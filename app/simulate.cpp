@@ -1,6 +1,11 @@
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "app/command.h"
 #include "app/console.h"
@@ -8,8 +13,14 @@
 #include "app/options.h"
 #include "data/input_error.h"
 #include "data/quantity.h"
+#include "data/text_file.h"
+#include "reports/figure.h"
 #include "reports/json.h"
+#include "reports/run_fields.h"
+#include "sim/dem/checkpoint.h"
 #include "sim/dem/run.h"
+#include "sim/dem/series.h"
+#include "sim/dem/snapshot.h"
 
 namespace pendular::app {
 namespace {
@@ -67,6 +78,141 @@ void print_result(Console& console, const dem::RunResult& run) {
                     run.wall_seconds, run.particle_steps_per_second()));
 }
 
+/// What a run yields or leaves behind besides its averages.
+struct Extras {
+    double snapshot_every = 0;  ///< strain; 0: none
+    std::string checkpoint;
+    double checkpoint_minutes = 10;
+
+    /// @throws InputError
+    void check(const Options& options, const CommonOptions& common) const;
+};
+
+void Extras::check(const Options& options, const CommonOptions& common) const {
+    if (options.given("snapshot-every")) {
+        if (!common.out) {
+            throw InputError("--snapshot-every needs --out DIR, the folder for the snapshots");
+        }
+        if (!(snapshot_every >= dem::block_strain)) {
+            throw InputError(fmt::format("--snapshot-every {}: a strain of {} or more is needed",
+                                         snapshot_every, dem::block_strain));
+        }
+    }
+    if (options.given("checkpoint")) {
+        demand_writable(checkpoint, "--checkpoint", false);
+    } else if (options.given("checkpoint-every")) {
+        throw InputError("--checkpoint-every needs --checkpoint FILE");
+    }
+    if (!(checkpoint_minutes > 0)) {
+        throw InputError(
+            fmt::format("--checkpoint-every {}: minutes above 0 are needed", checkpoint_minutes));
+    }
+}
+
+/// Progress of a single run; the time left follows from the speed since this process began.
+class RunProgress {
+  public:
+    explicit RunProgress(Console& console) : console_(console) {}
+
+    void operator()(double done, double expected) {
+        const double fraction = std::min(0.999, done / expected);
+        if (!first_) {
+            first_ = fraction;
+        }
+        const double spent =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+        const double gained = fraction - *first_;
+        console_.progress("simulating",
+                          {.runs = 1,
+                           .fraction = fraction,
+                           .seconds_left = gained > 0 ? spent * (1 - fraction) / gained : 0});
+    }
+
+  private:
+    Console& console_;
+    std::optional<double> first_;
+    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+void write_fields(const dem::RunResult& result, const nlohmann::ordered_json& json,
+                  const std::filesystem::path& folder) {
+    write_json(folder / "run.json", json);
+    for (const auto& [name, content] : field_tables(result)) {
+        write_whole(folder / name, content);
+    }
+    for (const auto& figure : field_figures(result)) {
+        draw(figure, folder / "figures");
+    }
+}
+
+/// What an interrupted run leaves, and how it goes on.
+std::string what_remains(const dem::Checkpoint* checkpoint, const dem::Snapshots* snapshots) {
+    std::string text;
+    if (snapshots) {
+        text = fmt::format("{} snapshots so far are written", snapshots->count());
+    }
+    if (checkpoint) {
+        text += fmt::format("{}give the same command again to resume from {}",
+                            text.empty() ? "" : "; ", checkpoint->file().string());
+    }
+    return text.empty() ? "nothing was written" : text;
+}
+
+dem::RunResult shear(const dem::RunParameters& run, dem::Checkpoint* checkpoint,
+                     dem::Snapshots* snapshots, const CommonOptions& common, Console& console) {
+    const InterruptGuard guard;
+    dem::RunOptions options{.stop = guard.token(),
+                            .progress = RunProgress(console),
+                            .threads = common.threads,
+                            .checkpoint = checkpoint};
+    if (snapshots) {
+        options.observers.emplace_back(std::ref(*snapshots));
+    }
+    if (checkpoint && checkpoint->exists() && !common.quiet) {
+        options.observers.push_back(
+            [&, told = false](const dem::ShearCell&, double strain) mutable {
+                if (!std::exchange(told, true)) {
+                    fmt::print(stderr, "resumed at strain {:.2f} from {}\n", strain,
+                               checkpoint->file().string());
+                }
+            });
+    }
+    try {
+        return dem::run(run, options);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(error.what());
+    } catch (const dem::Interrupted&) {
+        console.end_progress();
+        throw dem::Interrupted(what_remains(checkpoint, snapshots));
+    }
+}
+
+void carry_out(const dem::RunParameters& run, const Extras& extras, const CommonOptions& common,
+               Console& console) {
+    std::optional<dem::Checkpoint> checkpoint;
+    if (!extras.checkpoint.empty()) {
+        checkpoint.emplace(extras.checkpoint,
+                           std::chrono::duration<double>(60 * extras.checkpoint_minutes));
+    }
+    std::optional<dem::Snapshots> snapshots;
+    if (extras.snapshot_every > 0) {
+        snapshots.emplace(*common.out, extras.snapshot_every);
+    }
+    const dem::RunResult result = shear(run, checkpoint ? &*checkpoint : nullptr,
+                                        snapshots ? &*snapshots : nullptr, common, console);
+    print_result(console, result);
+    nlohmann::ordered_json json = to_json(result);
+    json["threads"] = common.threads;
+    json.update(fields_json(result));
+    console.json(json);
+    if (common.out) {
+        write_fields(result, json, *common.out);
+    }
+    if (checkpoint) {
+        checkpoint->remove();  // only now: the results are where they were asked for
+    }
+}
+
 }  // namespace
 
 int simulate(const std::vector<std::string>& arguments) {
@@ -80,8 +226,15 @@ int simulate(const std::vector<std::string>& arguments) {
         "stiffness number simulated.",
         "  pendular simulate --friction 0.09 --inertial-number 0.003\n"
         "  pendular simulate --reduced-pressure 3 --bridge-volume 0.002\n"
-        "  pendular simulate --fidelity quick --friction 0.3 --json run.json\n",
+        "  pendular simulate --fidelity quick --friction 0.3 --json run.json\n"
+        "  pendular simulate --fidelity quick --out run --snapshot-every 0.1\n"
+        "  pendular simulate --fidelity paper --checkpoint run.checkpoint --threads 4\n",
         false);
+    options.set_threads(1,
+                        "threads of this one run; it is the same for the same number of threads");
+    options.set_out(
+        "folder for run.json, profiles and distributions as CSV and figures, and snapshots "
+        "(default: no files)");
     options.add("friction", &run.friction, "intergranular friction coefficient [1] (default 0.09)");
     options.add("inertial-number", &run.inertial_number,
                 "shear rate times sqrt(m/(a s22)) [1] (default: the fidelity's lowest)");
@@ -104,6 +257,13 @@ int simulate(const std::vector<std::string>& arguments) {
                 "form of the bridge force: derived (default) or as_printed");
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random initial state (default 1)");
+    Extras extras;
+    options.add("snapshot-every", &extras.snapshot_every,
+                "strain between snapshots for OVITO and ParaView in the folder of --out [1]");
+    options.add("checkpoint", &extras.checkpoint,
+                "file in which the run is kept while it goes on; the same command resumes it");
+    options.add("checkpoint-every", &extras.checkpoint_minutes,
+                "time between checkpoints [min] (default 10)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -125,21 +285,15 @@ int simulate(const std::vector<std::string>& arguments) {
     run.beads = options.given("beads") ? run.beads : f.beads;
     run.strain = options.given("strain") ? run.strain : f.strain;
 
-    const InterruptGuard guard;
-    Console console(*common);
-    dem::RunResult result;
     try {
-        result = run_all({run}, {1, guard.token(), [&](const EnsembleProgress& p) {
-                                     console.progress("simulating", p);
-                                 }})[0];
+        dem::check(run);
     } catch (const std::invalid_argument& error) {
         throw InputError(error.what());
     }
-    if (!result.failure.empty()) {
-        throw dem::SimulationError(result.failure);
-    }
-    print_result(console, result);
-    console.json(to_json(result));
+    extras.check(options, *common);
+
+    Console console(*common);
+    carry_out(run, extras, *common, console);
     return done;
 }
 

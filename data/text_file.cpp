@@ -1,5 +1,6 @@
 #include "data/text_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unicode/ucnv.h>
 #include <unistd.h>
@@ -97,9 +98,18 @@ void write_into(const std::filesystem::path& path, const std::string& content) {
     if (!stream) cannot_write(path, std::strerror(errno));
 }
 
+/// Waits until the disk has a file or the entries of a folder.
+void flush_to_disk(const std::filesystem::path& path) {
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
+    const std::string reason = flushed ? "" : std::strerror(errno);
+    if (descriptor >= 0) close(descriptor);
+    if (!flushed) cannot_write(path, reason);
+}
+
 }  // namespace
 
-void write_whole(const std::filesystem::path& path, const std::string& content) {
+void write_whole(const std::filesystem::path& path, const std::string& content, Kept kept) {
     std::error_code error;
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
     if (error) cannot_write(path, error.message());
@@ -112,6 +122,7 @@ void write_whole(const std::filesystem::path& path, const std::string& content) 
     const std::filesystem::path temporary = fmt::format("{}.{}.part", target.string(), getpid());
     try {
         write_into(temporary, content);
+        if (kept == Kept::on_disk) flush_to_disk(temporary);
     } catch (...) {
         std::filesystem::remove(temporary, error);
         throw;
@@ -122,6 +133,7 @@ void write_whole(const std::filesystem::path& path, const std::string& content) 
         std::filesystem::remove(temporary, error);
         cannot_write(path, reason);
     }
+    if (kept == Kept::on_disk) flush_to_disk(std::filesystem::absolute(target).parent_path());
 }
 
 namespace {

@@ -12,10 +12,14 @@ namespace pendular {
 /// @throws InputError if the file cannot be read or is no text (a spreadsheet, say)
 std::vector<std::string> read_lines(const std::filesystem::path& path);
 
+/// Whether what was written must have reached the disk, where it survives a loss of power.
+enum class Kept { by_system, on_disk };
+
 /// Writes a file so that it is there whole or not at all: to a temporary file beside it, then
 /// renamed. Folders on the way are made.
 /// @throws std::runtime_error naming the file and the system's reason, a full disk for example
-void write_whole(const std::filesystem::path& path, const std::string& content);
+void write_whole(const std::filesystem::path& path, const std::string& content,
+                 Kept kept = Kept::by_system);
 
 /// Writes a folder of files so that it is there whole or not at all: to a temporary folder beside
 /// it, then renamed, or, where the folder is there already, to one inside it, then moved up.

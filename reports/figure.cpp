@@ -102,7 +102,8 @@ std::string axes_script(const Panel& panel, const PanelPlace& place, const Page&
     std::string text =
         "unset object\nunset arrow\nunset logscale\nunset key\nset format x '%g'\n"
         "set border 31 linewidth 1.2\nset grid xtics ytics linecolor rgb '#e4e4e4'\n"
-        "set ytics nomirror autofreq\n";
+        "set ytics nomirror autofreq format '% h'\n";
+    text += panel.log_y ? "set logscale y\nset ytics format '10^{%T}'\n" : "";
     text += panel.log_x ? "set logscale x\nset xtics nomirror (" + tics_1_2_5(place.x) + ")\n"
                         : std::string("set xtics nomirror autofreq\n");
     text +=

@@ -37,7 +37,7 @@ enum class Key { none, top_left, top_right, bottom_left, bottom_right, outside }
 /// One pair of axes.
 struct Panel {
     std::string x_label, y_label;  ///< with units
-    bool log_x = false;
+    bool log_x = false, log_y = false;
     std::vector<Reference> references;  ///< drawn first
     std::vector<Curve> curves;
     bool diagonal = false;  ///< y = x, for parity
@@ -53,7 +53,8 @@ struct Figure {
     std::string name;  ///< file name without extension
     std::string title;
     std::vector<Panel> panels;
-    bool stacked = false;  ///< above one another
+    bool stacked = false;     ///< above one another
+    std::size_t columns = 0;  ///< after so many panels side by side a new row begins; 0: never
 };
 
 /// Draws the figure through gnuplot as NAME.svg, .png and .pdf, and writes its numbers as NAME.csv.

@@ -65,7 +65,7 @@ AxisRange range(const Panel& panel, bool along_x) {
         const double middle = 0.5 * (least + greatest);
         return {0.8 * middle, 1.2 * middle};
     }
-    if (along_x && panel.log_x) {
+    if (along_x ? panel.log_x : panel.log_y) {
         return {least / 1.3, greatest * 1.3};
     }
     const double margin = 0.08 * (greatest - least);
@@ -85,18 +85,18 @@ void set_ranges(PanelPlace& place, const Panel& panel) {
         place.x = place.y = {std::min(place.x.first, place.y.first),
                              std::max(place.x.second, place.y.second)};
     }
-    place.log_x = panel.log_x;
+    place.log_x = panel.log_x, place.log_y = panel.log_y;
 }
 
 }  // namespace
 
 PaperPoint PanelPlace::at(double value_x, double value_y) const {
-    const auto share = [](double value, AxisRange range) {
-        return (value - range.first) / (range.second - range.first);
+    const auto share = [](double value, AxisRange range, bool logarithmic) {
+        return logarithmic ? std::log(value / range.first) / std::log(range.second / range.first)
+                           : (value - range.first) / (range.second - range.first);
     };
-    const double along = log_x ? share(std::log(value_x), {std::log(x.first), std::log(x.second)})
-                               : share(value_x, x);
-    return {left + along * (right - left), bottom + share(value_y, y) * (top - bottom)};
+    return {left + share(value_x, x, log_x) * (right - left),
+            bottom + share(value_y, y, log_y) * (top - bottom)};
 }
 
 Page page_of(const Figure& figure) {
@@ -115,7 +115,13 @@ Page page_of(const Figure& figure) {
         page.panels.push_back(place);
         page.width = std::max(page.width, left + whole);
         page.height = std::max(page.height, depth + cell.height);
-        (figure.stacked ? depth : left) += figure.stacked ? cell.height : whole;
+        const bool row_full = figure.columns > 0 && page.panels.size() % figure.columns == 0;
+        if (figure.stacked || row_full) {
+            depth += cell.height;
+            left = 0;
+        } else {
+            left += whole;
+        }
     }
     for (auto& place : page.panels) {
         // So far from the upper edge; gnuplot counts from the lower one.

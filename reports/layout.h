@@ -14,7 +14,7 @@ using AxisRange = std::pair<double, double>;
 struct PanelPlace {
     double left = 0, right = 0, bottom = 0, top = 0;  ///< of the axes on the page [inch]
     AxisRange x, y;
-    bool log_x = false;
+    bool log_x = false, log_y = false;
 
     /// Where a value stands on the page [inch].
     PaperPoint at(double value_x, double value_y) const;

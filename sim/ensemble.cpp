@@ -63,10 +63,10 @@ class Ensemble {
             }
             const std::size_t k = order_[turn];
             try {
-                results_[k] =
-                    dem::run(runs_[k], stop_.get_token(), [&](double strain, double expected) {
-                        note(k, std::min(0.999, strain / expected));
-                    });
+                results_[k] = dem::run(runs_[k], {.stop = stop_.get_token(),
+                                                  .progress = [&](double strain, double expected) {
+                                                      note(k, std::min(0.999, strain / expected));
+                                                  }});
                 note(k, 1.0);
             } catch (const dem::SimulationError& error) {
                 // One sample that fails costs itself only.

@@ -17,6 +17,11 @@ struct Beads {
         Vector position;  ///< centre; inside the cell when the neighbour list was built
         Vector velocity;  ///< peculiar: what remains after the imposed flow; half a step behind
         Vector spin;      ///< angular velocity, half a step behind
+
+        template <typename Archive>
+        void serialize(Archive& archive) {
+            archive(position, velocity, spin);
+        }
     };
     /// A cache line of its own.
     struct alignas(64) Load {
@@ -33,6 +38,13 @@ struct Beads {
         std::iota(number.begin(), number.end(), 0);
     }
     std::size_t size() const { return motion.size(); }
+
+    /// Loads are what the next step makes anew.
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        archive(motion, displacement, number);
+        load.resize(size());
+    }
 
     Vector& position(std::size_t i) { return motion[i].position; }
     Vector& velocity(std::size_t i) { return motion[i].velocity; }

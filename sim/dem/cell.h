@@ -16,6 +16,11 @@ struct Cell {
     double width = 0;
     double offset = 0;
 
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        archive(length, height, width, offset);
+    }
+
     double volume() const { return length * height * width; }
 
     /// Brings the offset into [-length/2, length/2).

@@ -12,6 +12,11 @@ struct Flow {
     double length_rate = 0;  ///< of the cell along the flow
     double width_rate = 0;   ///< of the cell along the vorticity
 
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        archive(shear_rate, height_rate, length_rate, width_rate);
+    }
+
     /// The gradient applied to a vector: of positions their velocity.
     [[gnu::always_inline]] Vector operator()(const Vector& r) const {
         return Vector(length_rate, height_rate, width_rate) * r + r[1] * Vector(shear_rate, 0, 0);

@@ -18,6 +18,11 @@ struct MotionSums {
     MotionSums& operator+=(const MotionSums& other);
     /// Kinetic energy of the peculiar motion, reduced units.
     double energy() const;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        archive(squares, shear, spin, largest_squared);
+    }
 };
 
 /// One leapfrog step of the beads of a range: dv/dt = f - L v, since v is peculiar, then

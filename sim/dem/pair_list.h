@@ -20,6 +20,11 @@ struct Neighbours {
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
     void append(const Neighbours& others);
     void reserve(std::size_t count);
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        archive(first, second, image);
+    }
 };
 
 /// Pairs with what a contact remembers, structure of arrays.
@@ -37,6 +42,12 @@ struct Pairs : Neighbours {
     void fill_up(std::size_t batch);
     /// Copies what pair `from` of another list remembers to pair `to` of this one.
     void remember(std::size_t to, const Pairs& other, std::size_t from);
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        Neighbours::serialize(archive);
+        archive(sx, sy, sz, root, bridge);
+    }
 };
 
 /// Neighbours at two ranges. The wide list holds the pairs that may come close and those a bridge
@@ -80,6 +91,13 @@ class PairList {
     Pairs& distant() { return distant_; }
     const Pairs& distant() const { return distant_; }
     std::size_t wide_rebuilds() const { return wide_rebuilds_; }
+
+    /// The state of a list made for the same rupture distance.
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        archive(wide_, narrow_, distant_, live_, live_distant_, moved_, wide_strain_,
+                narrow_strain_, strain_since_renumbered_, wide_rebuilds_);
+    }
 
   private:
     void renumber(Beads& beads, const Cell& cell);

@@ -6,20 +6,20 @@
 #include <chrono>
 #include <cmath>
 #include <numeric>
-#include <optional>
+#include <utility>
 
-#include "sim/dem/shear_cell.h"
-#include "sim/dem/structure.h"
+#include "data/form.h"
+#include "data/input_error.h"
+#include "sim/dem/archive.h"
+#include "sim/dem/checkpoint.h"
+#include "sim/dem/series.h"
 
 namespace pendular::dem {
 namespace {
 
-constexpr double block_strain = 0.02;
 /// Before that no state is called steady; bridges live a strain of order 1.
 constexpr double first_look_strain = 1.0, first_wet_look_strain = 2.0;
 constexpr double look_every_strain = 0.25;
-constexpr int structures_per_block = 4;
-constexpr int steps_between_profiles = 16;
 /// Sheared random samples showed 0.04 to 0.05 with 1000 beads, 0.10 with 100, crystals 0.3 to 0.55.
 constexpr double crystal_bond_order = 0.2;
 
@@ -72,121 +72,6 @@ void check(const RunParameters& p) {
 
 namespace {
 
-/// Averages over one block of strain.
-struct Block {
-    double strain = 0;
-    double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
-    Structure structure;
-};
-
-/// Shears by one block and averages over it.
-/// @throws Interrupted
-Block shear_block(ShearCell& sample, const std::stop_token& stop) {
-    Block block;
-    VelocityProfile profile;
-    const double begin = sample.strain();
-    double steps = 0;
-    int structures = 0;
-    while (sample.strain() < begin + block_strain) {
-        sample.step();
-        const Stress& stress = sample.stress();
-        block.s11 += stress.s11, block.s22 += stress.s22, block.s33 += stress.s33,
-            block.s12 += stress.s12;
-        block.solid_fraction += sample.solid_fraction();
-        if (sample.steps() % steps_between_profiles == 0) {
-            if (stop.stop_requested()) {
-                throw Interrupted();
-            }
-            profile.add(sample.beads(), sample.cell().height);
-        }
-        if (sample.strain() - begin >= block_strain * (structures + 1) / structures_per_block) {
-            block.structure +=
-                structure_of(sample.beads(), sample.cell(), sample.pairs().narrow(),
-                             sample.pairs().distant(), sample.material(), sample.bridges());
-            profile.add(sample.beads(), sample.cell().height);
-            ++structures;
-        }
-        steps += 1;
-    }
-    block.structure /= structures;
-    block.strain = sample.strain() - begin;
-    for (double* sum : {&block.s11, &block.s22, &block.s33, &block.s12, &block.solid_fraction}) {
-        *sum /= steps;
-    }
-    block.localization = profile.localization(sample.cell().height, sample.shear_rate());
-    return block;
-}
-
-/// A run in progress: its blocks so far and what they say.
-class Series {
-  public:
-    void add(const Block& block) { blocks_.push_back(block); }
-    std::size_t size() const { return blocks_.size(); }
-
-    /// Strain of the blocks [from, to).
-    double strain(std::size_t from, std::size_t to) const {
-        double sum = 0;
-        for (std::size_t k = from; k < to; ++k) {
-            sum += blocks_[k].strain;
-        }
-        return sum;
-    }
-
-    template <typename Value>
-    std::vector<double> values(std::size_t from, Value value) const {
-        std::vector<double> result;
-        for (std::size_t k = from; k < blocks_.size(); ++k) {
-            result.push_back(value(blocks_[k]));
-        }
-        return result;
-    }
-    /// Linearised series of a ratio of means: its mean is the ratio, its scatter the ratio's.
-    template <typename Numerator, typename Denominator>
-    std::vector<double> ratio(std::size_t from, Numerator numerator,
-                              Denominator denominator) const {
-        double top = 0, bottom = 0;
-        for (std::size_t k = from; k < blocks_.size(); ++k) {
-            top += numerator(blocks_[k]);
-            bottom += denominator(blocks_[k]);
-        }
-        const double value = top / bottom,
-                     mean = bottom / static_cast<double>(blocks_.size() - from);
-        return values(from, [&](const Block& b) {
-            return value + (numerator(b) - value * denominator(b)) / mean;
-        });
-    }
-    std::vector<double> stress_ratio(std::size_t from) const {
-        return ratio(
-            from, [](const Block& b) { return -b.s12; }, [](const Block& b) { return b.s22; });
-    }
-    std::vector<double> solid_fraction(std::size_t from) const {
-        return values(from, [](const Block& b) { return b.solid_fraction; });
-    }
-    std::vector<double> structure(std::size_t from, double Structure::*which) const {
-        return values(from, [&](const Block& b) { return b.structure.*which; });
-    }
-    /// Blocks to leave out as transient, judged on stress ratio, solid fraction and, where there
-    /// are bridges, Z_d, which is the slowest; empty: not steady yet.
-    std::optional<std::size_t> transient(bool wet) const {
-        std::size_t end = 0;
-        std::vector<std::vector<double>> all = {stress_ratio(0), solid_fraction(0)};
-        if (wet) {
-            all.push_back(structure(0, &Structure::distant_coordination));
-        }
-        for (const auto& series : all) {
-            const auto found = end_of_transient(series);
-            if (!found) {
-                return std::nullopt;
-            }
-            end = std::max(end, *found);
-        }
-        return end;
-    }
-
-  private:
-    std::vector<Block> blocks_;
-};
-
 /// Whether any quarter of the averaged part is denser than random packings can be or ordered: a
 /// sample that crystallises on the way must not pass for its average.
 bool crystallised(const Series& series, std::size_t from) {
@@ -228,6 +113,17 @@ constexpr std::pair<Observable, double Structure::*> of_structure[] = {
     {Observable::capillary_shear_stress_contact, &Structure::capillary_shear_stress_contact},
     {Observable::capillary_shear_stress_distant, &Structure::capillary_shear_stress_distant}};
 
+void average_fields(const Series& series, std::size_t from, RunResult& result) {
+    const auto& p = result.parameters;
+    const double rupture_distance = p.wetting ? BridgeLaw(*p.wetting).rupture_distance : 0;
+    for (std::size_t k = 0; k < field_count; ++k) {
+        if (p.wetting || !fields[k].needs_bridges) {
+            const Bins1d bins = bins_of(fields[k].coordinate, p.beads, rupture_distance);
+            result.fields[k] = series.field(from, static_cast<Field>(k), bins);
+        }
+    }
+}
+
 void average(const Series& series, std::size_t from, RunResult& result) {
     const auto set = [&](Observable which, const std::vector<double>& samples) {
         result.means[static_cast<std::size_t>(which)] = mean_of_correlated(samples);
@@ -265,6 +161,15 @@ void average(const Series& series, std::size_t from, RunResult& result) {
     set(Observable::localization,
         series.values(from, [](const Block& b) { return b.localization; }));
     set(Observable::held_normal_stress, series.values(from, s22));
+    const auto lost = [&](Observable which, double PairEnergy::*part) {
+        set(which, series.ratio(
+                       from, [&](const Block& b) { return b.dissipation.*part; }, s22));
+    };
+    lost(Observable::dissipation_friction, &PairEnergy::friction);
+    lost(Observable::dissipation_viscosity, &PairEnergy::viscosity);
+    lost(Observable::dissipation_bridges, &PairEnergy::bridges);
+    lost(Observable::dissipation_springs, &PairEnergy::unloading);
+    average_fields(series, from, result);
     result.covariance = covariance_of_means(stress_ratio, solid_fraction);
     result.crystallised = crystallised(series, from);
     result.strain_transient = series.strain(0, from);
@@ -289,6 +194,7 @@ bool needs_bridges(Observable which) {
         case capillary_shear_stress:
         case capillary_shear_stress_contact:
         case capillary_shear_stress_distant:
+        case dissipation_bridges:
             return true;
         default:
             return false;
@@ -299,64 +205,211 @@ double rigidity_shift(double solid_fraction, double mean_overlap) {
     return rigidity_factor * 3 * solid_fraction * mean_overlap;
 }
 
-RunResult run(const RunParameters& parameters, std::stop_token stop, const Progress& progress) {
-    check(parameters);
-    const auto started = std::chrono::steady_clock::now();
-    const Material material{.modulus = std::pow(parameters.stiffness_number, 1.5),
-                            .poisson_ratio = parameters.poisson_ratio,
-                            .friction = parameters.friction,
-                            .damping = parameters.damping};
-    const bool wet = parameters.wetting.has_value();
-    ShearCell sample(parameters.beads, material, parameters.inertial_number, parameters.seed,
-                     wet ? BridgeLaw(*parameters.wetting) : BridgeLaw());
-    if (!sample.compress(stop)) {
-        throw SimulationError(
-            "the sample never reached its normal stress; use more beads or another seed");
-    }
-    const double begin = sample.strain();
-    const auto first_step = sample.steps();
+namespace {
 
-    const auto blocks_in = [](double strain) {
-        return static_cast<std::size_t>(std::lround(strain / block_strain));
-    };
-    const std::size_t wanted = blocks_in(parameters.strain);
-    const std::size_t most = 2 * wanted + blocks_in(4);
+std::size_t blocks_in(double strain) {
+    return static_cast<std::size_t>(std::lround(strain / block_strain));
+}
+
+/// What determines a run, a line "name = value" each.
+std::string described(const RunParameters& p, const RunOptions& options) {
+    std::string text = fmt::format(
+        "friction = {}\ninertial number = {}\nstiffness number = {}\nPoisson ratio = {}\n"
+        "damping = {}\n",
+        p.friction, p.inertial_number, p.stiffness_number, p.poisson_ratio, p.damping);
+    const Wetting wetting = p.wetting.value_or(Wetting{});
+    text += fmt::format("reduced pressure = {}\nbridge volume = {}\nbridge force = {}\n",
+                        p.wetting ? fmt::format("{}", wetting.reduced_pressure) : "none (dry)",
+                        wetting.bridge_volume, to_string(wetting.bridge_force));
+    return text + fmt::format("beads = {}\nstrain = {}\nseed = {}\nthreads = {}\n", p.beads,
+                              p.strain, p.seed, options.threads);
+}
+
+/// Everything that changes while a run goes on: what a checkpoint holds.
+struct RunState {
+    ShearCell sample;
+    bool flowing = false;  ///< compressed, and sheared since
+    double begin = 0;      ///< the sample's strain when the flow began
+    std::uint64_t first_step = 0;
     Series series;
-    RunResult result;
-    result.parameters = parameters;
-    const std::size_t first_look = blocks_in(wet ? first_wet_look_strain : first_look_strain);
-    std::size_t transient = first_look;
-    while (series.size() < most) {
-        series.add(shear_block(sample, stop));
-        if (progress) {
-            progress(sample.strain() - begin,
-                     static_cast<double>(transient + wanted) * block_strain);
-        }
-        const bool look = series.size() % blocks_in(look_every_strain) == 0;
-        if (look && series.size() >= wanted + first_look) {
-            const auto found = series.transient(wet);
-            transient = found ? *found : series.size() - wanted + blocks_in(look_every_strain);
-            if (found && series.size() - transient >= wanted) {
-                result.steady = true;
-                break;
+    OpenBlock block;
+    std::uint64_t transient = 0;  ///< blocks, as far as is known
+    double seconds = 0;           ///< of earlier processes
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        archive(sample, flowing, begin, first_step, series, block, transient, seconds);
+    }
+};
+
+ShearCell new_sample(const RunParameters& p, int threads) {
+    const Material material{.modulus = std::pow(p.stiffness_number, 1.5),
+                            .poisson_ratio = p.poisson_ratio,
+                            .friction = p.friction,
+                            .damping = p.damping};
+    return ShearCell(p.beads, material, p.inertial_number, p.seed,
+                     p.wetting ? BridgeLaw(*p.wetting) : BridgeLaw(), threads);
+}
+
+/// One run from its random gas, or from its checkpoint, to its averages.
+class Run {
+  public:
+    Run(const RunParameters& parameters, const RunOptions& options)
+        : parameters_(parameters),
+          options_(options),
+          wet_(parameters.wetting.has_value()),
+          wanted_(blocks_in(parameters.strain)),
+          first_look_(blocks_in(wet_ ? first_wet_look_strain : first_look_strain)),
+          state_{.sample = new_sample(parameters, options.threads), .transient = first_look_} {}
+
+    RunResult carry_out() {
+        if (options_.checkpoint) {
+            if (const auto saved = options_.checkpoint->read(described(parameters_, options_))) {
+                resume(*saved);
             }
         }
+        if (!state_.flowing) {
+            start_flow();
+        }
+        tell_observers(state_.block.begin());
+        const bool steady = shear();
+        return result(steady);
     }
-    average(series, result.steady ? transient : series.size() - wanted, result);
 
+  private:
+    void resume(const std::string& saved) {
+        if (!restore(saved, state_)) {
+            throw InputError(fmt::format(
+                "checkpoint {} was written by another build of pendular; remove it to start anew, "
+                "or name another file",
+                options_.checkpoint->file().string()));
+        }
+    }
+
+    void start_flow() {
+        const bool reached = guarded([&] { return state_.sample.compress(options_.stop); });
+        if (!reached) {
+            throw SimulationError(
+                "the sample never reached its normal stress; use more beads or another seed");
+        }
+        state_.begin = state_.sample.strain();
+        state_.first_step = state_.sample.steps();
+        state_.block = OpenBlock(state_.sample);
+        state_.flowing = true;
+    }
+
+    /// Shears block by block. @return whether a steady state was found
+    bool shear() {
+        const std::size_t most = 2 * wanted_ + blocks_in(4);
+        while (state_.series.size() < most) {
+            guarded([&] { return fill_block(); });
+            state_.series.add(state_.block.close(state_.sample));
+            state_.block = OpenBlock(state_.sample);
+            tell_observers(state_.sample.strain());
+            if (options_.progress) {
+                options_.progress(state_.sample.strain() - state_.begin,
+                                  static_cast<double>(state_.transient + wanted_) * block_strain);
+            }
+            if (is_steady()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool is_steady() {
+        const std::size_t done = state_.series.size();
+        if (done % blocks_in(look_every_strain) != 0 || done < wanted_ + first_look_) {
+            return false;
+        }
+        const auto found = state_.series.transient(wet_);
+        state_.transient = found ? *found : done - wanted_ + blocks_in(look_every_strain);
+        return found && done - state_.transient >= wanted_;
+    }
+
+    /// @throws Interrupted
+    bool fill_block() {
+        ShearCell& sample = state_.sample;
+        while (!state_.block.full(sample)) {
+            state_.block.step(sample);
+            if (!OpenBlock::pauses(sample)) {
+                continue;
+            }
+            if (options_.stop.stop_requested()) {
+                throw Interrupted();
+            }
+            if (options_.checkpoint && options_.checkpoint->due()) {
+                save();
+            }
+        }
+        return true;
+    }
+
+    /// Saves the state where work is interrupted.
+    template <typename Work>
+    bool guarded(const Work& work) {
+        try {
+            return work();
+        } catch (const Interrupted&) {
+            if (options_.checkpoint) {
+                save();
+            }
+            throw;
+        }
+    }
+
+    void save() {
+        const double before = std::exchange(state_.seconds, seconds());
+        options_.checkpoint->write(described(parameters_, options_), archived(state_));
+        state_.seconds = before;
+    }
+
+    double seconds() const {
+        return state_.seconds +
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+    }
+
+    void tell_observers(double strain) const {
+        for (const auto& observer : options_.observers) {
+            observer(state_.sample, strain - state_.begin);
+        }
+    }
+
+    RunResult result(bool steady) const;
+
+    const RunParameters& parameters_;
+    const RunOptions& options_;
+    bool wet_;
+    std::size_t wanted_, first_look_;
+    RunState state_;
+    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+RunResult Run::result(bool steady) const {
+    RunResult result{.parameters = parameters_, .steady = steady};
+    const ShearCell& sample = state_.sample;
+    average(state_.series, steady ? state_.transient : state_.series.size() - wanted_, result);
     result.steps = sample.steps();
-    result.time_step = (sample.strain() - begin) / parameters.inertial_number /
-                       static_cast<double>(sample.steps() - first_step);
-    result.wall_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    const double held = result[Observable::held_normal_stress].value;
-    if (std::abs(held - 1) > 0.02 + 4 * result[Observable::held_normal_stress].standard_error) {
+    result.time_step = (sample.strain() - state_.begin) / parameters_.inertial_number /
+                       static_cast<double>(sample.steps() - state_.first_step);
+    result.wall_seconds = seconds();
+    const Mean& held = result[Observable::held_normal_stress];
+    if (std::abs(held.value - 1) > 0.02 + 4 * held.standard_error) {
         throw SimulationError(
             fmt::format("the sample did not hold its normal stress: {:.3f} of the imposed one "
                         "over a strain of {:.3g}; use more beads or a longer strain",
-                        held, result.strain_averaged));
+                        held.value, result.strain_averaged));
     }
     return result;
+}
+
+}  // namespace
+
+RunResult run(const RunParameters& parameters, const RunOptions& options) {
+    check(parameters);
+    demand(options.threads >= 1 && options.threads <= most_threads,
+           fmt::format("{} threads: a run takes 1 to {}", options.threads, most_threads));
+    return Run(parameters, options).carry_out();
 }
 
 }  // namespace pendular::dem

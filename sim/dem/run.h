@@ -12,9 +12,13 @@
 
 #include "data/time_series.h"
 #include "sim/dem/bridge_law.h"
+#include "sim/dem/fields.h"
 #include "sim/dem/simulation_error.h"
 
 namespace pendular::dem {
+
+class Checkpoint;
+class ShearCell;
 
 /// Fastest shear that is still a dense flow, to which the height servo can hold the stress.
 constexpr double largest_inertial_number = 0.5;
@@ -61,6 +65,10 @@ enum class Observable {
     mean_overlap,
     bond_order,
     held_normal_stress,
+    dissipation_friction,
+    dissipation_viscosity,
+    dissipation_bridges,
+    dissipation_springs,
 };
 constexpr std::array observable_names =
     std::to_array<std::string_view>({"stress_ratio",
@@ -88,9 +96,13 @@ constexpr std::array observable_names =
                                      "localization",
                                      "overlap",
                                      "bond_order",
-                                     "held_normal_stress"});
+                                     "held_normal_stress",
+                                     "dissipation_friction",
+                                     "dissipation_viscosity",
+                                     "dissipation_bridges",
+                                     "dissipation_springs"});
 constexpr std::size_t observable_count = observable_names.size();
-static_assert(static_cast<std::size_t>(Observable::held_normal_stress) + 1 == observable_count);
+static_assert(static_cast<std::size_t>(Observable::dissipation_springs) + 1 == observable_count);
 
 /// Whether an observable says nothing of dry beads.
 bool needs_bridges(Observable which);
@@ -100,6 +112,7 @@ bool needs_bridges(Observable which);
 struct RunResult {
     RunParameters parameters;
     std::array<Mean, observable_count> means;
+    std::array<BinnedMeans, field_count> fields;  ///< those of bridges are empty in dry runs
     double covariance = 0;  ///< of the means of stress ratio and solid fraction
     double strain_averaged = 0;
     double strain_transient = 0;  ///< found, and left out
@@ -113,6 +126,9 @@ struct RunResult {
     const Mean& operator[](Observable which) const {
         return means[static_cast<std::size_t>(which)];
     }
+    const BinnedMeans& operator[](Field which) const {
+        return fields[static_cast<std::size_t>(which)];
+    }
     double particle_steps_per_second() const {
         return static_cast<double>(steps) * parameters.beads / wall_seconds;
     }
@@ -125,6 +141,21 @@ void check(const RunParameters& parameters);
 /// Called about once per strain of 0.02 with the strain done and the strain expected in all.
 using Progress = std::function<void(double done, double expected)>;
 
+/// Called with the state and the strain since the flow began: at first, when that is 0 or where a
+/// checkpoint resumes, then at the end of every block of strain, about 0.02.
+using Observer = std::function<void(const ShearCell& sample, double strain)>;
+
+/// How a run is carried out. Its threads are part of what determines it: rounding differs.
+struct RunOptions {
+    std::stop_token stop;
+    Progress progress;
+    int threads = 1;
+    std::vector<Observer> observers;
+    Checkpoint* checkpoint = nullptr;  ///< resumed from where it holds this run, written as it is
+                                       ///< due and when the run is stopped
+};
+constexpr int most_threads = 1024;
+
 /// Solid fraction above which a monosized sample has crystallised, once corrected to rigid beads.
 constexpr double crystal_solid_fraction = 0.645;
 
@@ -133,8 +164,8 @@ constexpr double crystal_solid_fraction = 0.645;
 /// @throws std::invalid_argument for what `check` refuses
 /// @throws SimulationError where the state stops being finite or never reaches its stress
 /// @throws Interrupted when a stop is requested
-RunResult run(const RunParameters& parameters, std::stop_token stop = {},
-              const Progress& progress = {});
+/// @throws InputError for a checkpoint of another run or one that is no longer whole
+RunResult run(const RunParameters& parameters, const RunOptions& options = {});
 
 /// Solid fraction that rigid beads would have, from the overlaps of a run [1]:
 ///     Phi (rigid) = Phi - 1.23 x 3 Phi <overlap>/a

@@ -15,6 +15,11 @@ namespace pendular::dem {
 /// Stress over the imposed normal stress [1]; compression positive, pair forces plus kinetic term.
 struct Stress {
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        archive(s11, s22, s33, s12);
+    }
 };
 
 /// Beads in their cell.
@@ -92,6 +97,13 @@ class ShearCell {
     /// Makes the time step this fraction of sqrt(m/K_N) instead of the standard one, for tests of
     /// convergence.
     void set_time_step_fraction(double fraction) { fraction_ = fraction; }
+
+    /// The state of a sample made of the same beads, laws and parts.
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        archive(beads_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
+                time_step_, strain_, largest_overlap_, recent_overlap_, steps_);
+    }
 
   private:
     void check_state() const;

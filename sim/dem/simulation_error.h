@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace pendular::dem {
 
@@ -13,7 +14,8 @@ class SimulationError : public std::runtime_error {
 /// The user asked to stop.
 class Interrupted : public std::runtime_error {
   public:
-    Interrupted() : std::runtime_error("interrupted") {}
+    explicit Interrupted(const std::string& what_remains = "nothing was written")
+        : std::runtime_error("interrupted; " + what_remains) {}
 };
 
 }  // namespace pendular::dem

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <complex>
 
+#include "sim/dem/separations.h"
+
 namespace pendular::dem {
 namespace {
 
@@ -87,21 +89,6 @@ class Network {
     double count_ = 0;
 };
 
-/// Calls visit(pair, r) with the separation r of each pair.
-template <typename Visit>
-void for_each_pair(const Beads& beads, const Cell& cell, const Pairs& pairs, const Visit& visit) {
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-        if (pairs.image[k] == image_code::nowhere) {
-            continue;
-        }
-        const auto i = static_cast<std::size_t>(pairs.first[k]),
-                   j = static_cast<std::size_t>(pairs.second[k]);
-        const Vector r =
-            beads.position(j) - beads.position(i) + image_code::image(pairs.image[k]).shift(cell);
-        visit(k, Eigen::Vector3d(r[0], r[1], r[2]));
-    }
-}
-
 }  // namespace
 
 Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
@@ -124,7 +111,8 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
         note_capillary(r / length, capillary_unit * force * length,
                        s.capillary_shear_stress_distant);
     };
-    for_each_pair(beads, cell, near, [&](std::size_t k, const Eigen::Vector3d& r) {
+    for_each_pair(beads, cell, near, [&](std::size_t k, const Vector& separation) {
+        const Eigen::Vector3d r(separation[0], separation[1], separation[2]);
         if (near.root[k] > 0) {
             const double length = r.norm(), overlap = near.root[k] * near.root[k];
             const Eigen::Vector3d n = r / length;
@@ -136,9 +124,9 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
             note_distant(r);
         }
     });
-    for_each_pair(beads, cell, distant_pairs, [&](std::size_t k, const Eigen::Vector3d& r) {
+    for_each_pair(beads, cell, distant_pairs, [&](std::size_t k, const Vector& r) {
         if (distant_pairs.bridge[k] > 0) {
-            note_distant(r);
+            note_distant({r[0], r[1], r[2]});
         }
     });
     const auto per_bead = 2 / static_cast<double>(beads.size());
@@ -192,31 +180,6 @@ Structure& Structure::operator/=(double count) {
         this->*member /= count;
     }
     return *this;
-}
-
-void VelocityProfile::add(const Beads& beads, double height) {
-    if (velocity_.empty()) {
-        velocity_.assign(static_cast<std::size_t>(std::lround(height)), 0.0);
-        count_.assign(velocity_.size(), 0.0);
-    }
-    const auto bins = static_cast<double>(velocity_.size());
-    for (std::size_t i = 0; i < beads.size(); ++i) {
-        const double place = beads.position(i)[1] / height;
-        const auto bin = static_cast<std::size_t>((place - std::floor(place)) * bins);
-        velocity_[std::min(bin, velocity_.size() - 1)] += beads.velocity(i)[0];
-        count_[std::min(bin, velocity_.size() - 1)] += 1;
-    }
-}
-
-double VelocityProfile::localization(double height, double shear_rate) const {
-    const double across = height * shear_rate;
-    double sum = 0;
-    for (std::size_t bin = 0; bin < velocity_.size(); ++bin) {
-        const double mean = count_[bin] > 0 ? velocity_[bin] / count_[bin] : 0.0;
-        sum += mean * mean;
-    }
-    return velocity_.empty() ? 0
-                             : 12 * sum / (static_cast<double>(velocity_.size()) * across * across);
 }
 
 }  // namespace pendular::dem

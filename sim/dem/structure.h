@@ -36,6 +36,13 @@ struct Structure {
     Structure& operator+=(const Structure& other);
     Structure& operator/=(double count);
 
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        for (const auto member : members()) {
+            archive(this->*member);
+        }
+    }
+
   private:
     static const std::vector<double Structure::*>& members();
 };
@@ -51,22 +58,5 @@ struct Structure {
 /// spherical harmonics of order 0 and 2 to the q of all pairs.
 Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges);
-
-/// Velocity profile across the gradient, averaged over several instants, and its departure from
-/// uniform shear.
-class VelocityProfile {
-  public:
-    /// Adds the peculiar velocities of a state of height H [diameters], in bins of about one
-    /// diameter.
-    void add(const Beads& beads, double height);
-    /// Localization [1]: 0 uniform shear, 1 an infinitely thin band.
-    ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
-    /// Source: Badetti et al. (2018), eq:defdelta.
-    double localization(double height, double shear_rate) const;
-
-  private:
-    std::vector<double> velocity_;  ///< summed per bin
-    std::vector<double> count_;
-};
 
 }  // namespace pendular::dem

@@ -93,7 +93,7 @@ TEST(Run, StopsWhenAskedTo) {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         stop.request_stop();
     });
-    EXPECT_THROW(run(endless, stop.get_token()), Interrupted);
+    EXPECT_THROW(run(endless, {.stop = stop.get_token()}), Interrupted);
 }
 
 TEST(Run, SeesASampleCrystallise) {

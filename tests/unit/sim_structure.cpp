@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "sim/dem/fields.h"
 #include "sim/dem/structure.h"
 
 using namespace pendular::dem;
@@ -98,7 +99,7 @@ TEST(Localization, IsZeroForUniformShearAndOneForAThinBand) {
         band.velocity(i)[0] =
             (y < height / 2 ? -1 : 1) * rate * height / 2 - rate * (y - height / 2);
     }
-    VelocityProfile flat, sharp;
+    MotionProfile flat(20), sharp(20);
     flat.add(uniform, height);
     sharp.add(band, height);
     EXPECT_DOUBLE_EQ(flat.localization(height, rate), 0);

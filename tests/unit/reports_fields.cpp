@@ -1,0 +1,63 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "reports/layout.h"
+#include "reports/run_fields.h"
+
+using namespace pendular;
+using namespace pendular::dem;
+using testing::HasSubstr;
+
+namespace {
+
+/// A wet run whose fields are known: value k in bin k, error k/10; one bin with nothing in it.
+RunResult planted_run() {
+    RunResult run;
+    run.parameters.wetting = Wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};
+    for (auto& field : run.fields) {
+        for (int k = 1; k <= 4; ++k) {
+            field.at.push_back(k / 8.0);
+            field.means.push_back({1.0 * k, 0.1 * k});
+        }
+    }
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    run.fields[static_cast<std::size_t>(Field::contact_force_by_orientation)].means[2] = {nothing,
+                                                                                          nothing};
+    return run;
+}
+
+}  // namespace
+
+TEST(FieldTables, HoldTheFieldsOfOneCoordinateWithTheirErrors) {
+    const auto tables = field_tables(planted_run());
+    ASSERT_EQ(tables.size(), coordinates.size());
+    EXPECT_EQ(tables.at("gaps.csv"),
+              "gap [1],distant_gap [1],distant_gap_sd [1]\n0.125,1,0.1\n0.25,2,0.2\n"
+              "0.375,3,0.3\n0.5,4,0.4\n");
+    EXPECT_THAT(tables.at("orientations.csv"), HasSubstr("0.375,3,0.3,,,3,"));
+}
+
+TEST(FieldFigures, ShowEveryFieldOfARun) {
+    const auto figures = field_figures(planted_run());
+    ASSERT_EQ(figures.size(), 2u);
+    EXPECT_EQ(figures[0].panels.size(), 3u);
+    ASSERT_EQ(figures[1].panels.size(), 4u);
+    EXPECT_EQ(figures[1].panels[0].curves.size(), 2u);
+    EXPECT_EQ(figures[1].panels[1].curves[0].x.size(), 3u);  // without the empty bin
+    RunResult dry = planted_run();
+    dry.parameters.wetting.reset();
+    EXPECT_EQ(field_figures(dry)[1].panels.size(), 3u);
+}
+
+TEST(Page, PlacesDecadesEvenlyAndPanelsInRows) {
+    const Panel panel{.log_y = true, .curves = {{.x = {0, 1, 2}, .y = {0.01, 0.1, 1}}}};
+    const Page page = page_of({.panels = {panel, panel, panel}, .columns = 2});
+    const auto y = [&](double value) { return page.panels[0].at(1, value).y; };
+    EXPECT_NEAR(y(1) - y(0.1), y(0.1) - y(0.01), 1e-12);
+    EXPECT_EQ(page.panels[0].bottom, page.panels[1].bottom);
+    EXPECT_LT(page.panels[2].top, page.panels[0].bottom);
+    EXPECT_EQ(page.panels[2].left, page.panels[0].left);
+}
