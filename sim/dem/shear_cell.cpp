@@ -22,6 +22,8 @@ constexpr double initial_solid_fraction = 0.3;
 constexpr double initial_closing_rate = 0.05;
 constexpr double steady_solid_fraction = 0.62;
 constexpr double servo_modulus = 0.05;
+/// Viscosity of the contacts against a change of height, over zeta sqrt(kappa).
+constexpr double contact_viscosity = 0.6;
 constexpr int steps_between_time_steps = 20;
 
 /// Uniform in [0, 1) with 53 bits, the same on every platform.
@@ -132,8 +134,7 @@ void ShearCell::step(Books books) {
     measure(sum_forces(laws));
     check_state();
     if (servo_) {
-        const double modulus = servo_modulus * std::cbrt(material_.modulus * material_.modulus);
-        flow_.height_rate = (stress_.s22 - 1) / modulus;
+        adjust_height_rate();
     }
     advance();
     ++steps_;
@@ -171,6 +172,17 @@ void ShearCell::measure(const PairSums& sums) {
     energy_ = sums.energy;
     largest_overlap_ = sums.largest_overlap;
     recent_overlap_ = std::max(recent_overlap_, largest_overlap_);
+}
+
+void ShearCell::adjust_height_rate() {
+    const double stiffness = std::cbrt(material_.modulus * material_.modulus);  // number kappa
+    const double wanted = (stress_.s22 - 1) / (servo_modulus * stiffness);
+    // Viscous contacts answer the rate within the step: d(s22)/d(rate) is about -zeta sqrt(kappa).
+    // Solved for implicitly, as an explicit servo would flip between two rates where that gain over
+    // B is near 1, for soft or strongly damped beads.
+    const double gain =
+        contact_viscosity * material_.damping / (servo_modulus * std::sqrt(stiffness));
+    flow_.height_rate += (wanted - flow_.height_rate) / (1 + gain);
 }
 
 void ShearCell::check_state() const {

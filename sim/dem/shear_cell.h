@@ -76,6 +76,7 @@ class ShearCell {
     const PairList& pairs() const { return pairs_; }
     const Material& material() const { return material_; }
     const BridgeLaw& bridges() const { return bridges_; }
+    /// Of the last step, with the forces at its beginning.
     const Stress& stress() const { return stress_; }
     const Flow& flow() const { return flow_; }
     double shear_rate() const { return flow_.shear_rate; }
@@ -106,6 +107,7 @@ class ShearCell {
     }
 
   private:
+    void adjust_height_rate();
     void check_state() const;
     PairSums sum_forces(const PairLaws& laws);
     void measure(const PairSums& sums);
