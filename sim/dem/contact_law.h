@@ -59,10 +59,11 @@ inline double tangential_energy(double squared, double stiffness) {
     return stiffness > 0 ? squared / (2 * stiffness) : 0.0;
 }
 
-/// Energy lost by sliding when a tangential force is cut to `allowed` times itself: the force that
-/// is left times the displacement that is not remembered [a^3 s22].
-inline double sliding_loss(double squared, double allowed, double stiffness) {
-    return stiffness > 0 ? allowed * (1 - allowed) * squared / stiffness : 0.0;
+/// Energy lost by sliding when a tangential force p of squared length `squared` is cut to `allowed`
+/// times itself: the displacement that is not remembered, (1 - allowed) p/K_T, times the mean of
+/// the force before the step, q, and the one that is left; `along` is p q [a^3 s22].
+inline double sliding_loss(double squared, double along, double allowed, double stiffness) {
+    return stiffness > 0 ? 0.5 * (1 - allowed) * (allowed * squared + along) / stiffness : 0.0;
 }
 
 /// Overlap at which a contact carries the elastic normal force `force` [diameters].

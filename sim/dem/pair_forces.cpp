@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "sim/dem/simd.h"
 
@@ -25,7 +26,7 @@ struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
 };
 struct alignas(64) LaneEnergy {
-    Lane elastic{}, capillary{}, friction{}, viscosity{}, bridges{}, unloading{};
+    Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};
 };
 
 using Shifts = std::array<Vector, image_code::count + 1>;
@@ -74,12 +75,11 @@ Shifts image_shifts(const Cell& cell) {
 /// Reads separations, and where the pairs may touch the relative motion, of the pairs from `begin`
 /// on: bead by bead, then turned into lanes.
 template <bool moving>
-[[gnu::always_inline]] inline void gather(const Beads& beads, const Pairs& pairs, std::size_t begin,
-                                          const Shifts& shifts, Batch& b) {
+[[gnu::always_inline]] inline void gather(const Beads::Motion* motion, const Pairs& pairs,
+                                          std::size_t begin, const Shifts& shifts, Batch& b) {
     const std::int32_t* first = pairs.first.data() + begin;
     const std::int32_t* second = pairs.second.data() + begin;
     const std::uint8_t* image = pairs.image.data() + begin;
-    const Beads::Motion* motion = beads.motion.data();
     for (std::size_t k = 0; k < lanes; k += 4) {
         Vector::Lanes r[4], v[4], w[4];
         for (std::size_t l = 0; l < 4; ++l) {
@@ -205,6 +205,7 @@ template <bool wet, bool books>
                 tangential_energy(sx[k] * sx[k] + sy[k] * sy[k] + sz[k] * sz[k], old_stiffness) -
                 tangential_energy(px * px + py * py + pz * pz, stiffness);
         }
+        const double qx = px, qy = py, qz = pz;
         px -= dt * stiffness * ux;
         py -= dt * stiffness * uy;
         pz -= dt * stiffness * uz;
@@ -218,8 +219,8 @@ template <bool wet, bool books>
         if constexpr (books) {
             energy.elastic[k] +=
                 hertz.energy(overlap) + tangential_energy(allowed * allowed * squared, stiffness);
-            energy.friction[k] += sliding_loss(squared, allowed, stiffness);
-            energy.viscosity[k] -= dt * viscous * normal_speed;
+            energy.friction[k] +=
+                sliding_loss(squared, px * qx + py * qy + pz * qz, allowed, stiffness);
         }
 
         // Force on the second bead; the torque -(arm) n x s acts on both.
@@ -278,8 +279,8 @@ PairSums total(const LaneSums& sums, const LaneEnergy& energy) {
             sum(sums.virial_33),
             sum(sums.virial_12),
             *std::ranges::max_element(sums.largest_overlap),
-            {sum(energy.elastic), sum(energy.capillary), sum(energy.friction),
-             sum(energy.viscosity), sum(energy.bridges), sum(energy.unloading)}};
+            {sum(energy.elastic), sum(energy.capillary), sum(energy.friction), 0.0,
+             sum(energy.bridges), sum(energy.unloading)}};
 }
 
 template <bool wet, bool books>
@@ -290,7 +291,7 @@ template <bool wet, bool books>
     LaneSums sums;
     LaneEnergy energy;
     for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
-        gather<true>(beads, pairs, begin, shifts, batch);
+        gather<true>(beads.motion.data(), pairs, begin, shifts, batch);
         near_batch<wet, books>(batch, pairs, begin, laws, sums, energy);
         scatter<true>(batch, pairs, begin, load);
     }
@@ -333,7 +334,7 @@ PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, con
     LaneSums sums;
     LaneEnergy energy;
     for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
-        gather<false>(beads, distant, begin, shifts, batch);
+        gather<false>(beads.motion.data(), distant, begin, shifts, batch);
         if (laws.books == Books::open) {
             distant_batch<true>(batch, distant, begin, laws.bridges, sums, energy);
         } else {
@@ -342,6 +343,41 @@ PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, con
         scatter<false>(batch, distant, begin, load.data());
     }
     return total(sums, energy);
+}
+
+PENDULAR_SIMD_CLONES
+double viscous_loss(const Beads& beads, const std::vector<std::vector<Beads::Load>>& other_loads,
+                    const Pairs& near, const PairLaws& laws) {
+    const Flow flow = laws.flow;
+    // The velocities halfway through the step that these forces make.
+    std::vector<Beads::Motion> halfway = beads.motion;
+    for (std::size_t i = 0; i < halfway.size(); ++i) {
+        Vector force = beads.load[i].force;
+        for (const auto& other : other_loads) {
+            force += other[i].force;
+        }
+        halfway[i].velocity += 0.5 * laws.time_step * (force - flow(beads.motion[i].velocity));
+    }
+    const Shifts shifts = image_shifts(laws.cell);
+    Batch b, mean;
+    Lane loss{};
+    for (std::size_t begin = 0; begin < near.size(); begin += lanes) {
+        gather<true>(beads.motion.data(), near, begin, shifts, b);
+        gather<true>(halfway.data(), near, begin, shifts, mean);
+        const double* __restrict root = near.root.data() + begin;  // 0 where there is no contact
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const double rx = b.rx[k], ry = b.ry[k], rz = b.rz[k];
+            const double inverse = 1 / std::sqrt(rx * rx + ry * ry + rz * rz);
+            const double affine = (flow.length_rate * rx + flow.shear_rate * ry) * rx +
+                                  flow.height_rate * ry * ry + flow.width_rate * rz * rz;
+            const double before = (b.vx[k] * rx + b.vy[k] * ry + b.vz[k] * rz + affine) * inverse;
+            const double speed =
+                (mean.vx[k] * rx + mean.vy[k] * ry + mean.vz[k] * rz + affine) * inverse;
+            const Hertz hertz = Hertz::at(root[k] * root[k], laws.material.modulus);
+            loss[k] -= laws.time_step * hertz.viscous(-before, laws.material.damping) * speed;
+        }
+    }
+    return sum(loss);
 }
 
 PairSums pair_forces(Beads& beads, Pairs& near, const PairLaws& laws) {

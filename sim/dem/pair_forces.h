@@ -16,7 +16,7 @@ struct PairEnergy {
     double elastic = 0;    ///< normal (2/15) E~ h^(5/2) plus tangential s^2/(2 K_T)
     double capillary = 0;  ///< of bridges, zero at rupture
     double friction = 0;   ///< lost by sliding
-    double viscosity = 0;  ///< lost by the viscous part of the normal force
+    double viscosity = 0;  ///< lost by the viscous part of the normal force; see `viscous_loss`
     double bridges = 0;  ///< lost where a bridge forms: its potential jumps from zero to its depth
     /// Lost by tangential springs without sliding: K_T changes with the overlap under a force that
     /// is there, and what points along the new normal is dropped.
@@ -37,7 +37,8 @@ struct PairSums {
     PairSums& operator+=(const PairSums& other);
 };
 
-/// Whether a force evaluation keeps the books of energy, which takes about a third more time.
+/// Whether a force evaluation keeps the books of energy, with which a step takes nearly twice as
+/// long.
 enum class Books { closed, open };
 
 /// The laws of one force evaluation.
@@ -68,6 +69,13 @@ PairSums near_forces(const Beads& beads, Pairs& near, Stretch stretch, const Pai
 /// the bridges whose gap has passed the rupture distance.
 PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, const PairLaws& laws,
                         std::vector<Beads::Load>& load);
+
+/// Energy that the viscous forces of one step take out of the near pairs, once all its loads are
+/// known [a^3 s22]: force times the mean of the normal speeds before and after the step. Near
+/// critical damping a step changes that speed by half, so that the speed before it alone would
+/// overstate the loss.
+double viscous_loss(const Beads& beads, const std::vector<std::vector<Beads::Load>>& other_loads,
+                    const Pairs& near, const PairLaws& laws);
 
 /// Sets forces and torques of all beads from the near pairs alone.
 PairSums pair_forces(Beads& beads, Pairs& near, const PairLaws& laws);

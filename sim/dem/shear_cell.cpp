@@ -133,6 +133,9 @@ void ShearCell::step(Books books) {
                         time_step_, books};
     measure(sum_forces(laws));
     check_state();
+    if (books == Books::open) {
+        energy_.viscosity = viscous_loss(beads_, other_loads_, pairs_.narrow(), laws);
+    }
     if (servo_) {
         adjust_height_rate();
     }

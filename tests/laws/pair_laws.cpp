@@ -154,3 +154,24 @@ TEST(PairForces, AreTangentialWhereTheyAreRemembered) {
                     1e-10 * (1 + force));
     }
 }
+
+TEST(PairForces, LeaveAngularMomentumAlone) {
+    // A cluster far from its images: what the forces turn about the origin the torques turn back.
+    State state(7);
+    state.cell = {60, 60, 60, 0};
+    state.find();
+    state.forces(), state.forces();  // the second with tangential forces to unload and to turn
+    Vector turning;
+    double scale = 0;
+    for (std::size_t i = 0; i < state.beads.size(); ++i) {
+        const Vector &r = state.beads.position(i), &f = state.beads.force(i);
+        turning += Vector(r[1] * f[2] - r[2] * f[1], r[2] * f[0] - r[0] * f[2],
+                          r[0] * f[1] - r[1] * f[0]) +
+                   state.beads.torque(i);
+        scale = std::max(scale, std::abs(state.beads.torque(i)[2]));
+    }
+    ASSERT_GT(scale, 1);
+    for (std::size_t d = 0; d < 3; ++d) {
+        EXPECT_NEAR(turning[d], 0, 1e-7 * scale);
+    }
+}
