@@ -9,8 +9,9 @@ namespace pendular::dem {
 namespace {
 
 constexpr int structures_per_block = 4;
-/// Velocities and lost energies are looked at every so many steps.
-constexpr int steps_between_samples = 16;
+/// Velocities are looked at every so many steps; lost energies, whose books double a step's time,
+/// at the first step of a block and every so many.
+constexpr int steps_between_samples = 16, steps_between_books = 64;
 
 }  // namespace
 
@@ -31,16 +32,18 @@ bool OpenBlock::pauses(const ShearCell& sample) {
 }
 
 void OpenBlock::step(ShearCell& sample) {
-    const bool looks = (sample.steps() + 1) % steps_between_samples == 0;
+    const bool books = steps_ == 0 || (sample.steps() + 1) % steps_between_books == 0;
     const double volume = sample.cell().volume(), strain = sample.strain();
-    sample.step(looks ? Books::open : Books::closed);
+    sample.step(books ? Books::open : Books::closed);
     const Stress& stress = sample.stress();
     sums_.s11 += stress.s11, sums_.s22 += stress.s22, sums_.s33 += stress.s33,
         sums_.s12 += stress.s12;
     sums_.solid_fraction += sample.solid_fraction();
     steps_ += 1;
-    if (looks) {
+    if (books) {
         add_dissipation(sample.energy(), volume, sample.strain() - strain);
+    }
+    if (sample.steps() % steps_between_samples == 0) {
         motion_.add(sample.beads(), sample.cell().height);
     }
     if (sample.strain() - begin_ >= block_strain * (structures_ + 1) / structures_per_block) {
@@ -86,7 +89,7 @@ Block OpenBlock::close(const ShearCell& sample) {
     }
     PairEnergy& lost = block.dissipation;
     for (double* sum : {&lost.friction, &lost.viscosity, &lost.bridges, &lost.unloading}) {
-        *sum = energy_samples_ > 0 ? *sum / energy_samples_ : 0;
+        *sum /= energy_samples_;
     }
     block.localization = motion_.localization(sample.cell().height, sample.shear_rate());
     return block;
