@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -58,6 +59,16 @@ void print_result(Console& console, const dem::RunResult& run) {
             "seed, "
             "more beads or a higher friction");
     }
+    for (const dem::Precision& wanted : p.precision) {
+        const double reached = run[wanted.which].standard_error;
+        if (reached > wanted.standard_error) {
+            console.note(fmt::format(
+                "the standard error of {} is {:.2g}, not the {:g} asked for, after an averaged "
+                "strain of {:.3g}: raise --strain or --beads",
+                dem::observable_names[static_cast<std::size_t>(wanted.which)], reached,
+                wanted.standard_error, run.strain_averaged));
+        }
+    }
     if (!run.steady) {
         console.note("no steady state was found within the strain simulated; raise --strain");
     }
@@ -76,6 +87,26 @@ void print_result(Console& console, const dem::RunResult& run) {
                     "s22)), {:.1f} s, {:.3g} bead-steps/s",
                     p.beads, run.strain_averaged, run.strain_transient, run.steps, run.time_step,
                     run.wall_seconds, run.particle_steps_per_second()));
+}
+
+/// "stress_ratio=0.003" as a user gives it.
+/// @throws InputError
+dem::Precision precision_from(const std::string& text) {
+    const auto equals = text.find('=');
+    const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+    char* end = nullptr;
+    const double error = std::strtod(number.c_str(), &end);
+    if (number.empty() || *end != '\0') {
+        throw InputError(
+            fmt::format("--precision {}: an observable and its standard error are needed, as in "
+                        "stress_ratio=0.003",
+                        text));
+    }
+    try {
+        return {dem::observable_named(text.substr(0, equals)), error};
+    } catch (const std::invalid_argument& unknown) {
+        throw InputError(fmt::format("--precision {}: {}", text, unknown.what()));
+    }
 }
 
 /// What a run yields or leaves behind besides its averages.
@@ -227,6 +258,7 @@ int simulate(const std::vector<std::string>& arguments) {
         "  pendular simulate --friction 0.09 --inertial-number 0.003\n"
         "  pendular simulate --reduced-pressure 3 --bridge-volume 0.002\n"
         "  pendular simulate --fidelity quick --friction 0.3 --json run.json\n"
+        "  pendular simulate --strain 40 --precision stress_ratio=0.003\n"
         "  pendular simulate --fidelity quick --out run --snapshot-every 0.1\n"
         "  pendular simulate --fidelity paper --checkpoint run.checkpoint --threads 4\n",
         false);
@@ -247,6 +279,11 @@ int simulate(const std::vector<std::string>& arguments) {
     options.add("beads", &run.beads, "number of beads (default: the fidelity's)");
     options.add("strain", &run.strain,
                 "averaged strain, after the transient [1] (default: the fidelity's)");
+    std::vector<std::string> precisions;
+    options.add(
+        "precision", &precisions,
+        "OBSERVABLE=STANDARD_ERROR at which averaging stops before --strain is reached; may "
+        "be repeated");
     dem::Wetting wetting{.bridge_volume = 2e-3};
     std::string bridge_force = to_string(Form::derived);
     options.add("reduced-pressure", &wetting.reduced_pressure,
@@ -284,6 +321,9 @@ int simulate(const std::vector<std::string>& arguments) {
         options.given("stiffness-number") ? run.stiffness_number : f.stiffness_number;
     run.beads = options.given("beads") ? run.beads : f.beads;
     run.strain = options.given("strain") ? run.strain : f.strain;
+    for (const auto& text : precisions) {
+        run.precision.push_back(precision_from(text));
+    }
 
     try {
         dem::check(run);

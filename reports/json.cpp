@@ -138,6 +138,7 @@ Json to_json(const dem::RunResult& run) {
     json["particle_steps_per_second"] = run.particle_steps_per_second();
     json["crystallised"] = run.crystallised;
     json["steady"] = run.steady;
+    json["precise"] = run.precise;
     return json;
 }
 

@@ -1,6 +1,7 @@
 #include "sim/dem/run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,6 +21,9 @@ namespace {
 /// Before that no state is called steady; bridges live a strain of order 1.
 constexpr double first_look_strain = 1.0, first_wet_look_strain = 2.0;
 constexpr double look_every_strain = 0.25;
+/// Standard errors are estimates themselves: who stops at the first that is small enough believes
+/// those that came out too small.
+constexpr std::uint64_t looks_to_be_precise = 6;
 /// Sheared random samples showed 0.04 to 0.05 with 1000 beads, 0.10 with 100, crystals 0.3 to 0.55.
 constexpr double crystal_bond_order = 0.2;
 
@@ -65,6 +69,13 @@ void check(const RunParameters& p) {
             "averaged strain {} is not between 0.5 and 10000; solid fractions decorrelate over a "
             "strain of 0.1 to 0.2",
             p.strain));
+    for (const Precision& wanted : p.precision) {
+        const auto name = observable_names[static_cast<std::size_t>(wanted.which)];
+        demand(wanted.standard_error > 0,
+               fmt::format("precision {} of {} is not above 0", wanted.standard_error, name));
+        demand(p.wetting || !needs_bridges(wanted.which),
+               fmt::format("precision of {}: it needs liquid bridges", name));
+    }
     if (p.wetting) {
         check(*p.wetting, ShearCell::edge(p.beads));
     }
@@ -124,7 +135,7 @@ void average_fields(const Series& series, std::size_t from, RunResult& result) {
     }
 }
 
-void average(const Series& series, std::size_t from, RunResult& result) {
+void average_observables(const Series& series, std::size_t from, RunResult& result) {
     const auto set = [&](Observable which, const std::vector<double>& samples) {
         result.means[static_cast<std::size_t>(which)] = mean_of_correlated(samples);
     };
@@ -169,14 +180,33 @@ void average(const Series& series, std::size_t from, RunResult& result) {
     lost(Observable::dissipation_viscosity, &PairEnergy::viscosity);
     lost(Observable::dissipation_bridges, &PairEnergy::bridges);
     lost(Observable::dissipation_springs, &PairEnergy::unloading);
-    average_fields(series, from, result);
     result.covariance = covariance_of_means(stress_ratio, solid_fraction);
+}
+
+/// Whether every standard error asked for is reached.
+bool precise(const RunResult& result) {
+    return std::ranges::all_of(result.parameters.precision, [&](const Precision& wanted) {
+        return result[wanted.which].standard_error <= wanted.standard_error;
+    });
+}
+
+void average(const Series& series, std::size_t from, RunResult& result) {
+    average_observables(series, from, result);
+    average_fields(series, from, result);
+    result.precise = precise(result);
     result.crystallised = crystallised(series, from);
     result.strain_transient = series.strain(0, from);
     result.strain_averaged = series.strain(from, series.size());
 }
 
 }  // namespace
+
+Observable observable_named(std::string_view name) {
+    const auto found = std::ranges::find(observable_names, name);
+    demand(found != observable_names.end(), fmt::format("unknown observable '{}'; use one of {}",
+                                                        name, fmt::join(observable_names, ", ")));
+    return static_cast<Observable>(found - observable_names.begin());
+}
 
 bool needs_bridges(Observable which) {
     using enum Observable;
@@ -221,6 +251,11 @@ std::string described(const RunParameters& p, const RunOptions& options) {
     text += fmt::format("reduced pressure = {}\nbridge volume = {}\nbridge force = {}\n",
                         p.wetting ? fmt::format("{}", wetting.reduced_pressure) : "none (dry)",
                         wetting.bridge_volume, to_string(wetting.bridge_force));
+    for (const Precision& wanted : p.precision) {
+        text += fmt::format("precision of {} = {}\n",
+                            observable_names[static_cast<std::size_t>(wanted.which)],
+                            wanted.standard_error);
+    }
     return text + fmt::format("beads = {}\nstrain = {}\nseed = {}\nthreads = {}\n", p.beads,
                               p.strain, p.seed, options.threads);
 }
@@ -233,12 +268,14 @@ struct RunState {
     std::uint64_t first_step = 0;
     Series series;
     OpenBlock block;
-    std::uint64_t transient = 0;  ///< blocks, as far as is known
-    double seconds = 0;           ///< of earlier processes
+    std::uint64_t transient = 0;      ///< blocks, as far as is known
+    std::uint64_t precise_looks = 0;  ///< one after the other
+    double seconds = 0;               ///< of earlier processes
 
     template <typename Archive>
     void serialize(Archive& archive) {
-        archive(sample, flowing, begin, first_step, series, block, transient, seconds);
+        archive(sample, flowing, begin, first_step, series, block, transient, precise_looks,
+                seconds);
     }
 };
 
@@ -259,6 +296,9 @@ class Run {
           options_(options),
           wet_(parameters.wetting.has_value()),
           wanted_(blocks_in(parameters.strain)),
+          fewest_(parameters.precision.empty()
+                      ? wanted_
+                      : std::min(wanted_, blocks_in(shortest_precise_strain))),
           first_look_(blocks_in(wet_ ? first_wet_look_strain : first_look_strain)),
           state_{.sample = new_sample(parameters, options.threads), .transient = first_look_} {}
 
@@ -317,14 +357,29 @@ class Run {
         return false;
     }
 
+    /// Steady, and averaged for long enough or as precisely as was asked.
     bool is_steady() {
         const std::size_t done = state_.series.size();
-        if (done % blocks_in(look_every_strain) != 0 || done < wanted_ + first_look_) {
+        if (done % blocks_in(look_every_strain) != 0 || done < fewest_ + first_look_) {
             return false;
         }
         const auto found = state_.series.transient(wet_);
-        state_.transient = found ? *found : done - wanted_ + blocks_in(look_every_strain);
-        return found && done - state_.transient >= wanted_;
+        state_.transient = found ? *found : done - fewest_ + blocks_in(look_every_strain);
+        const std::size_t averaged = done - state_.transient;
+        if (!found || averaged < fewest_) {
+            return false;
+        }
+        state_.precise_looks = is_precise() ? state_.precise_looks + 1 : 0;
+        return averaged >= wanted_ || state_.precise_looks >= looks_to_be_precise;
+    }
+
+    bool is_precise() const {
+        if (parameters_.precision.empty()) {
+            return false;
+        }
+        RunResult so_far{.parameters = parameters_};
+        average_observables(state_.series, state_.transient, so_far);
+        return precise(so_far);
     }
 
     /// @throws Interrupted
@@ -380,7 +435,8 @@ class Run {
     const RunParameters& parameters_;
     const RunOptions& options_;
     bool wet_;
-    std::size_t wanted_, first_look_;
+    std::size_t wanted_, fewest_;  ///< blocks to average, and the least where precision is asked
+    std::size_t first_look_;
     RunState state_;
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };

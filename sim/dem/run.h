@@ -23,19 +23,6 @@ class ShearCell;
 /// Fastest shear that is still a dense flow, to which the height servo can hold the stress.
 constexpr double largest_inertial_number = 0.5;
 
-/// Everything that determines one run of steady shear, reduced units.
-struct RunParameters {
-    double friction = 0.09;          ///< mu
-    double inertial_number = 1e-3;   ///< I
-    double stiffness_number = 1000;  ///< kappa
-    double poisson_ratio = 0.3;      ///< nu
-    double damping = 0.98;           ///< zeta, fraction of critical
-    std::optional<Wetting> wetting;  ///< liquid bridges; none: dry
-    int beads = 2000;
-    double strain = 10;  ///< averaged strain, after the transient
-    std::uint64_t seed = 1;
-};
-
 /// What a run measures. Names, symbols and meanings stand in `observable_names`. Capillary
 /// observables are zero in dry runs.
 enum class Observable {
@@ -107,6 +94,33 @@ static_assert(static_cast<std::size_t>(Observable::dissipation_springs) + 1 == o
 /// Whether an observable says nothing of dry beads.
 bool needs_bridges(Observable which);
 
+/// Observable of a name in `observable_names`.
+/// @throws std::invalid_argument naming those there are
+Observable observable_named(std::string_view name);
+
+/// A standard error asked for.
+struct Precision {
+    Observable which = Observable::stress_ratio;
+    double standard_error = 0;
+};
+/// A standard error from a shorter averaged strain is not to be relied on.
+constexpr double shortest_precise_strain = 2;
+
+/// Everything that determines one run of steady shear, reduced units.
+struct RunParameters {
+    double friction = 0.09;          ///< mu
+    double inertial_number = 1e-3;   ///< I
+    double stiffness_number = 1000;  ///< kappa
+    double poisson_ratio = 0.3;      ///< nu
+    double damping = 0.98;           ///< zeta, fraction of critical
+    std::optional<Wetting> wetting;  ///< liquid bridges; none: dry
+    int beads = 2000;
+    double strain = 10;  ///< averaged strain, after the transient
+    std::uint64_t seed = 1;
+    /// Standard errors at which averaging may stop before `strain` is reached; none: it goes on.
+    std::vector<Precision> precision = {};
+};
+
 /// Time averages of one run over its steady part, each with a standard error from block averages
 /// over strain that respects their autocorrelation.
 struct RunResult {
@@ -121,6 +135,7 @@ struct RunResult {
     double wall_seconds = 0;
     bool crystallised = false;
     bool steady = false;
+    bool precise = true;  ///< every standard error asked for was reached
     std::string failure;  ///< why there are no averages (run_all); empty: there are
 
     const Mean& operator[](Observable which) const {

@@ -85,6 +85,29 @@ TEST(Run, NamesTheParameterThatIsOutOfRange) {
               std::string::npos);
 }
 
+TEST(Run, StopsAveragingWhereItIsPreciseEnough) {
+    RunParameters p = small_run();
+    p.beads = 300;
+    p.friction = 0.3;
+    p.inertial_number = 0.1;
+    p.strain = 60;
+    p.precision = {{Observable::stress_ratio, 0.02}};
+    const RunResult rough = run(p);
+    EXPECT_TRUE(rough.precise);
+    EXPECT_LT(rough.strain_averaged, 15);
+    EXPECT_GE(rough.strain_averaged, shortest_precise_strain - 0.01);
+    EXPECT_LE(rough[Observable::stress_ratio].standard_error, 0.02);
+    p.precision[0].standard_error = 0.004;
+    const RunResult fine = run(p);
+    EXPECT_GT(fine.strain_averaged, 1.5 * rough.strain_averaged);
+    EXPECT_LE(fine[Observable::stress_ratio].standard_error, 0.004);
+    p.strain = 3;
+    p.precision[0].standard_error = 1e-6;
+    const RunResult never = run(p);
+    EXPECT_FALSE(never.precise);
+    EXPECT_GE(never.strain_averaged, 2.9);
+}
+
 TEST(Run, StopsWhenAskedTo) {
     std::stop_source stop;
     RunParameters endless = small_run();
