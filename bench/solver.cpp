@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/dem/shear_cell.h"
@@ -25,7 +26,10 @@ void shear_step(benchmark::State& state, const BridgeLaw& bridges) {
     ShearCell sample(beads, {.modulus = std::pow(1000.0, 1.5), .friction = 0.09}, 0.003, 1, bridges,
                      threads);
     sample.compress();
-    for (int step = 0; step < 3000; ++step) {  // until contacts are those of a jammed sample
+    // Until contacts are those of a jammed sample; large ones, which take long, are near it
+    // already.
+    const int settling = std::clamp(12'000'000 / beads, 300, 3000);
+    for (int step = 0; step < settling; ++step) {
         sample.step();
     }
     for (auto _ : state) {
@@ -42,8 +46,9 @@ void shear_step(benchmark::State& state, const BridgeLaw& bridges) {
 
 BENCHMARK_CAPTURE(shear_step, dry, BridgeLaw())
     ->ArgNames({"beads", "threads"})
-    ->ArgsProduct({{1000, 4000, 16000, 125000, 1000000}, {1}})
+    ->ArgsProduct({{1000, 4000, 16000, 125000}, {1}})
     ->Args({4000, 2})
+    ->Args({1000000, 1})
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();
 BENCHMARK_CAPTURE(shear_step, wet, BridgeLaw({.reduced_pressure = 2, .bridge_volume = 4e-3}))
