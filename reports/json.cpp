@@ -130,6 +130,12 @@ Json to_json(const dem::RunResult& run) {
     json["beads"] = p.beads;
     json["strain"] = p.strain;
     json["seed"] = p.seed;
+    json["precision"] = Json::object();
+    for (const dem::Precision& wanted : p.precision) {
+        json["precision"]
+            [std::string(dem::observable_names[static_cast<std::size_t>(wanted.which)])] =
+                wanted.standard_error;
+    }
     json["strain_averaged"] = run.strain_averaged;
     json["strain_transient"] = run.strain_transient;
     json["time_step"] = run.time_step;
@@ -163,6 +169,9 @@ dem::RunResult run_from_json(const Json& json) {
     p.beads = json.at("beads");
     p.strain = json.at("strain");
     p.seed = json.at("seed");
+    for (const auto& [name, error] : json.at("precision").items()) {
+        p.precision.push_back({dem::observable_named(name), error});
+    }
     run.strain_averaged = json.at("strain_averaged");
     run.strain_transient = json.at("strain_transient");
     run.time_step = json.at("time_step");
@@ -170,6 +179,7 @@ dem::RunResult run_from_json(const Json& json) {
     run.wall_seconds = json.at("wall_seconds");
     run.crystallised = json.at("crystallised");
     run.steady = json.at("steady");
+    run.precise = json.at("precise");
     return run;
 }
 

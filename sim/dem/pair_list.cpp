@@ -7,7 +7,6 @@
 
 #include "sim/dem/bins.h"
 #include "sim/dem/parts.h"
-#include "sim/dem/simd.h"
 
 namespace pendular::dem {
 namespace {
@@ -265,7 +264,6 @@ void PairList::renumber(Beads& beads, const Cell& cell) {
     strain_since_renumbered_ = 0;
 }
 
-PENDULAR_SIMD_CLONES
 void PairList::find_close_ones(const Beads& beads, const Cell& cell) {
     std::array<Vector, image_code::count> shifts;
     for (int code = 0; code < image_code::count; ++code) {

@@ -22,7 +22,10 @@ constexpr double initial_solid_fraction = 0.3;
 constexpr double initial_closing_rate = 0.05;
 constexpr double steady_solid_fraction = 0.62;
 constexpr double servo_modulus = 0.05;
-/// Viscosity of the contacts against a change of height, over zeta sqrt(kappa).
+/// Viscosity of the contacts against a change of height, over zeta sqrt(kappa): with Z/2 contacts a
+/// bead of dashpots zeta sqrt(2 K_N) that move affinely, 0.2 (6 Phi/pi) (Z/2) sqrt(2 K_N/kappa) is
+/// 0.6 to 0.8 in a flowing sample. The servo is stable while the true gain is below twice this one
+/// plus 1.
 constexpr double contact_viscosity = 0.6;
 constexpr int steps_between_time_steps = 20;
 

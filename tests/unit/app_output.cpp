@@ -1,4 +1,5 @@
 // What `pendular simulate` writes besides averages, as its users meet it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,13 +22,15 @@ const std::string longer_run =
     "simulate --quiet --beads 150 --stiffness-number 300 --inertial-number 0.01 --strain 8 "
     "--friction 0.2 --seed 7 ";
 
-/// The same program, sent a signal after so many seconds.
-Outcome interrupted_after(const std::string& seconds, const std::string& words) {
+/// The same program, sent a signal once it has written that checkpoint.
+Outcome interrupted_at(const fs::path& checkpoint, const std::string& words) {
     const TemporaryFolder folder;
-    const std::string command = "timeout --preserve-status -s INT " + seconds + " " +
-                                PENDULAR_PROGRAM + " " + words + " >/dev/null 2>" +
-                                (folder.path() / "err").string();
-    const int status = std::system(command.c_str());
+    const std::string command = fmt::format(
+        "{} {} --checkpoint {} >/dev/null 2>{} & while kill -0 $! && ! test -s {}; do sleep 0.02; "
+        "done 2>/dev/null; kill -INT $!; wait $!",
+        PENDULAR_PROGRAM, words, checkpoint.string(), (folder.path() / "err").string(),
+        checkpoint.string());
+    const int status = std::system(("bash -c '" + command + "'").c_str());
     return {WEXITSTATUS(status), "", content_of(folder.path() / "err")};
 }
 
@@ -90,7 +93,9 @@ TEST(Simulate, ResumesWhatWasInterrupted) {
     const TemporaryFolder folder;
     const fs::path checkpoint = folder.path() / "run.checkpoint";
     const std::string kept = longer_run + "--checkpoint " + checkpoint.string() + " --json ";
-    const Outcome first = interrupted_after("0.3", kept + (folder.path() / "no.json").string());
+    const Outcome first =
+        interrupted_at(checkpoint, longer_run + "--checkpoint-every 0.001 --json " +
+                                       (folder.path() / "no.json").string());
     EXPECT_EQ(first.code, 130);
     EXPECT_THAT(first.errors, HasSubstr("same command again to resume from"));
     EXPECT_THAT(first.errors, HasSubstr("run.checkpoint"));
@@ -110,15 +115,18 @@ TEST(Simulate, ResumesWhatWasInterrupted) {
 
 TEST(Simulate, RefusesACheckpointThatAnotherProcessUses) {
     const TemporaryFolder folder;
-    const std::string words = "simulate --quiet --beads 100 --strain 500 --checkpoint " +
-                              (folder.path() / "run").string();
-    std::system((std::string("timeout -s INT 1.5 ") + PENDULAR_PROGRAM + " " + words +
-                 " 2>/dev/null >/dev/null & sleep 0.5")
+    const fs::path checkpoint = folder.path() / "run", pid = folder.path() / "pid";
+    const std::string words =
+        "simulate --quiet --beads 100 --strain 500 --checkpoint " + checkpoint.string();
+    std::system(fmt::format("{} {} >/dev/null 2>&1 & echo $! >{}; while ! test -e {}.lock; do "
+                            "sleep 0.02; done",
+                            PENDULAR_PROGRAM, words, pid.string(), checkpoint.string())
                     .c_str());
     const Outcome second = run_pendular(words);
     EXPECT_EQ(second.code, 2);
     EXPECT_THAT(second.errors, HasSubstr("another process"));
-    while (!fs::exists(folder.path() / "run") || fs::exists(folder.path() / "run.lock")) {
+    std::system(("kill -INT $(cat " + pid.string() + ")").c_str());
+    while (!fs::exists(checkpoint) || fs::exists(folder.path() / "run.lock")) {
         std::system("sleep 0.1");  // until the first has put its run down
     }
 }
@@ -127,7 +135,7 @@ TEST(Simulate, KeepsItsCheckpointWhenTheDiskIsFull) {
     const TemporaryFolder folder;
     const fs::path checkpoint = folder.path() / "run";
     const std::string kept = longer_run + "--checkpoint " + checkpoint.string();
-    ASSERT_EQ(interrupted_after("0.3", kept).code, 130);
+    ASSERT_EQ(interrupted_at(checkpoint, longer_run + "--checkpoint-every 0.001").code, 130);
     const std::string before = content_of(checkpoint);
     const std::string command = "trap '' XFSZ; ulimit -f 8; exec " + std::string(PENDULAR_PROGRAM) +
                                 " " + kept + " --checkpoint-every 0.0001 2>&1 | head -c 2000 >" +

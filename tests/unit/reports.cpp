@@ -98,7 +98,8 @@ TEST(Json, GivesARunBackAsItWas) {
                                .stiffness_number = 300,
                                .beads = 100,
                                .strain = 1,
-                               .seed = 5});
+                               .seed = 5,
+                               .precision = {{dem::Observable::solid_fraction, 1e-9}}});
     const auto back = run_from_json(nlohmann::ordered_json::parse(to_json(run).dump()));
     for (std::size_t k = 0; k < dem::observable_count; ++k) {
         EXPECT_EQ(back.means[k].value, run.means[k].value);
@@ -106,6 +107,10 @@ TEST(Json, GivesARunBackAsItWas) {
     }
     EXPECT_EQ(back.covariance, run.covariance);
     EXPECT_EQ(back.parameters.seed, 5u);
+    ASSERT_EQ(back.parameters.precision.size(), 1u);
+    EXPECT_EQ(back.parameters.precision[0].which, dem::Observable::solid_fraction);
+    EXPECT_EQ(back.parameters.precision[0].standard_error, 1e-9);
+    EXPECT_FALSE(back.precise);
     EXPECT_EQ(back.steps, run.steps);
     EXPECT_EQ(back.crystallised, run.crystallised);
 }
