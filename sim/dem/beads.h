@@ -29,7 +29,7 @@ struct Beads {
     };
 
     std::vector<Motion> motion;
-    std::vector<Load> load;
+    std::vector<Load> load;            ///< summed during a step, zero between two
     std::vector<Vector> displacement;  ///< peculiar, since the narrow list was made
     std::vector<std::int32_t> number;  ///< by which a bead was called at first
 
@@ -39,11 +39,10 @@ struct Beads {
     }
     std::size_t size() const { return motion.size(); }
 
-    /// Loads are what the next step makes anew.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(motion, displacement, number);
-        load.resize(size());
+        load.assign(size(), {});
     }
 
     Vector& position(std::size_t i) { return motion[i].position; }

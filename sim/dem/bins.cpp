@@ -3,21 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace pendular::dem {
 namespace {
 
-constexpr double curve_bin = 2;
-
-/// The low 21 bits of a number, two zeros after each.
-std::uint64_t spread(std::uint64_t bits) {
-    bits &= 0x1fffff;
-    bits = (bits | bits << 32) & 0x1f00000000ffff;
-    bits = (bits | bits << 16) & 0x1f0000ff0000ff;
-    bits = (bits | bits << 8) & 0x100f00f00f00f00f;
-    bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
-    return (bits | bits << 2) & 0x1249249249249249;
-}
+/// Cross-section of the rows in which beads are numbered [diameters].
+constexpr double row_width = 1;
 
 }  // namespace
 
@@ -60,13 +52,12 @@ void Bins::sort(const Beads& beads) {
     }
 }
 
-std::vector<std::int32_t> order_along_curve(const Beads& beads, const Cell& cell) {
-    std::vector<std::uint64_t> place(beads.size());
+std::vector<std::int32_t> order_in_rows(const Beads& beads, const Cell& cell) {
+    std::vector<std::tuple<int, int, double>> place(beads.size());
     for (std::size_t i = 0; i < beads.size(); ++i) {
         const Vector r = cell.wrapped(beads.position(i));
-        const auto bin = [&](double x) { return static_cast<std::uint64_t>(x / curve_bin); };
-        place[i] = spread(bin(std::max(0.0, r[0] - r[1] / cell.height * cell.offset))) |
-                   spread(bin(r[1])) << 1 | spread(bin(r[2])) << 2;
+        place[i] = {static_cast<int>(r[2] / row_width), static_cast<int>(r[1] / row_width),
+                    r[0] - r[1] / cell.height * cell.offset};
     }
     std::vector<std::int32_t> order(beads.size());
     std::iota(order.begin(), order.end(), 0);

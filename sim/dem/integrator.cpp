@@ -1,6 +1,7 @@
 #include "sim/dem/integrator.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/dem/simd.h"
 
@@ -20,16 +21,11 @@ double MotionSums::energy() const {
 
 PENDULAR_SIMD_CLONES
 MotionSums advance(Beads& beads, std::pair<std::size_t, std::size_t> range,
-                   const std::vector<std::vector<Beads::Load>>& other_loads, const Flow& flow,
-                   double time_step) {
+                   std::vector<Beads::Load>& loads, const Flow& flow, double time_step) {
     Vector squares, shear, spin;
     double largest_squared = 0;
     for (std::size_t i = range.first; i < range.second; ++i) {
-        Beads::Load& load = beads.load[i];
-        for (const auto& other : other_loads) {
-            load.force += other[i].force;
-            load.torque += other[i].torque;
-        }
+        const Beads::Load load = std::exchange(loads[i], {});
         Beads::Motion& bead = beads.motion[i];
         const Vector v = bead.velocity + time_step * (load.force - flow(bead.velocity));
         const Vector w = bead.spin + time_step / moment_of_inertia * load.torque;

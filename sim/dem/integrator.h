@@ -26,10 +26,8 @@ struct MotionSums {
 };
 
 /// One leapfrog step of the beads of a range: dv/dt = f - L v, since v is peculiar, then
-/// dx/dt = v + L x, with L the imposed velocity gradient. Forces are the sum over the loads, whose
-/// first is the beads' own, and are left there.
+/// dx/dt = v + L x, with L the imposed velocity gradient. Leaves their loads at zero.
 MotionSums advance(Beads& beads, std::pair<std::size_t, std::size_t> range,
-                   const std::vector<std::vector<Beads::Load>>& other_loads, const Flow& flow,
-                   double time_step);
+                   std::vector<Beads::Load>& loads, const Flow& flow, double time_step);
 
 }  // namespace pendular::dem

@@ -12,6 +12,9 @@ namespace {
 constexpr std::size_t lanes = PairList::batch;
 using Lane = std::array<double, lanes>;
 
+/// Larger samples are fetched from memory ahead of their use, so many pairs ahead.
+constexpr std::size_t cached_beads = 20'000, ahead = 2 * lanes;
+
 /// One batch of pairs as seen by the laws, in reduced units.
 struct alignas(64) Batch {
     Lane rx, ry, rz;  ///< separation from the first to the second bead
@@ -283,6 +286,19 @@ PairSums total(const LaneSums& sums, const LaneEnergy& energy) {
              sum(energy.bridges), sum(energy.unloading)}};
 }
 
+/// Asks for what a batch reads and writes of the second beads, which are spread over memory; the
+/// first ones are in order.
+[[gnu::always_inline]] inline void fetch(const Beads& beads, const Pairs& pairs, std::size_t begin,
+                                         const Beads::Load* load) {
+    for (std::size_t k = begin; k < begin + lanes; ++k) {
+        const auto bead = static_cast<std::size_t>(pairs.second[k]);
+        const char* motion = reinterpret_cast<const char*>(&beads.motion[bead]);
+        __builtin_prefetch(motion, 1);
+        __builtin_prefetch(motion + sizeof(Beads::Motion) - 1, 1);
+        __builtin_prefetch(&load[bead], 1);
+    }
+}
+
 template <bool wet, bool books>
 [[gnu::always_inline]] inline PairSums all_near(const Beads& beads, Pairs& pairs, Stretch stretch,
                                                 const PairLaws& laws, Beads::Load* load) {
@@ -290,7 +306,11 @@ template <bool wet, bool books>
     Batch batch;
     LaneSums sums;
     LaneEnergy energy;
+    const bool fetching = beads.size() > cached_beads;
     for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
+        if (fetching && begin + ahead + lanes <= pairs.size()) {
+            fetch(beads, pairs, begin + ahead, load);
+        }
         gather<true>(beads.motion.data(), pairs, begin, shifts, batch);
         near_batch<wet, books>(batch, pairs, begin, laws, sums, energy);
         scatter<true>(batch, pairs, begin, load);
@@ -346,17 +366,14 @@ PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, con
 }
 
 PENDULAR_SIMD_CLONES
-double viscous_loss(const Beads& beads, const std::vector<std::vector<Beads::Load>>& other_loads,
-                    const Pairs& near, const PairLaws& laws) {
+double viscous_loss(const Beads& beads, const std::vector<Beads::Load>& loads, const Pairs& near,
+                    const PairLaws& laws) {
     const Flow flow = laws.flow;
     // The velocities halfway through the step that these forces make.
     std::vector<Beads::Motion> halfway = beads.motion;
     for (std::size_t i = 0; i < halfway.size(); ++i) {
-        Vector force = beads.load[i].force;
-        for (const auto& other : other_loads) {
-            force += other[i].force;
-        }
-        halfway[i].velocity += 0.5 * laws.time_step * (force - flow(beads.motion[i].velocity));
+        halfway[i].velocity +=
+            0.5 * laws.time_step * (loads[i].force - flow(beads.motion[i].velocity));
     }
     const Shifts shifts = image_shifts(laws.cell);
     Batch b, mean;

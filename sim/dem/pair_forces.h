@@ -70,12 +70,12 @@ PairSums near_forces(const Beads& beads, Pairs& near, Stretch stretch, const Pai
 PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, const PairLaws& laws,
                         std::vector<Beads::Load>& load);
 
-/// Energy that the viscous forces of one step take out of the near pairs, once all its loads are
-/// known [a^3 s22]: force times the mean of the normal speeds before and after the step. Near
-/// critical damping a step changes that speed by half, so that the speed before it alone would
+/// Energy that the viscous forces of one step take out of the near pairs, once the loads of all
+/// beads are known [a^3 s22]: force times the mean of the normal speeds before and after the step.
+/// Near critical damping a step changes that speed by half, so that the speed before it alone would
 /// overstate the loss.
-double viscous_loss(const Beads& beads, const std::vector<std::vector<Beads::Load>>& other_loads,
-                    const Pairs& near, const PairLaws& laws);
+double viscous_loss(const Beads& beads, const std::vector<Beads::Load>& loads, const Pairs& near,
+                    const PairLaws& laws);
 
 /// Sets forces and torques of all beads from the near pairs alone.
 PairSums pair_forces(Beads& beads, Pairs& near, const PairLaws& laws);

@@ -251,9 +251,8 @@ void PairList::rebuild(Beads& beads, Cell& cell) {
 }
 
 void PairList::renumber(Beads& beads, const Cell& cell) {
-    const auto order = order_along_curve(beads, cell);
+    const auto order = order_in_rows(beads, cell);
     permute(beads.motion, order);
-    permute(beads.load, order);
     permute(beads.number, order);
     std::vector<std::int32_t> renamed(order.size());
     for (std::size_t to = 0; to < order.size(); ++to) {
@@ -312,6 +311,7 @@ void PairList::select(Beads& beads, const Cell& cell) {
     distant_.fill_up(batch);
     beads.displacement.assign(beads.size(), Vector());
     narrow_strain_ = 0;
+    ++renewals_;
 }
 
 }  // namespace pendular::dem

@@ -61,8 +61,7 @@ struct Pairs : Neighbours {
 /// the cell's edges) since then: the moving image offset is part of the criterion, not a special
 /// case.
 ///
-/// Beads are renumbered along a space-filling curve when shear has carried them apart, so that a
-/// pair's beads lie close in memory.
+/// Beads are renumbered in rows when shear has carried them apart, so that memory is read in order.
 class PairList {
   public:
     static constexpr std::size_t batch = 64;  ///< the narrow list is filled up to whole batches
@@ -90,7 +89,10 @@ class PairList {
     /// Pairs that a bridge joined when the list was made, none of which can have come to touch.
     Pairs& distant() { return distant_; }
     const Pairs& distant() const { return distant_; }
+    std::size_t live_distant() const { return live_distant_; }
     std::size_t wide_rebuilds() const { return wide_rebuilds_; }
+    /// How often either list was renewed.
+    std::size_t renewals() const { return renewals_; }
 
     /// The state of a list made for the same rupture distance.
     template <typename Archive>
@@ -111,7 +113,7 @@ class PairList {
     std::size_t live_ = 0, live_distant_ = 0;
     std::vector<Vector> moved_;  ///< peculiar displacements, wide to narrow list
     double wide_strain_ = 0, narrow_strain_ = 0, strain_since_renumbered_ = 1e9;
-    std::size_t wide_rebuilds_ = 0;
+    std::size_t wide_rebuilds_ = 0, renewals_ = 0;
     // Kept between calls for their memory only.
     std::vector<std::uint8_t> close_;
     Pairs old_narrow_, old_distant_;

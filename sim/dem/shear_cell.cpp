@@ -132,41 +132,93 @@ double ShearCell::solid_fraction() const {
 }
 
 void ShearCell::step(Books books) {
+    if (shares_made_at_ != pairs_.renewals()) {
+        shares_ = shares_of(pairs_, beads_.size(), parts_);
+        shares_made_at_ = pairs_.renewals();
+    }
     const PairLaws laws{cell_,      flow_, material_, bridging_ ? bridges_ : BridgeLaw(),
                         time_step_, books};
-    measure(sum_forces(laws));
-    check_state();
-    if (books == Books::open) {
-        energy_.viscosity = viscous_loss(beads_, other_loads_, pairs_.narrow(), laws);
+    MotionSums moved;
+    if (parts_ == 1 && books == Books::closed) {
+        measure(sum_forces(shares_.front(), beads_.load, laws, &moved));
+    } else {
+        measure(sum_forces(laws));
+        if (books == Books::open) {
+            energy_.viscosity = viscous_loss(beads_, all_loads(), pairs_.narrow(), laws);
+        }
+        moved = move_beads();
     }
+    check_state();
+    motion_ = moved;
+    advance_cell();
     if (servo_) {
         adjust_height_rate();
     }
-    advance();
     ++steps_;
     if (steps_ % steps_between_time_steps == 0 || largest_overlap_ > 2 * recent_overlap_) {
         follow_stiffest_contact();
     }
 }
 
+PairSums ShearCell::sum_forces(const Share& share, std::vector<Beads::Load>& loads,
+                               const PairLaws& laws, MotionSums* moved) {
+    PairSums sums;
+    for (const Section& section : share.sections) {
+        sums += near_forces(beads_, pairs_.narrow(), section.near, laws, loads);
+        if (laws.bridges.wet()) {
+            sums += distant_forces(beads_, pairs_.distant(), section.distant, laws, loads);
+        }
+        if (moved) {
+            *moved += advance(beads_, section.beads, loads, flow_, time_step_);
+        }
+    }
+    return sums;
+}
+
 PairSums ShearCell::sum_forces(const PairLaws& laws) {
     std::vector<PairSums> sums(static_cast<std::size_t>(parts_));
     in_parts(parts_, [&](int part) {
-        auto& load = part == 0 ? beads_.load : other_loads_[static_cast<std::size_t>(part) - 1];
-        std::ranges::fill(load, Beads::Load{});
-        const auto stretch = [&](const Pairs& pairs) {
-            return range_of(part, parts_, pairs.size(), PairList::batch);
-        };
-        PairSums& mine = sums[static_cast<std::size_t>(part)];
-        mine = near_forces(beads_, pairs_.narrow(), stretch(pairs_.narrow()), laws, load);
-        if (laws.bridges.wet()) {
-            mine += distant_forces(beads_, pairs_.distant(), stretch(pairs_.distant()), laws, load);
-        }
+        const auto at = static_cast<std::size_t>(part);
+        sums[at] = sum_forces(shares_[at], loads_of(part), laws);
     });
+    if (parts_ > 1) {
+        in_parts(parts_, [&](int part) { collect_loads(part); });
+    }
     for (std::size_t part = 1; part < sums.size(); ++part) {
         sums.front() += sums[part];
     }
     return sums.front();
+}
+
+void ShearCell::collect_loads(int part) {
+    auto& mine = loads_of(part);
+    const auto [begin, end] = shares_[static_cast<std::size_t>(part)].beads();
+    for (int other = 0; other < parts_; ++other) {
+        const auto& guests = shares_[static_cast<std::size_t>(other)].guests;
+        auto& theirs = loads_of(other);
+        auto guest = std::ranges::lower_bound(guests, static_cast<std::int32_t>(begin));
+        for (; guest != guests.end() && static_cast<std::size_t>(*guest) < end; ++guest) {
+            const auto at = static_cast<std::size_t>(*guest);
+            const Beads::Load load = std::exchange(theirs[at], {});
+            mine[at].force += load.force;
+            mine[at].torque += load.torque;
+        }
+    }
+}
+
+std::vector<Beads::Load>& ShearCell::loads_of(int part) {
+    return part == 0 ? beads_.load : other_loads_[static_cast<std::size_t>(part) - 1];
+}
+
+std::vector<Beads::Load> ShearCell::all_loads() {
+    std::vector<Beads::Load> all = beads_.load;
+    for (int part = 1; part < parts_; ++part) {
+        const auto [begin, end] = shares_[static_cast<std::size_t>(part)].beads();
+        for (std::size_t i = begin; i < end; ++i) {
+            all[i] = loads_of(part)[i];
+        }
+    }
+    return all;
 }
 
 void ShearCell::measure(const PairSums& sums) {
@@ -201,17 +253,22 @@ void ShearCell::check_state() const {
     }
 }
 
-void ShearCell::advance() {
-    const double dt = time_step_;
+MotionSums ShearCell::move_beads() {
     std::vector<MotionSums> sums(static_cast<std::size_t>(parts_));
     in_parts(parts_, [&](int part) {
-        sums[static_cast<std::size_t>(part)] =
-            dem::advance(beads_, range_of(part, parts_, beads_.size()), other_loads_, flow_, dt);
+        const auto at = static_cast<std::size_t>(part);
+        for (const Section& section : shares_[at].sections) {
+            sums[at] += advance(beads_, section.beads, loads_of(part), flow_, time_step_);
+        }
     });
-    motion_ = sums.front();
     for (std::size_t part = 1; part < sums.size(); ++part) {
-        motion_ += sums[part];
+        sums.front() += sums[part];
     }
+    return sums.front();
+}
+
+void ShearCell::advance_cell() {
+    const double dt = time_step_;
     // The image of a bead one height up moves by exactly what the bead's own law gives it there.
     cell_.offset += dt * (flow_.shear_rate * cell_.height + flow_.length_rate * cell_.offset);
     cell_.length += dt * flow_.length_rate * cell_.length;

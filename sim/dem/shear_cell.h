@@ -9,6 +9,7 @@
 #include "sim/dem/integrator.h"
 #include "sim/dem/pair_forces.h"
 #include "sim/dem/pair_list.h"
+#include "sim/dem/shares.h"
 
 namespace pendular::dem {
 
@@ -104,14 +105,23 @@ class ShearCell {
     void serialize(Archive& archive) {
         archive(beads_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
                 time_step_, strain_, largest_overlap_, recent_overlap_, steps_);
+        shares_made_at_ = 0;  // of other lists
     }
 
   private:
     void adjust_height_rate();
     void check_state() const;
     PairSums sum_forces(const PairLaws& laws);
+    /// Of one share; moves its beads too where asked to, each once its last pair is done.
+    PairSums sum_forces(const Share& share, std::vector<Beads::Load>& loads, const PairLaws& laws,
+                        MotionSums* moved = nullptr);
+    /// Adds to the loads that a part has of its own beads what the others have of them.
+    void collect_loads(int part);
+    std::vector<Beads::Load>& loads_of(int part);
+    std::vector<Beads::Load> all_loads();
     void measure(const PairSums& sums);
-    void advance();
+    MotionSums move_beads();
+    void advance_cell();
     void follow_stiffest_contact();
 
     Beads beads_;
@@ -121,6 +131,8 @@ class ShearCell {
     BridgeLaw bridges_;
     Flow flow_;
     int parts_ = 1;
+    std::vector<Share> shares_;
+    std::size_t shares_made_at_ = 0;                     ///< renewals of the lists
     std::vector<std::vector<Beads::Load>> other_loads_;  ///< of the parts after the first
     Stress stress_;
     PairEnergy energy_;

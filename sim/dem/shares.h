@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "sim/dem/pair_list.h"
+
+namespace pendular::dem {
+
+/// Pairs, in whole batches, and the beads of which none is in a later pair: as pairs are ordered by
+/// their first and lower bead, these can move once the pairs are done, while still in the cache.
+struct Section {
+    using Range = std::pair<std::size_t, std::size_t>;
+    Range beads, near, distant;
+};
+
+/// What one of several threads does of every step while the lists are valid. It sums the forces of
+/// its pairs in loads of its own and moves its beads; as beads are numbered in rows, hardly any
+/// other thread touches those.
+struct Share {
+    std::vector<Section> sections;
+    std::vector<std::int32_t> guests;  ///< beads of other shares that its pairs push, ascending
+
+    Section::Range beads() const {
+        return {sections.front().beads.first, sections.back().beads.second};
+    }
+};
+
+/// Shares with as many near pairs each as whole batches allow.
+std::vector<Share> shares_of(const PairList& pairs, std::size_t beads, int parts);
+
+}  // namespace pendular::dem
