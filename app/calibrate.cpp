@@ -76,7 +76,9 @@ int calibrate(const std::vector<std::string>& arguments) {
     bool no_confirm = false, cold = false;
     options.add_switch("no-confirm", &no_confirm,
                        "fewer rounds: do not demand a last round that confirms the optimum");
-    options.add_switch("cold", &cold, "read no earlier runs (this version keeps none: always so)");
+    options.add_switch(
+        "cold", &cold,
+        "read no earlier runs; those of this fit are kept in the store all the same");
     options.add("lowest-reduced-pressure", &request.cohesion.lowest_reduced_pressure,
                 "cohesion lines go through points from this P* on [1] (default 2.3)");
     options.add_switch("profile", &request.profile,
@@ -92,10 +94,12 @@ int calibrate(const std::vector<std::string>& arguments) {
     request.fidelity = common->fidelity;
     request.options.fewest_rounds -= no_confirm;
     const auto [study, measurements] = read_input(common->study);
+    const auto store = common->open_store();
     std::string what = "round 1";
     request.stage = [&](std::string_view name) { what = name; };
     const Workers workers{common->threads, guard.token(),
-                          [&](const EnsembleProgress& p) { console.progress(what, p); }};
+                          [&](const EnsembleProgress& p) { console.progress(what, p); },
+                          store.get(), !cold};
     const Calibration c =
         calibrate_study(study, measurements, request, workers, [&](int round, const Fit& fit) {
             console.end_progress();

@@ -22,6 +22,8 @@ int import(const std::vector<std::string>& arguments);
 int simulate(const std::vector<std::string>& arguments);
 int calibrate(const std::vector<std::string>& arguments);
 int compare(const std::vector<std::string>& arguments);
+int campaign(const std::vector<std::string>& arguments);
+int runs(const std::vector<std::string>& arguments);
 int virtual_lab(const std::vector<std::string>& arguments);
 
 /// Exit codes of every command.

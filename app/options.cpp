@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <thread>
@@ -69,6 +70,21 @@ std::filesystem::path CommonOptions::out_folder() const {
     return out ? *out : study_folder(study) / "out";
 }
 
+std::unique_ptr<RunStore> CommonOptions::open_store() const {
+    if (!store_named) {
+        std::error_code error;
+        std::filesystem::create_directories(store.parent_path(), error);
+        if (error || access(store.parent_path().c_str(), W_OK) != 0) {
+            fmt::print(stderr,
+                       "note: {} cannot be written, so that runs are not kept; --store FILE names "
+                       "another place\n",
+                       store.parent_path().string());
+            return nullptr;
+        }
+    }
+    return std::make_unique<RunStore>(store);
+}
+
 Options::Options(std::string usage, std::string about, std::string examples, bool takes_study)
     : usage_(std::move(usage)),
       about_(std::move(about)),
@@ -100,7 +116,9 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
         "quick, standard or paper: beads / stiffness number / lowest inertial number / averaged "
         "strain "
         "1000/1000/3e-3/5, 2000/1000/2e-3/10, 4000/8400/1e-3/20")(
-        "store", po::value(&store)->value_name("FILE"), "store of runs (this version keeps none)")(
+        "store", po::value(&store)->value_name("FILE"),
+        "SQLite file in which every run is kept (default: $PENDULAR_STORE, else "
+        "~/.local/share/pendular/runs.sqlite)")(
         "threads",
         po::value(&result.threads)
             ->default_value(default_threads_ > 0 ? default_threads_ : cores)
@@ -108,12 +126,13 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
         threads_meaning_.c_str())("quiet", po::bool_switch(&result.quiet),
                                   "no progress on standard error")("help", "this text");
     po::options_description all, hidden;
-    hidden.add_options()("study", po::value(&study));
+    std::vector<std::string> words;
+    hidden.add_options()("study", po::value(&study))("words", po::value(&words));
     all.add(own_).add(common).add(hidden);
     po::options_description visible;
     visible.add(own_).add(common);
     po::positional_options_description positional;
-    positional.add("study", takes_study_ ? 1 : 0);
+    positional.add(words_ ? "words" : "study", words_ ? -1 : takes_study_ ? 1 : 0);
     try {
         po::store(po::command_line_parser(arguments)
                       .options(all)
@@ -137,7 +156,9 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
         print_help(common);
         return std::nullopt;
     }
-    if (takes_study_ && study.empty()) {
+    if (words_) {
+        *words_ = words;
+    } else if (takes_study_ && study.empty()) {
         throw InputError(fmt::format("the study or folder is missing; usage: pendular {}", usage_));
     }
     if (result.threads < 1) {
@@ -152,6 +173,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
             demand_writable(json, "--json", false);
         }
     }
+    result.store_named = !store.empty() || std::getenv("PENDULAR_STORE");
+    result.store = store.empty() ? RunStore::standard_file() : std::filesystem::path(store);
     if (variables_.count("out") > 0) {
         result.out = out;
         demand_writable(*result.out, "--out", true);

@@ -3,12 +3,14 @@
 #include <boost/program_options.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sim/fidelity.h"
+#include "sim/store/run_store.h"
 
 namespace pendular::app {
 
@@ -27,15 +29,22 @@ struct CommonOptions {
     Fidelity fidelity;
     int threads = 1;
     bool quiet = false;
+    std::filesystem::path store;
+    bool store_named = false;     ///< by --store or $PENDULAR_STORE, not the standard place
     std::filesystem::path study;  ///< empty for commands without one
 
     /// Folder for results: --out, else STUDY/out.
     std::filesystem::path out_folder() const;
+    /// The store of runs. Null, which is said on standard error, where its standard place cannot be
+    /// written: a command that only adds to it goes on without.
+    /// @throws InputError, std::runtime_error as RunStore
+    std::unique_ptr<RunStore> open_store() const;
 };
 
 /// Declares, parses and documents the options of one command.
 class Options {
   public:
+    /// `takes_study`: one word that names a study or another file.
     /// `usage` is the line after "Usage: pendular", `about` and `examples` frame the help text.
     Options(std::string usage, std::string about, std::string examples, bool takes_study);
 
@@ -51,6 +60,8 @@ class Options {
     }
     /// What --out means to this command, if not the results of a study.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
+    /// Takes any number of words that belong to no option.
+    void take(std::vector<std::string>* words) { words_ = words; }
     void add_switch(const char* name, bool* value, const std::string& description);
 
     /// Parses the arguments. Empty: help was asked for and printed.
@@ -67,6 +78,7 @@ class Options {
 
     std::string usage_, about_, examples_;
     bool takes_study_;
+    std::vector<std::string>* words_ = nullptr;
     int default_threads_ = 0;  ///< 0: as many as there are cores
     std::string threads_meaning_ = "runs carried out side by side";
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";

@@ -229,8 +229,12 @@ void carry_out(const dem::RunParameters& run, const Extras& extras, const Common
     if (extras.snapshot_every > 0) {
         snapshots.emplace(*common.out, extras.snapshot_every);
     }
+    const auto store = common.open_store();
     const dem::RunResult result = shear(run, checkpoint ? &*checkpoint : nullptr,
                                         snapshots ? &*snapshots : nullptr, common, console);
+    if (store) {
+        store->add(result);
+    }
     print_result(console, result);
     nlohmann::ordered_json json = to_json(result);
     json["threads"] = common.threads;

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "data/nearest.h"
@@ -119,6 +120,26 @@ double StudyTable::positive_quantity(std::string_view key, std::string_view unit
     const double value = required_quantity(key, unit);
     if (value <= 0) refuse(key, "must be positive");
     return value;
+}
+
+std::vector<double> StudyTable::numbers(std::string_view key) const {
+    std::vector<double> result;
+    const auto take = [&](const toml::node& node) {
+        const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+        if (!value || !std::isfinite(*value)) {
+            throw InputError(position_of(node), fmt::format("'{}': must be a finite number", key));
+        }
+        result.push_back(*value);
+    };
+    const toml::node* const node = table_->get(key);
+    if (node && node->is_array()) {
+        for (const toml::node& element : *node->as_array())
+            take(element);
+        if (result.empty()) refuse(key, "is empty; write at least one number");
+    } else if (node) {
+        take(*node);
+    }
+    return result;
 }
 
 std::optional<std::string> StudyTable::text(std::string_view key) const {

@@ -17,8 +17,8 @@ class node;
 
 namespace pendular {
 
-/// A table of a study file with the keys it may have. Whatever is asked of it is checked, and
-/// what is wrong ends in an InputError at the key's or value's line and column.
+/// A table of a study or campaign file with the keys it may have. Whatever is asked of it is
+/// checked, and what is wrong ends in an InputError at the key's or value's line and column.
 class StudyTable {
   public:
     /// Parses a whole study file; `keys` are those of its top level.
@@ -44,6 +44,9 @@ class StudyTable {
     double required_quantity(std::string_view key, std::string_view unit) const;
     /// The same where the value must be positive too.
     double positive_quantity(std::string_view key, std::string_view unit) const;
+
+    /// Plain numbers: one, or an array of them; empty where the key is not there.
+    std::vector<double> numbers(std::string_view key) const;
 
     std::optional<std::string> text(std::string_view key) const;
     /// One of several words; `words.front()` where the key is not there.

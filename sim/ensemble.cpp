@@ -9,12 +9,23 @@
 #include <numeric>
 #include <thread>
 
+#include "sim/store/run_store.h"
+
 namespace pendular {
 
 double expected_cost(const dem::RunParameters& run) {
     // Steps per strain: 1/(I dt) with dt proportional to kappa^(-1/2); about 1.2 of strain is
     // transient.
     return run.beads * (run.strain + 1.2) / run.inertial_number * std::sqrt(run.stiffness_number);
+}
+
+dem::RunResult carry_out(const dem::RunParameters& run, const dem::RunOptions& options) {
+    try {
+        return dem::run(run, options);
+    } catch (const dem::SimulationError& error) {
+        // One sample that fails costs itself only.
+        return {.parameters = run, .failure = error.what()};
+    }
 }
 
 namespace {
@@ -31,8 +42,11 @@ class Ensemble {
         std::iota(order_.begin(), order_.end(), std::size_t{0});
         std::ranges::stable_sort(order_, std::greater{},
                                  [&](std::size_t k) { return expected_cost(runs_[k]); });
-        for (const auto& run : runs_) {
-            total_ += expected_cost(run);
+        if (workers_.store && workers_.reads_store) {
+            take_stored();
+        }
+        for (const std::size_t k : order_) {
+            total_ += expected_cost(runs_[k]);
         }
     }
 
@@ -40,7 +54,7 @@ class Ensemble {
         {
             const std::stop_callback forward(workers_.stop, [this] { stop_.request_stop(); });
             std::vector<std::jthread> threads;
-            const auto count = std::min<std::size_t>(std::max(1, workers_.threads), runs_.size());
+            const auto count = std::min<std::size_t>(std::max(1, workers_.threads), order_.size());
             for (std::size_t k = 0; k < count; ++k) {
                 threads.emplace_back([this] { work(); });
             }
@@ -55,23 +69,36 @@ class Ensemble {
     }
 
   private:
+    /// Takes what the store has; what remains is the work.
+    void take_stored() {
+        std::erase_if(order_, [&](std::size_t k) {
+            auto stored = workers_.store->find(runs_[k]);
+            if (stored) {
+                results_[k] = std::move(*stored);
+                done_[k] = 1;
+            }
+            return stored.has_value();
+        });
+    }
+
     void work() {
         for (;;) {
             const std::size_t turn = next_.fetch_add(1);
-            if (turn >= runs_.size() || stop_.stop_requested()) {
+            if (turn >= order_.size() || stop_.stop_requested()) {
                 return;
             }
             const std::size_t k = order_[turn];
             try {
-                results_[k] = dem::run(runs_[k], {.stop = stop_.get_token(),
-                                                  .progress = [&](double strain, double expected) {
-                                                      note(k, std::min(0.999, strain / expected));
-                                                  }});
-                note(k, 1.0);
-            } catch (const dem::SimulationError& error) {
-                // One sample that fails costs itself only.
-                results_[k].parameters = runs_[k];
-                results_[k].failure = error.what();
+                results_[k] = pendular::carry_out(
+                    runs_[k],
+                    {.stop = stop_.get_token(), .progress = [&](double strain, double expected) {
+                         note(k, std::min(0.999, strain / expected));
+                     }});
+                if (workers_.store) {
+                    workers_.store->add(results_[k]);
+                    results_[k].trace.clear();
+                    results_[k].final_state = {};
+                }
                 note(k, 1.0);
             } catch (...) {
                 const std::lock_guard lock(mutex_);
@@ -92,7 +119,8 @@ class Ensemble {
         }
         EnsembleProgress progress{.runs = runs_.size()};
         double cost = 0;
-        for (std::size_t run = 0; run < runs_.size(); ++run) {
+        progress.runs_done = runs_.size() - order_.size();
+        for (const std::size_t run : order_) {
             cost += done_[run] * expected_cost(runs_[run]);
             progress.runs_done += done_[run] >= 1;
         }

@@ -8,6 +8,8 @@
 
 namespace pendular {
 
+class RunStore;
+
 /// How far a group of runs has come.
 struct EnsembleProgress {
     std::size_t runs_done = 0;
@@ -17,20 +19,25 @@ struct EnsembleProgress {
 };
 using EnsembleReport = std::function<void(const EnsembleProgress&)>;
 
-/// How runs are carried out: threads, the way to stop them, and whom to tell.
+/// How runs are carried out: threads, the way to stop them, whom to tell, and where they are kept.
 struct Workers {
     int threads = 1;
     std::stop_token stop;
-    EnsembleReport report;  ///< called from one thread at a time
+    EnsembleReport report;      ///< called from one thread at a time
+    RunStore* store = nullptr;  ///< to which every run goes as it ends
+    bool reads_store = true;    ///< runs that are in the store are not carried out again
 };
 
 /// Carries out independent runs side by side, one core each, the longest first. The results come in
 /// the order asked for and do not depend on the number of threads. A run whose simulation fails has
-/// RunResult::failure set and nothing else.
-/// @throws std::invalid_argument, dem::Interrupted: the first of them, after the others have
-/// stopped
+/// RunResult::failure set and nothing else. One taken from a store has no profiles.
+/// @throws std::invalid_argument, dem::Interrupted and what the store throws: the first of them,
+/// after the others have stopped
 std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers);
+
+/// One run; where its simulation fails, RunResult::failure is set and nothing else.
+dem::RunResult carry_out(const dem::RunParameters& run, const dem::RunOptions& options);
 
 /// Bead-steps that a run will take, transient included; relative cost only.
 double expected_cost(const dem::RunParameters& run);

@@ -1,7 +1,6 @@
 #include "sim/dem/run.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +8,6 @@
 #include <numeric>
 #include <utility>
 
-#include "data/form.h"
 #include "data/input_error.h"
 #include "sim/dem/archive.h"
 #include "sim/dem/checkpoint.h"
@@ -26,62 +24,6 @@ constexpr double look_every_strain = 0.25;
 constexpr std::uint64_t looks_to_be_precise = 6;
 /// Sheared random samples showed 0.04 to 0.05 with 1000 beads, 0.10 with 100, crystals 0.3 to 0.55.
 constexpr double crystal_bond_order = 0.2;
-
-void demand(bool holds, const std::string& what) {
-    if (!holds) {
-        throw std::invalid_argument(what);
-    }
-}
-
-void check(const Wetting& w, double edge) {
-    demand(w.reduced_pressure >= 0.05 && w.reduced_pressure <= 1e6,
-           fmt::format("reduced pressure {} is not between 0.05 and 1e6", w.reduced_pressure));
-    demand(w.bridge_volume >= 1e-6,
-           fmt::format("bridge volume {} a^3 is not at least 1e-6", w.bridge_volume));
-    const double rupture_distance = BridgeLaw(w).rupture_distance;
-    demand(rupture_distance <= edge / 4,
-           fmt::format("the rupture distance of a bridge of volume {} a^3, {:.3g} diameters, is "
-                       "beyond a quarter of the box, {:.3g} diameters: use more beads or a smaller "
-                       "bridge volume",
-                       w.bridge_volume, rupture_distance, edge));
-}
-
-}  // namespace
-
-void check(const RunParameters& p) {
-    demand(p.friction >= 0 && p.friction <= 2,
-           fmt::format("friction {} is not between 0 and 2", p.friction));
-    demand(p.inertial_number >= 1e-5 && p.inertial_number <= largest_inertial_number,
-           fmt::format("inertial number {} is not between 1e-5 and {}", p.inertial_number,
-                       largest_inertial_number));
-    demand(p.stiffness_number >= 100 && p.stiffness_number <= 1e6,
-           fmt::format("stiffness number {} is not between 100 and 1e6", p.stiffness_number));
-    demand(p.poisson_ratio > -1 && p.poisson_ratio <= 0.5,
-           fmt::format("Poisson ratio {} is not between -1 and 0.5", p.poisson_ratio));
-    demand(p.damping >= 0 && p.damping <= 10,
-           fmt::format("damping {} is not between 0 and 10", p.damping));
-    demand(
-        p.beads >= ShearCell::fewest_beads && p.beads <= 10'000'000,
-        fmt::format("{} beads: a sample needs {} to 10000000", p.beads, ShearCell::fewest_beads));
-    demand(
-        p.strain >= 0.5 && p.strain <= 1e4,
-        fmt::format(
-            "averaged strain {} is not between 0.5 and 10000; solid fractions decorrelate over a "
-            "strain of 0.1 to 0.2",
-            p.strain));
-    for (const Precision& wanted : p.precision) {
-        const auto name = observable_names[static_cast<std::size_t>(wanted.which)];
-        demand(wanted.standard_error > 0,
-               fmt::format("precision {} of {} is not above 0", wanted.standard_error, name));
-        demand(p.wetting || !needs_bridges(wanted.which),
-               fmt::format("precision of {}: it needs liquid bridges", name));
-    }
-    if (p.wetting) {
-        check(*p.wetting, ShearCell::edge(p.beads));
-    }
-}
-
-namespace {
 
 /// Whether any quarter of the averaged part is denser than random packings can be or ordered: a
 /// sample that crystallises on the way must not pass for its average.
@@ -201,36 +143,6 @@ void average(const Series& series, std::size_t from, RunResult& result) {
 
 }  // namespace
 
-Observable observable_named(std::string_view name) {
-    const auto found = std::ranges::find(observable_names, name);
-    demand(found != observable_names.end(), fmt::format("unknown observable '{}'; use one of {}",
-                                                        name, fmt::join(observable_names, ", ")));
-    return static_cast<Observable>(found - observable_names.begin());
-}
-
-bool needs_bridges(Observable which) {
-    using enum Observable;
-    switch (which) {
-        case distant_coordination:
-        case liquid_content:
-        case fabric_12_distant:
-        case force_anisotropy_12_distant:
-        case length_anisotropy_12_distant:
-        case distant_force:
-        case distant_force_gap:
-        case distant_length:
-        case capillary_stress_22:
-        case capillary_pressure:
-        case capillary_shear_stress:
-        case capillary_shear_stress_contact:
-        case capillary_shear_stress_distant:
-        case dissipation_bridges:
-            return true;
-        default:
-            return false;
-    }
-}
-
 double rigidity_shift(double solid_fraction, double mean_overlap) {
     return rigidity_factor * 3 * solid_fraction * mean_overlap;
 }
@@ -239,25 +151,6 @@ namespace {
 
 std::size_t blocks_in(double strain) {
     return static_cast<std::size_t>(std::lround(strain / block_strain));
-}
-
-/// What determines a run, a line "name = value" each.
-std::string described(const RunParameters& p, const RunOptions& options) {
-    std::string text = fmt::format(
-        "friction = {}\ninertial number = {}\nstiffness number = {}\nPoisson ratio = {}\n"
-        "damping = {}\n",
-        p.friction, p.inertial_number, p.stiffness_number, p.poisson_ratio, p.damping);
-    const Wetting wetting = p.wetting.value_or(Wetting{});
-    text += fmt::format("reduced pressure = {}\nbridge volume = {}\nbridge force = {}\n",
-                        p.wetting ? fmt::format("{}", wetting.reduced_pressure) : "none (dry)",
-                        wetting.bridge_volume, to_string(wetting.bridge_force));
-    for (const Precision& wanted : p.precision) {
-        text += fmt::format("precision of {} = {}\n",
-                            observable_names[static_cast<std::size_t>(wanted.which)],
-                            wanted.standard_error);
-    }
-    return text + fmt::format("beads = {}\nstrain = {}\nseed = {}\nthreads = {}\n", p.beads,
-                              p.strain, p.seed, options.threads);
 }
 
 /// Everything that changes while a run goes on: what a checkpoint holds.
@@ -304,7 +197,8 @@ class Run {
 
     RunResult carry_out() {
         if (options_.checkpoint) {
-            if (const auto saved = options_.checkpoint->read(described(parameters_, options_))) {
+            if (const auto saved =
+                    options_.checkpoint->read(described(parameters_, options_.threads))) {
                 resume(*saved);
             }
         }
@@ -415,7 +309,7 @@ class Run {
 
     void save() {
         const double before = std::exchange(state_.seconds, seconds());
-        options_.checkpoint->write(described(parameters_, options_), archived(state_));
+        options_.checkpoint->write(described(parameters_, options_.threads), archived(state_));
         state_.seconds = before;
     }
 
@@ -442,8 +336,10 @@ class Run {
 };
 
 RunResult Run::result(bool steady) const {
-    RunResult result{.parameters = parameters_, .steady = steady};
+    RunResult result{.parameters = parameters_, .threads = options_.threads, .steady = steady};
     const ShearCell& sample = state_.sample;
+    result.trace = state_.series.trace();
+    result.final_state = StoredSample(sample);
     average(state_.series, steady ? state_.transient : state_.series.size() - wanted_, result);
     result.steps = sample.steps();
     result.time_step = (sample.strain() - state_.begin) / parameters_.inertial_number /
@@ -463,8 +359,10 @@ RunResult Run::result(bool steady) const {
 
 RunResult run(const RunParameters& parameters, const RunOptions& options) {
     check(parameters);
-    demand(options.threads >= 1 && options.threads <= most_threads,
-           fmt::format("{} threads: a run takes 1 to {}", options.threads, most_threads));
+    if (options.threads < 1 || options.threads > most_threads) {
+        throw std::invalid_argument(
+            fmt::format("{} threads: a run takes 1 to {}", options.threads, most_threads));
+    }
     return Run(parameters, options).carry_out();
 }
 

@@ -14,11 +14,12 @@
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/fields.h"
 #include "sim/dem/simulation_error.h"
+#include "sim/dem/stored_sample.h"
+#include "sim/dem/trace.h"
 
 namespace pendular::dem {
 
 class Checkpoint;
-class ShearCell;
 
 /// Fastest shear that is still a dense flow, to which the height servo can hold the stress.
 constexpr double largest_inertial_number = 0.5;
@@ -125,6 +126,7 @@ struct RunParameters {
 /// over strain that respects their autocorrelation.
 struct RunResult {
     RunParameters parameters;
+    int threads = 1;  ///< of the run itself
     std::array<Mean, observable_count> means;
     std::array<BinnedMeans, field_count> fields;  ///< those of bridges are empty in dry runs
     double covariance = 0;  ///< of the means of stress ratio and solid fraction
@@ -135,8 +137,10 @@ struct RunResult {
     double wall_seconds = 0;
     bool crystallised = false;
     bool steady = false;
-    bool precise = true;  ///< every standard error asked for was reached
-    std::string failure;  ///< why there are no averages (run_all); empty: there are
+    bool precise = true;       ///< every standard error asked for was reached
+    Trace trace;               ///< block by block, transient included
+    StoredSample final_state;  ///< another run may start from
+    std::string failure;       ///< why there are no averages (run_all); empty: there are
 
     const Mean& operator[](Observable which) const {
         return means[static_cast<std::size_t>(which)];
@@ -153,6 +157,13 @@ struct RunResult {
 /// @throws std::invalid_argument for parameters out of range, naming the parameter
 void check(const RunParameters& parameters);
 
+/// Changes only when runs of the same parameters come out different beyond rounding.
+constexpr int physics_version = 1;
+
+/// What determines a run, a line "name = value" each, numbers as short as tells them apart. Its
+/// threads are part of it: rounding differs.
+std::string described(const RunParameters& parameters, int threads = 1);
+
 /// Called about once per strain of 0.02 with the strain done and the strain expected in all.
 using Progress = std::function<void(double done, double expected)>;
 
@@ -160,7 +171,7 @@ using Progress = std::function<void(double done, double expected)>;
 /// checkpoint resumes, then at the end of every block of strain, about 0.02.
 using Observer = std::function<void(const ShearCell& sample, double strain)>;
 
-/// How a run is carried out. Its threads are part of what determines it: rounding differs.
+/// How a run is carried out.
 struct RunOptions {
     std::stop_token stop;
     Progress progress;
@@ -173,6 +184,10 @@ constexpr int most_threads = 1024;
 
 /// Solid fraction above which a monosized sample has crystallised, once corrected to rigid beads.
 constexpr double crystal_solid_fraction = 0.645;
+
+/// Localization above which the shear is not taken for uniform (the source finds less in every flow
+/// it reports).
+constexpr double localised_above = 0.05;
 
 /// Shears a random sample of monosized beads until its averages are known over `strain`, after a
 /// transient that is detected, not assumed.

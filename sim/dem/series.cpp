@@ -130,4 +130,22 @@ std::optional<std::size_t> Series::transient(bool wet) const {
     return end;
 }
 
+Trace Series::trace() const {
+    Trace trace;
+    for (const Block& b : blocks_) {
+        const double row[] = {b.strain,
+                              b.s11,
+                              b.s22,
+                              b.s33,
+                              b.s12,
+                              b.solid_fraction,
+                              b.structure.contact_coordination,
+                              b.structure.distant_coordination,
+                              b.localization};
+        std::ranges::transform(row, trace.emplace_back().begin(),
+                               [](double value) { return static_cast<float>(value); });
+    }
+    return trace;
+}
+
 }  // namespace pendular::dem

@@ -9,6 +9,7 @@
 #include "sim/dem/fields.h"
 #include "sim/dem/shear_cell.h"
 #include "sim/dem/structure.h"
+#include "sim/dem/trace.h"
 
 namespace pendular::dem {
 
@@ -117,6 +118,7 @@ class Series {
     /// Blocks to leave out as transient, judged on stress ratio, solid fraction and, where there
     /// are bridges, Z_d, which is the slowest; empty: not steady yet.
     std::optional<std::size_t> transient(bool wet) const;
+    Trace trace() const;
 
     template <typename Archive>
     void serialize(Archive& archive) {

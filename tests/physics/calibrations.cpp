@@ -25,7 +25,8 @@ std::filesystem::path empty_folder(const std::string& name) {
 nlohmann::json calibrate(const std::filesystem::path& study) {
     const auto out = empty_folder("out_" + study.filename().string());
     const std::string command = std::string(PENDULAR_PROGRAM) + " calibrate " + study.string() +
-                                " --fidelity quick --threads 1 --quiet --out " + out.string();
+                                " --fidelity quick --threads 1 --quiet --out " + out.string() +
+                                " --store " + (out / "runs.sqlite").string();
     EXPECT_EQ(std::system(command.c_str()), 0);
     std::ifstream file(out / "fit.json");
     return nlohmann::json::parse(file);

@@ -137,9 +137,10 @@ TEST(Simulate, KeepsItsCheckpointWhenTheDiskIsFull) {
     const std::string kept = longer_run + "--checkpoint " + checkpoint.string();
     ASSERT_EQ(interrupted_at(checkpoint, longer_run + "--checkpoint-every 0.001").code, 130);
     const std::string before = content_of(checkpoint);
-    const std::string command = "trap '' XFSZ; ulimit -f 8; exec " + std::string(PENDULAR_PROGRAM) +
-                                " " + kept + " --checkpoint-every 0.0001 2>&1 | head -c 2000 >" +
-                                (folder.path() / "err").string();
+    const std::string command =
+        "trap '' XFSZ; ulimit -f 8; unset PENDULAR_STORE XDG_DATA_HOME; HOME=/dev/null exec " +
+        std::string(PENDULAR_PROGRAM) + " " + kept +
+        " --checkpoint-every 0.0001 2>&1 | head -c 2000 >" + (folder.path() / "err").string();
     std::system(("bash -c \"" + command + "\"").c_str());
     EXPECT_THAT(content_of(folder.path() / "err"), HasSubstr("former checkpoint is still there"));
     EXPECT_EQ(content_of(checkpoint), before);

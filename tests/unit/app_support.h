@@ -23,8 +23,20 @@ struct Outcome {
     std::string output, errors;
 };
 
+/// A store of this process's own, so that no test touches the user's.
+inline const std::filesystem::path& test_store() {
+    static const pendular::TemporaryFolder folder;
+    static const std::filesystem::path file = [] {
+        const auto path = folder.path() / "runs.sqlite";
+        setenv("PENDULAR_STORE", path.c_str(), 1);
+        return path;
+    }();
+    return file;
+}
+
 /// Runs `pendular` with these words as a user's shell would.
 inline Outcome run_pendular(const std::string& words) {
+    test_store();
     const pendular::TemporaryFolder folder;
     const std::string command = std::string(PENDULAR_PROGRAM) + " " + words + " >" +
                                 (folder.path() / "out").string() + " 2>" +

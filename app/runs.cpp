@@ -1,0 +1,303 @@
+// `pendular runs`: what the store holds.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "app/console.h"
+#include "app/options.h"
+#include "data/input_error.h"
+#include "data/nearest.h"
+#include "reports/json.h"
+#include "reports/run_plots.h"
+#include "sim/store/run_store.h"
+#include "sim/store/run_table.h"
+
+namespace pendular::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// What every action was given.
+struct Request {
+    CommonOptions common;
+    std::vector<std::string> words;
+    std::string condition, x = "inertial_number", y = "stress_ratio";
+    bool atlas = false, yes = false;
+
+    /// The runs of the store, or of the atlas, that --where names.
+    std::vector<StoredRun> selected() const {
+        if (!atlas) {
+            return RunStore(common.store).select(condition);
+        }
+        const auto file = atlas_file();
+        if (file.empty()) {
+            throw InputError("there is no atlas; name one in PENDULAR_ATLAS");
+        }
+        RunStore store(RunStore::in_memory);
+        for (const StoredRun& run : read_runs(file)) {
+            store.add(run.run, run.physics_version);
+        }
+        return store.select(condition);
+    }
+};
+
+std::int64_t id_of(const std::string& word) {
+    std::int64_t id = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
+    if (error != std::errc() || end != word.data() + word.size()) {
+        throw InputError(
+            fmt::format("'{}' is no number of a run; 'pendular runs list' shows those "
+                        "there are",
+                        word));
+    }
+    return id;
+}
+
+void demand_words(const Request& request, std::size_t least, const std::string& what) {
+    if (request.words.size() < least) {
+        throw InputError("name " + what);
+    }
+}
+
+std::string wetness(const dem::RunParameters& p) {
+    return p.wetting ? fmt::format("{:>6.3g} {:>8.3g}", p.wetting->reduced_pressure,
+                                   p.wetting->bridge_volume)
+                     : fmt::format("{:>6} {:>8}", "dry", "");
+}
+
+std::string flags(const dem::RunResult& run) {
+    std::vector<std::string> words;
+    const auto flag = [&](bool holds, const char* word) {
+        if (holds) {
+            words.emplace_back(word);
+        }
+    };
+    if (!run.failure.empty()) {
+        return "failed";
+    }
+    flag(run.crystallised, "crystallised");
+    flag(!run.steady, "not steady");
+    flag(run[dem::Observable::localization].value > dem::localised_above, "localised");
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+ordered_json to_json(const StoredRun& stored) {
+    ordered_json json = {{"id", stored.id}, {"physics_version", stored.physics_version}};
+    json.update(pendular::to_json(stored.run));
+    if (!stored.run.failure.empty()) {
+        json["failure"] = stored.run.failure;
+    }
+    return json;
+}
+
+int list(const Request& request, Console& console) {
+    const auto runs = request.selected();
+    console.line(
+        "   id friction     I      P*  V0/a^3  kappa beads strain  stress ratio        "
+        "solid fraction");
+    for (const auto& [id, version, run] : runs) {
+        const auto& p = run.parameters;
+        const Mean &ratio = run[dem::Observable::stress_ratio],
+                   &solid = run[dem::Observable::solid_fraction];
+        console.line(fmt::format(
+            "{:>5} {:>8.4g} {:>6.3g} {} {:>6.4g} {:>5} {:>6.3g}  {:<18}  {:<18} {}", id, p.friction,
+            p.inertial_number, wetness(p), p.stiffness_number, p.beads, p.strain,
+            run.failure.empty() ? with_error(ratio.value, ratio.standard_error) : "",
+            run.failure.empty() ? with_error(solid.value, solid.standard_error) : "", flags(run)));
+    }
+    console.line(fmt::format("{} runs", runs.size()));
+    ordered_json json = ordered_json::array();
+    for (const StoredRun& run : runs) {
+        json.push_back(to_json(run));
+    }
+    console.json({{"runs", json}});
+    return done;
+}
+
+int show(const Request& request, Console& console) {
+    demand_words(request, 1, "a run: pendular runs show 12");
+    const RunStore store(request.common.store, true);
+    ordered_json json = ordered_json::array();
+    for (const std::string& word : request.words) {
+        const StoredRun stored = store.get(id_of(word));
+        json.push_back(to_json(stored));
+        console.line(fmt::format("run {}\n{}", stored.id,
+                                 dem::described(stored.run.parameters, stored.run.threads)));
+        for (std::size_t k = 0; k < dem::observable_count; ++k) {
+            const auto which = static_cast<dem::Observable>(k);
+            if (stored.run.parameters.wetting || !dem::needs_bridges(which)) {
+                const Mean& mean = stored.run[which];
+                console.line(fmt::format("  {:<32} {}", dem::observable_names[k],
+                                         with_error(mean.value, mean.standard_error)));
+            }
+        }
+        if (const std::string words = flags(stored.run); !words.empty()) {
+            console.note(words + (stored.run.failure.empty() ? "" : ": " + stored.run.failure));
+        }
+        if (request.common.out && !stored.run.trace.empty()) {
+            draw(trace_figure(stored), *request.common.out / "figures");
+        }
+    }
+    console.json({{"runs", json}});
+    return done;
+}
+
+int compare_two(const Request& request, Console& console) {
+    demand_words(request, 2, "two runs: pendular runs compare 12 15");
+    const RunStore store(request.common.store, true);
+    const StoredRun first = store.get(id_of(request.words[0])),
+                    second = store.get(id_of(request.words[1]));
+    console.line(fmt::format("{:<32} {:>20} {:>20} {:>26}", "", fmt::format("run {}", first.id),
+                             fmt::format("run {}", second.id), "difference / standard error"));
+    ordered_json json = {{"first", first.id}, {"second", second.id}};
+    for (std::size_t k = 0; k < dem::observable_count; ++k) {
+        const auto which = static_cast<dem::Observable>(k);
+        const bool wet = first.run.parameters.wetting && second.run.parameters.wetting;
+        if (!wet && dem::needs_bridges(which)) {
+            continue;
+        }
+        const Mean &a = first.run[which], &b = second.run[which];
+        const double error = std::hypot(a.standard_error, b.standard_error),
+                     z = error > 0 ? (b.value - a.value) / error : 0;
+        const std::string name(dem::observable_names[k]);
+        console.line(fmt::format("{:<32} {:>20} {:>20} {:>26.1f}", name,
+                                 with_error(a.value, a.standard_error),
+                                 with_error(b.value, b.standard_error), z));
+        json["observables"][name] = {
+            {"difference", {{"value", b.value - a.value}, {"stderr", error}}}, {"standardised", z}};
+    }
+    console.json(json);
+    return done;
+}
+
+int plot(const Request& request, Console& console) {
+    const auto folder = request.common.out.value_or(".");
+    const auto runs = request.selected();
+    const Figure figure = runs_figure(runs, request.x, request.y);
+    draw(figure, folder);
+    console.line(
+        fmt::format("{} runs in {}", runs.size(), (folder / figure.name).string() + ".png"));
+    return done;
+}
+
+int export_runs(const Request& request, Console& console) {
+    demand_words(request, 1, "the file to write: pendular runs export runs.csv");
+    demand_writable(request.words[0], "export", false);
+    const auto runs = request.selected();
+    write_runs(request.words[0], runs);
+    console.line(fmt::format("{} runs written to {}", runs.size(), request.words[0]));
+    return done;
+}
+
+/// Adds what `take` brings of every file named.
+int take_in(const Request& request, Console& console, const std::string& what,
+            const std::function<std::size_t(RunStore&, const std::string&)>& take) {
+    demand_words(request, 1, what);
+    RunStore store(request.common.store);
+    std::size_t added = 0;
+    for (const std::string& file : request.words) {
+        added += take(store, file);
+    }
+    console.line(fmt::format("{} runs added to {}, which holds {}", added, store.file().string(),
+                             store.size()));
+    console.json({{"added", added}, {"runs", store.size()}});
+    return done;
+}
+
+int import_runs(const Request& request, Console& console) {
+    return take_in(request, console, "the file to read: pendular runs import runs.csv",
+                   [](RunStore& store, const std::string& file) {
+                       std::size_t added = 0;
+                       for (const StoredRun& run : read_runs(file)) {
+                           added += store.add(run.run, run.physics_version);
+                       }
+                       return added;
+                   });
+}
+
+int merge(const Request& request, Console& console) {
+    return take_in(
+        request, console, "the stores to add: pendular runs merge part-*.sqlite",
+        [](RunStore& store, const std::string& file) { return store.merge(RunStore(file, true)); });
+}
+
+int prune(const Request& request, Console& console) {
+    if (request.condition.empty()) {
+        throw InputError(
+            "name what to remove: pendular runs prune --where \"failure IS NOT NULL\" --yes");
+    }
+    RunStore store(request.common.store, true);
+    std::vector<std::int64_t> ids;
+    for (const StoredRun& run : store.select(request.condition)) {
+        ids.push_back(run.id);
+    }
+    if (!request.yes) {
+        console.line(fmt::format("{} of {} runs would be removed; add --yes to do it", ids.size(),
+                                 store.size()));
+        return done;
+    }
+    const std::size_t removed = store.remove(ids);
+    console.line(fmt::format("{} runs removed, {} left", removed, store.size()));
+    return done;
+}
+
+const std::vector<std::pair<std::string, int (*)(const Request&, Console&)>> actions = {
+    {"list", list},          {"show", show},          {"compare", compare_two}, {"plot", plot},
+    {"export", export_runs}, {"import", import_runs}, {"merge", merge},         {"prune", prune}};
+
+}  // namespace
+
+int runs(const std::vector<std::string>& arguments) {
+    Request request;
+    Options options(
+        "runs list|show|compare|plot|export|import|merge|prune [words] [options]",
+        "Looks after the runs in the store.\n"
+        "  list              a line each\n"
+        "  show ID...        everything known of a run; with --out, a figure of its course\n"
+        "  compare ID ID     two runs beside each other\n"
+        "  plot              one column against another, as a figure in --out\n"
+        "  export FILE.csv   the runs as a table\n"
+        "  import FILE.csv   runs from such a table\n"
+        "  merge STORE...    runs of other stores\n"
+        "  prune             removes the runs of --where",
+        "  pendular runs list --where \"friction = 0.09 AND reduced_pressure IS NULL\"\n"
+        "  pendular runs list --atlas\n"
+        "  pendular runs plot --x inertial_number --y solid_fraction --out figures\n"
+        "  pendular runs prune --where \"crystallised\" --yes\n",
+        false);
+    options.take(&request.words);
+    options.set_out("folder for figures (default: here)");
+    options.add("where", &request.condition,
+                "only runs for which this SQL condition on the columns holds");
+    options.add("x", &request.x, "column along the plot (default inertial_number)");
+    options.add("y", &request.y, "column up the plot (default stress_ratio)");
+    options.add_switch("atlas", &request.atlas, "the runs that come with pendular, not the store");
+    options.add_switch("yes", &request.yes, "remove without asking");
+    const auto common = options.parse(arguments);
+    if (!common) {
+        return done;
+    }
+    request.common = *common;
+    std::vector<std::string> names;
+    for (const auto& [name, run] : actions) {
+        if (!request.words.empty() && request.words.front() == name) {
+            request.words.erase(request.words.begin());
+            Console console(request.common);
+            return run(request, console);
+        }
+        names.push_back(name);
+    }
+    throw InputError(request.words.empty()
+                         ? "runs needs an action: list, show, compare, plot, export, import, merge "
+                           "or prune"
+                         : fmt::format("unknown action '{}'; {}", request.words.front(),
+                                       did_you_mean(request.words.front(), names)));
+}
+
+}  // namespace pendular::app

@@ -1,0 +1,265 @@
+#include "sim/campaign.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/random/sobol.hpp>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "data/files.h"
+#include "data/nearest.h"
+#include "data/study_table.h"
+#include "data/text_file.h"
+#include "sim/ensemble.h"
+#include "sim/seeds.h"
+
+namespace pendular {
+namespace {
+
+constexpr std::size_t most_runs = 1'000'000;
+
+/// A key of a campaign and what it sets.
+struct Parameter {
+    std::string key;
+    void (*set)(dem::RunParameters& run, double value);
+};
+
+dem::Wetting& wetting_of(dem::RunParameters& run) {
+    return run.wetting ? *run.wetting : run.wetting.emplace();
+}
+
+const std::vector<Parameter>& parameters() {
+    using Run = dem::RunParameters;
+    static const std::vector<Parameter> all = {
+        {"friction", [](Run& r, double v) { r.friction = v; }},
+        {"inertial_number", [](Run& r, double v) { r.inertial_number = v; }},
+        {"reduced_pressure", [](Run& r, double v) { wetting_of(r).reduced_pressure = v; }},
+        {"bridge_volume", [](Run& r, double v) { wetting_of(r).bridge_volume = v; }},
+        {"stiffness_number", [](Run& r, double v) { r.stiffness_number = v; }},
+        {"poisson_ratio", [](Run& r, double v) { r.poisson_ratio = v; }},
+        {"damping", [](Run& r, double v) { r.damping = v; }},
+        {"beads", [](Run& r, double v) { r.beads = static_cast<int>(v); }},
+        {"strain", [](Run& r, double v) { r.strain = v; }}};
+    return all;
+}
+
+std::vector<std::string> keys_and(const std::vector<std::string>& others) {
+    std::vector<std::string> keys = others;
+    for (const Parameter& parameter : parameters()) {
+        keys.push_back(parameter.key);
+    }
+    return keys;
+}
+
+/// A whole number of a table, `missing` where the key is not there.
+std::size_t count(const StudyTable& table, std::string_view key, double missing, double least) {
+    const double value = table.quantity(key, "1").value_or(missing);
+    if (value < least || value != std::floor(value) || value > most_runs) {
+        table.refuse(key, fmt::format("must be a whole number from {} to {}", least, most_runs));
+    }
+    return static_cast<std::size_t>(value);
+}
+
+/// The numbers of each key that a table has, in the order of `parameters`.
+using Columns = std::vector<std::pair<const Parameter*, std::vector<double>>>;
+
+Columns columns_of(const StudyTable& table) {
+    Columns columns;
+    for (const Parameter& parameter : parameters()) {
+        if (auto numbers = table.numbers(parameter.key); !numbers.empty()) {
+            columns.emplace_back(&parameter, std::move(numbers));
+        }
+    }
+    if (table.has("bridge_volume") && !table.has("reduced_pressure")) {
+        table.refuse("bridge_volume", "needs reduced_pressure: without it the beads are dry");
+    }
+    return columns;
+}
+
+/// One point of a table: what to set in a run.
+using Point = std::vector<std::pair<const Parameter*, double>>;
+
+std::vector<Point> grid_points(const StudyTable& table) {
+    std::vector<Point> points(1);
+    for (const auto& [parameter, numbers] : columns_of(table)) {
+        std::vector<Point> more;
+        if (points.size() * numbers.size() > most_runs) {
+            table.refuse(parameter->key,
+                         fmt::format("makes more than {} runs of this grid", most_runs));
+        }
+        for (const Point& point : points) {
+            for (const double number : numbers) {
+                more.push_back(point);
+                more.back().emplace_back(parameter, number);
+            }
+        }
+        points = std::move(more);
+    }
+    return points;
+}
+
+std::vector<Point> list_points(const StudyTable& table) {
+    const Columns columns = columns_of(table);
+    std::size_t length = 1;
+    for (const auto& column : columns) {
+        length = std::max(length, column.second.size());
+    }
+    std::vector<Point> points(length);
+    for (const auto& [parameter, numbers] : columns) {
+        if (numbers.size() != 1 && numbers.size() != length) {
+            table.refuse(parameter->key,
+                         fmt::format("has {} numbers where another key of this list has {}; give "
+                                     "one, or as many",
+                                     numbers.size(), length));
+        }
+        for (std::size_t k = 0; k < length; ++k) {
+            points[k].emplace_back(parameter, numbers[numbers.size() == 1 ? 0 : k]);
+        }
+    }
+    return points;
+}
+
+std::vector<Point> sobol_points(const StudyTable& table) {
+    const std::size_t wanted = count(table, "points", 0, 1);
+    const auto logarithmic = table.words("logarithmic", {});
+    Columns fixed, ranges;
+    for (auto& column : columns_of(table)) {
+        (column.second.size() == 1 ? fixed : ranges).push_back(std::move(column));
+    }
+    for (const auto& [parameter, range] : ranges) {
+        if (range.size() != 2 || !(range[0] < range[1])) {
+            table.refuse(parameter->key, "must be one number or [least, greatest]");
+        }
+    }
+    for (const std::string& key : logarithmic) {
+        const auto found = std::ranges::find_if(
+            ranges, [&](const auto& range) { return range.first->key == key; });
+        if (found == ranges.end() || found->second[0] <= 0) {
+            table.refuse("logarithmic", fmt::format("'{}' is no range of positive numbers", key));
+        }
+    }
+    if (ranges.empty()) {
+        throw InputError(table.position(), "[[sobol]] has no range; write key = [least, greatest]");
+    }
+    boost::random::sobol sequence(ranges.size());
+    sequence.discard(ranges.size());  // the corner of all least values
+    const double scale = std::ldexp(1.0, -64);
+    std::vector<Point> points(wanted);
+    for (Point& point : points) {
+        for (const auto& [parameter, range] : ranges) {
+            const double at = static_cast<double>(sequence()) * scale;
+            const bool log = std::ranges::find(logarithmic, parameter->key) != logarithmic.end();
+            const double value = log ? range[0] * std::pow(range[1] / range[0], at)
+                                     : range[0] + at * (range[1] - range[0]);
+            point.emplace_back(parameter, std::stod(fmt::format("{:.4g}", value)));
+        }
+        for (const auto& [parameter, number] : fixed) {
+            point.emplace_back(parameter, number.front());
+        }
+    }
+    return points;
+}
+
+/// FNV-1a of what determines a run but its seed.
+std::uint64_t fingerprint(dem::RunParameters run) {
+    run.seed = 0;
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const char c : dem::described(run)) {
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    }
+    return hash;
+}
+
+class Reader {
+  public:
+    explicit Reader(std::uint64_t seed) : seed_(seed) {}
+
+    void add(const StudyTable& table, const std::vector<Point>& points) {
+        const std::size_t repeats = count(table, "repeats", 1, 1);
+        for (const Point& point : points) {
+            dem::RunParameters run;
+            for (const auto& [parameter, value] : point) {
+                parameter->set(run, value);
+            }
+            const std::uint64_t own = fingerprint(run);
+            for (std::size_t repeat = 0; repeat < repeats; ++repeat) {
+                // 53 bits, which every program that reads the store can hold.
+                run.seed = seed_of_run(seed_ ^ own, repeat) >> 11;
+                add(table, run);
+            }
+        }
+    }
+
+    std::vector<dem::RunParameters> runs() && { return std::move(runs_); }
+
+  private:
+    void add(const StudyTable& table, const dem::RunParameters& run) {
+        try {
+            dem::check(run);
+        } catch (const std::invalid_argument& error) {
+            throw InputError(table.position(), fmt::format("asks for a run that cannot be "
+                                                           "simulated: {}",
+                                                           error.what()));
+        }
+        if (there_.insert(dem::described(run)).second) {
+            runs_.push_back(run);
+        }
+        if (runs_.size() > most_runs) {
+            throw InputError(table.position(), fmt::format("more than {} runs", most_runs));
+        }
+    }
+
+    std::uint64_t seed_;
+    std::vector<dem::RunParameters> runs_;
+    std::set<std::string> there_;
+};
+
+}  // namespace
+
+std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file) {
+    std::string text;
+    for (const std::string& line : read_lines(file)) {
+        text += line + "\n";
+    }
+    const StudyTable root =
+        StudyTable::parse(file.string(), text, {"seed", "grid", "list", "sobol"});
+    Reader reader(count(root, "seed", 1, 0));
+    for (const StudyTable& table : root.tables("grid", keys_and({"repeats"}))) {
+        reader.add(table, grid_points(table));
+    }
+    for (const StudyTable& table : root.tables("list", keys_and({"repeats"}))) {
+        reader.add(table, list_points(table));
+    }
+    for (const StudyTable& table :
+         root.tables("sobol", keys_and({"repeats", "points", "logarithmic"}))) {
+        reader.add(table, sobol_points(table));
+    }
+    auto runs = std::move(reader).runs();
+    if (runs.empty()) {
+        throw InputError(
+            root.position(),
+            "asks for no run; add [[grid]], [[list]] or [[sobol]] ('pendular campaign --help')");
+    }
+    return runs;
+}
+
+std::vector<dem::RunParameters> share_of(const std::vector<dem::RunParameters>& runs, int share,
+                                         int shares) {
+    std::vector<std::size_t> order(runs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater{},
+                             [&](std::size_t k) { return expected_cost(runs[k]); });
+    std::vector<dem::RunParameters> mine;
+    for (std::size_t turn = static_cast<std::size_t>(share) - 1; turn < order.size();
+         turn += static_cast<std::size_t>(shares)) {
+        mine.push_back(runs[order[turn]]);
+    }
+    return mine;
+}
+
+}  // namespace pendular

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "sim/dem/run.h"
+
+namespace pendular {
+
+/// The runs that a campaign file asks for, in its order, each once.
+///
+///     seed = 1                            # of all its runs
+///     [[grid]]                            # every combination
+///     friction = [0.05, 0.09, 0.15]
+///     inertial_number = [0.003, 0.01]
+///     [[list]]                            # first with first, second with second ...
+///     friction = [0.1, 0.2]
+///     reduced_pressure = [1, 2]
+///     [[sobol]]                           # evenly scattered between two numbers
+///     points = 64
+///     friction = [0, 0.6]
+///     inertial_number = [1e-3, 0.1]
+///     logarithmic = ["inertial_number"]
+///
+/// Keys of each table: those of RunParameters and its Wetting (`reduced_pressure` makes beads wet),
+/// numbers or arrays, 1 throughout; `repeats`: runs of each that differ in their seed alone. A
+/// run's seed follows from the file's seed and from its own parameters, so that a longer campaign
+/// repeats no run of a shorter one under another seed.
+/// @throws InputError at the line of what is wrong: syntax, an unknown key, a value out of range
+std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file);
+
+/// Those of one share of several, as equal in cost as the runs allow; which do not depend on what
+/// is stored already. `share` counts from 1.
+std::vector<dem::RunParameters> share_of(const std::vector<dem::RunParameters>& runs, int share,
+                                         int shares);
+
+}  // namespace pendular

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "data/form.h"
+#include "sim/dem/run.h"
+#include "sim/dem/shear_cell.h"
+
+namespace pendular::dem {
+namespace {
+
+void demand(bool holds, const std::string& what) {
+    if (!holds) {
+        throw std::invalid_argument(what);
+    }
+}
+
+void check(const Wetting& w, double edge) {
+    demand(w.reduced_pressure >= 0.05 && w.reduced_pressure <= 1e6,
+           fmt::format("reduced pressure {} is not between 0.05 and 1e6", w.reduced_pressure));
+    demand(w.bridge_volume >= 1e-6,
+           fmt::format("bridge volume {} a^3 is not at least 1e-6", w.bridge_volume));
+    const double rupture_distance = BridgeLaw(w).rupture_distance;
+    demand(rupture_distance <= edge / 4,
+           fmt::format("the rupture distance of a bridge of volume {} a^3, {:.3g} diameters, is "
+                       "beyond a quarter of the box, {:.3g} diameters: use more beads or a smaller "
+                       "bridge volume",
+                       w.bridge_volume, rupture_distance, edge));
+}
+
+}  // namespace
+
+void check(const RunParameters& p) {
+    demand(p.friction >= 0 && p.friction <= 2,
+           fmt::format("friction {} is not between 0 and 2", p.friction));
+    demand(p.inertial_number >= 1e-5 && p.inertial_number <= largest_inertial_number,
+           fmt::format("inertial number {} is not between 1e-5 and {}", p.inertial_number,
+                       largest_inertial_number));
+    demand(p.stiffness_number >= 100 && p.stiffness_number <= 1e6,
+           fmt::format("stiffness number {} is not between 100 and 1e6", p.stiffness_number));
+    demand(p.poisson_ratio > -1 && p.poisson_ratio <= 0.5,
+           fmt::format("Poisson ratio {} is not between -1 and 0.5", p.poisson_ratio));
+    demand(p.damping >= 0 && p.damping <= 10,
+           fmt::format("damping {} is not between 0 and 10", p.damping));
+    demand(
+        p.beads >= ShearCell::fewest_beads && p.beads <= 10'000'000,
+        fmt::format("{} beads: a sample needs {} to 10000000", p.beads, ShearCell::fewest_beads));
+    demand(
+        p.strain >= 0.5 && p.strain <= 1e4,
+        fmt::format(
+            "averaged strain {} is not between 0.5 and 10000; solid fractions decorrelate over a "
+            "strain of 0.1 to 0.2",
+            p.strain));
+    for (const Precision& wanted : p.precision) {
+        const auto name = observable_names[static_cast<std::size_t>(wanted.which)];
+        demand(wanted.standard_error > 0,
+               fmt::format("precision {} of {} is not above 0", wanted.standard_error, name));
+        demand(p.wetting || !needs_bridges(wanted.which),
+               fmt::format("precision of {}: it needs liquid bridges", name));
+    }
+    if (p.wetting) {
+        check(*p.wetting, ShearCell::edge(p.beads));
+    }
+}
+
+Observable observable_named(std::string_view name) {
+    const auto found = std::ranges::find(observable_names, name);
+    demand(found != observable_names.end(), fmt::format("unknown observable '{}'; use one of {}",
+                                                        name, fmt::join(observable_names, ", ")));
+    return static_cast<Observable>(found - observable_names.begin());
+}
+
+bool needs_bridges(Observable which) {
+    using enum Observable;
+    switch (which) {
+        case distant_coordination:
+        case liquid_content:
+        case fabric_12_distant:
+        case force_anisotropy_12_distant:
+        case length_anisotropy_12_distant:
+        case distant_force:
+        case distant_force_gap:
+        case distant_length:
+        case capillary_stress_22:
+        case capillary_pressure:
+        case capillary_shear_stress:
+        case capillary_shear_stress_contact:
+        case capillary_shear_stress_distant:
+        case dissipation_bridges:
+            return true;
+        default:
+            return false;
+    }
+}
+
+std::string described(const RunParameters& p, int threads) {
+    std::string text = fmt::format(
+        "friction = {}\ninertial number = {}\nstiffness number = {}\nPoisson ratio = {}\n"
+        "damping = {}\n",
+        p.friction, p.inertial_number, p.stiffness_number, p.poisson_ratio, p.damping);
+    const Wetting wetting = p.wetting.value_or(Wetting{});
+    text += fmt::format("reduced pressure = {}\nbridge volume = {}\nbridge force = {}\n",
+                        p.wetting ? fmt::format("{}", wetting.reduced_pressure) : "none (dry)",
+                        wetting.bridge_volume, to_string(wetting.bridge_force));
+    for (const Precision& wanted : p.precision) {
+        text += fmt::format("precision of {} = {}\n",
+                            observable_names[static_cast<std::size_t>(wanted.which)],
+                            wanted.standard_error);
+    }
+    return text + fmt::format("beads = {}\nstrain = {}\nseed = {}\nthreads = {}\n", p.beads,
+                              p.strain, p.seed, threads);
+}
+
+}  // namespace pendular::dem
