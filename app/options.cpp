@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
@@ -40,6 +41,18 @@ std::uint64_t checked_seed(std::int64_t seed) {
         throw InputError(fmt::format("--seed {}: a seed is 0 or more", seed));
     }
     return static_cast<std::uint64_t>(seed);
+}
+
+std::int64_t run_number(const std::string& word) {
+    std::int64_t id = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
+    if (error != std::errc() || end != word.data() + word.size()) {
+        throw InputError(
+            fmt::format("'{}' is no number of a run; 'pendular runs list' shows those "
+                        "there are",
+                        word));
+    }
+    return id;
 }
 
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder) {

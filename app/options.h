@@ -18,6 +18,10 @@ namespace pendular::app {
 /// @throws InputError if it is negative
 std::uint64_t checked_seed(std::int64_t seed);
 
+/// Number of a stored run.
+/// @throws InputError if it is none
+std::int64_t run_number(const std::string& word);
+
 /// Refuses a file or folder that cannot be written, since long work must not end there.
 /// @throws InputError naming the option
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);

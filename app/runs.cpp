@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -46,18 +45,6 @@ struct Request {
         return store.select(condition);
     }
 };
-
-std::int64_t id_of(const std::string& word) {
-    std::int64_t id = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
-    if (error != std::errc() || end != word.data() + word.size()) {
-        throw InputError(
-            fmt::format("'{}' is no number of a run; 'pendular runs list' shows those "
-                        "there are",
-                        word));
-    }
-    return id;
-}
 
 void demand_words(const Request& request, std::size_t least, const std::string& what) {
     if (request.words.size() < least) {
@@ -125,7 +112,7 @@ int show(const Request& request, Console& console) {
     const RunStore store(request.common.store, true);
     ordered_json json = ordered_json::array();
     for (const std::string& word : request.words) {
-        const StoredRun stored = store.get(id_of(word));
+        const StoredRun stored = store.get(run_number(word));
         json.push_back(to_json(stored));
         console.line(fmt::format("run {}\n{}", stored.id,
                                  dem::described(stored.run.parameters, stored.run.threads)));
@@ -151,8 +138,8 @@ int show(const Request& request, Console& console) {
 int compare_two(const Request& request, Console& console) {
     demand_words(request, 2, "two runs: pendular runs compare 12 15");
     const RunStore store(request.common.store, true);
-    const StoredRun first = store.get(id_of(request.words[0])),
-                    second = store.get(id_of(request.words[1]));
+    const StoredRun first = store.get(run_number(request.words[0])),
+                    second = store.get(run_number(request.words[1]));
     console.line(fmt::format("{:<32} {:>20} {:>20} {:>26}", "", fmt::format("run {}", first.id),
                              fmt::format("run {}", second.id), "difference / standard error"));
     ordered_json json = {{"first", first.id}, {"second", second.id}};

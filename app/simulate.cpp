@@ -114,6 +114,7 @@ struct Extras {
     double snapshot_every = 0;  ///< strain; 0: none
     std::string checkpoint;
     double checkpoint_minutes = 10;
+    std::string start;  ///< number of a stored run, "nearest" or nothing
 
     /// @throws InputError
     void check(const Options& options, const CommonOptions& common) const;
@@ -189,12 +190,27 @@ std::string what_remains(const dem::Checkpoint* checkpoint, const dem::Snapshots
     return text.empty() ? "nothing was written" : text;
 }
 
-dem::RunResult shear(const dem::RunParameters& run, dem::Checkpoint* checkpoint,
-                     dem::Snapshots* snapshots, const CommonOptions& common, Console& console) {
+/// The stored run to start from: the one of that number, or the nearest.
+StoredRun start_of(const dem::RunParameters& run, const std::string& word, const RunStore& store) {
+    if (word != "nearest") {
+        return store.get(run_number(word));
+    }
+    if (auto nearest = store.nearest(run)) {
+        return *nearest;
+    }
+    throw InputError(
+        fmt::format("--start nearest: {} has no steady {} run of {} beads with its final state",
+                    store.file().string(), run.wetting ? "wet" : "dry", run.beads));
+}
+
+dem::RunResult shear(const dem::RunParameters& run, const dem::StoredSample* start,
+                     dem::Checkpoint* checkpoint, dem::Snapshots* snapshots,
+                     const CommonOptions& common, Console& console) {
     const InterruptGuard guard;
     dem::RunOptions options{.stop = guard.token(),
                             .progress = RunProgress(console),
                             .threads = common.threads,
+                            .start = start,
                             .checkpoint = checkpoint};
     if (snapshots) {
         options.observers.emplace_back(std::ref(*snapshots));
@@ -218,7 +234,7 @@ dem::RunResult shear(const dem::RunParameters& run, dem::Checkpoint* checkpoint,
     }
 }
 
-void carry_out(const dem::RunParameters& run, const Extras& extras, const CommonOptions& common,
+void carry_out(dem::RunParameters run, const Extras& extras, const CommonOptions& common,
                Console& console) {
     std::optional<dem::Checkpoint> checkpoint;
     if (!extras.checkpoint.empty()) {
@@ -230,8 +246,20 @@ void carry_out(const dem::RunParameters& run, const Extras& extras, const Common
         snapshots.emplace(*common.out, extras.snapshot_every);
     }
     const auto store = common.open_store();
-    const dem::RunResult result = shear(run, checkpoint ? &*checkpoint : nullptr,
-                                        snapshots ? &*snapshots : nullptr, common, console);
+    std::optional<StoredRun> start;
+    if (!extras.start.empty()) {
+        if (!store) {
+            throw InputError("--start needs a store: name one with --store FILE");
+        }
+        start = start_of(run, extras.start, *store);
+        run.start = dem::fingerprint(dem::described(start->run.parameters, start->run.threads));
+        console.line(fmt::format("starts from run {}: friction {:.4g}, inertial number {:.4g}",
+                                 start->id, start->run.parameters.friction,
+                                 start->run.parameters.inertial_number));
+    }
+    const dem::RunResult result =
+        shear(run, start ? &start->run.final_state : nullptr, checkpoint ? &*checkpoint : nullptr,
+              snapshots ? &*snapshots : nullptr, common, console);
     if (store) {
         store->add(result);
     }
@@ -299,6 +327,9 @@ int simulate(const std::vector<std::string>& arguments) {
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random initial state (default 1)");
     Extras extras;
+    options.add("start", &extras.start,
+                "stored run whose final state to start from, by number, or 'nearest': shortens the "
+                "transient");
     options.add("snapshot-every", &extras.snapshot_every,
                 "strain between snapshots for OVITO and ParaView in the folder of --out [1]");
     options.add("checkpoint", &extras.checkpoint,

@@ -130,6 +130,9 @@ Json to_json(const dem::RunResult& run) {
     json["beads"] = p.beads;
     json["strain"] = p.strain;
     json["seed"] = p.seed;
+    if (p.start != 0) {
+        json["start"] = fmt::format("{:x}", p.start);
+    }
     json["precision"] = Json::object();
     for (const dem::Precision& wanted : p.precision) {
         json["precision"]
@@ -169,6 +172,7 @@ dem::RunResult run_from_json(const Json& json) {
     p.beads = json.at("beads");
     p.strain = json.at("strain");
     p.seed = json.at("seed");
+    p.start = std::stoull(json.value("start", "0"), nullptr, 16);
     for (const auto& [name, error] : json.at("precision").items()) {
         p.precision.push_back({dem::observable_named(name), error});
     }

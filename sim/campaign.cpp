@@ -165,14 +165,10 @@ std::vector<Point> sobol_points(const StudyTable& table) {
     return points;
 }
 
-/// FNV-1a of what determines a run but its seed.
+/// Of what determines a run but its seed.
 std::uint64_t fingerprint(dem::RunParameters run) {
     run.seed = 0;
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char c : dem::described(run)) {
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    }
-    return hash;
+    return dem::fingerprint(dem::described(run));
 }
 
 class Reader {

@@ -118,6 +118,8 @@ struct RunParameters {
     int beads = 2000;
     double strain = 10;  ///< averaged strain, after the transient
     std::uint64_t seed = 1;
+    /// Fingerprint of the run from whose final state this one starts; 0: a random gas.
+    std::uint64_t start = 0;
     /// Standard errors at which averaging may stop before `strain` is reached; none: it goes on.
     std::vector<Precision> precision = {};
 };
@@ -164,6 +166,9 @@ constexpr int physics_version = 1;
 /// threads are part of it: rounding differs.
 std::string described(const RunParameters& parameters, int threads = 1);
 
+/// FNV-1a of a text; of `described` it tells runs apart.
+std::uint64_t fingerprint(std::string_view text);
+
 /// Called about once per strain of 0.02 with the strain done and the strain expected in all.
 using Progress = std::function<void(double done, double expected)>;
 
@@ -177,6 +182,7 @@ struct RunOptions {
     Progress progress;
     int threads = 1;
     std::vector<Observer> observers;
+    const StoredSample* start = nullptr;  ///< needed where RunParameters::start is not 0
     Checkpoint* checkpoint = nullptr;  ///< resumed from where it holds this run, written as it is
                                        ///< due and when the run is stopped
 };
@@ -191,7 +197,7 @@ constexpr double localised_above = 0.05;
 
 /// Shears a random sample of monosized beads until its averages are known over `strain`, after a
 /// transient that is detected, not assumed.
-/// @throws std::invalid_argument for what `check` refuses
+/// @throws std::invalid_argument for what `check` refuses, and for a start of another size
 /// @throws SimulationError where the state stops being finite or never reaches its stress
 /// @throws Interrupted when a stop is requested
 /// @throws InputError for a checkpoint of another run or one that is no longer whole

@@ -109,8 +109,17 @@ std::string described(const RunParameters& p, int threads) {
                             observable_names[static_cast<std::size_t>(wanted.which)],
                             wanted.standard_error);
     }
-    return text + fmt::format("beads = {}\nstrain = {}\nseed = {}\nthreads = {}\n", p.beads,
-                              p.strain, p.seed, threads);
+    text += fmt::format("beads = {}\nstrain = {}\nseed = {}\nthreads = {}\n", p.beads, p.strain,
+                        p.seed, threads);
+    return p.start == 0 ? text : text + fmt::format("start = {:x}\n", p.start);
+}
+
+std::uint64_t fingerprint(std::string_view text) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const char c : text) {
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    }
+    return hash;
 }
 
 }  // namespace pendular::dem

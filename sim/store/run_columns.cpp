@@ -128,6 +128,8 @@ void add_parameters(Columns& columns) {
     columns.number(
         "seed", true, [](RunResult & r) -> auto& { return r.parameters.seed; });
     columns.number(
+        "start", true, [](RunResult & r) -> auto& { return r.parameters.start; });
+    columns.number(
         "threads", true, [](RunResult & r) -> auto& { return r.threads; });
     columns.add(
         "precision", RunColumn::Type::text, true,

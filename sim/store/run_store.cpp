@@ -6,7 +6,9 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "data/input_error.h"
 #include "sim/dem/archive.h"
@@ -234,6 +236,31 @@ bool insert(SQLite::Database& database, const dem::RunResult& run, int version) 
 bool RunStore::add(const dem::RunResult& run, int version) {
     const std::lock_guard lock(mutex_);
     return explained(file_, [&] { return insert(*database_, run, version); });
+}
+
+std::optional<StoredRun> RunStore::nearest(const dem::RunParameters& p) const {
+    std::optional<std::int64_t> id;
+    double least = std::numeric_limits<double>::infinity();
+    const std::string like = fmt::format(
+        "beads = {} AND steady AND NOT crystallised AND failure IS NULL AND final_state IS NOT "
+        "NULL AND reduced_pressure IS {}",
+        p.beads, p.wetting ? "NOT NULL" : "NULL");
+    for (const StoredRun& stored : select(like)) {
+        const auto& other = stored.run.parameters;
+        const auto squared = [](double x) { return x * x; };
+        double distance = squared((p.friction - other.friction) / 0.1) +
+                          squared(std::log(p.inertial_number / other.inertial_number)) +
+                          squared(std::log(p.stiffness_number / other.stiffness_number));
+        if (p.wetting) {
+            distance +=
+                squared(std::log(p.wetting->reduced_pressure / other.wetting->reduced_pressure)) +
+                squared(std::log(p.wetting->bridge_volume / other.wetting->bridge_volume));
+        }
+        if (distance < least) {
+            least = distance, id = stored.id;
+        }
+    }
+    return id ? std::optional(get(*id)) : std::nullopt;
 }
 
 std::size_t RunStore::size() const {

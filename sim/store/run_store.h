@@ -50,6 +50,11 @@ class RunStore {
     /// Keeps a run. @return false where it is there already, which leaves the store as it is
     bool add(const dem::RunResult& run, int physics_version = dem::physics_version);
 
+    /// The steady run of as many beads, dry or wet like this one, whose flow is nearest to it, with
+    /// its final state; empty where there is none. The measure is
+    ///     (d friction/0.1)^2 + (d ln I)^2 + (d ln kappa)^2 + (d ln P*)^2 + (d ln V0)^2.
+    std::optional<StoredRun> nearest(const dem::RunParameters& parameters) const;
+
     std::size_t size() const;
     /// Those for which an SQL condition on the columns holds ("friction = 0.09 AND reduced_pressure
     /// IS NULL"), all where it is empty, as they were added.

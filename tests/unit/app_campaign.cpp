@@ -174,6 +174,10 @@ TEST(Simulate, KeepsItsRun) {
         "simulate --quiet --beads 100 --stiffness-number 300 --inertial-number 0.1 --strain 1";
     const Outcome run = run_pendular(words + " --json -" + store);
     ASSERT_EQ(run.code, 0) << run.errors;
+    const Outcome next = run_pendular(words + " --friction 0.1 --start nearest --json -" + store);
+    EXPECT_THAT(next.errors, HasSubstr("starts from run 1: friction 0.09"));
+    EXPECT_TRUE(json::parse(next.output).contains("start"));
+    EXPECT_EQ(run_pendular(words + " --start 7" + store).code, 2);
     const Outcome list = run_pendular("runs list --json -" + store);
     EXPECT_EQ(json::parse(list.output)["runs"][0]["stress_ratio"],
               json::parse(run.output)["stress_ratio"]);

@@ -132,6 +132,35 @@ TEST(Run, SeesASampleCrystallise) {
     EXPECT_FALSE(run(small_run()).crystallised);
 }
 
+TEST(Run, StartsFromTheStateOfAnotherAndFindsTheSame) {
+    for (const bool wet : {false, true}) {
+        RunParameters p = small_run();
+        p.beads = 300;
+        if (wet) {
+            p.wetting = {.reduced_pressure = 2, .bridge_volume = 2e-3};
+        }
+        p.strain = 8;
+        const RunResult cold = run(p);
+        RunParameters before = p;
+        before.friction = p.friction + 0.1;
+        before.strain = 0.5;
+        const RunResult other = run(before);
+        p.start = fingerprint(described(before));
+        EXPECT_THROW(run(p), std::invalid_argument);
+        const RunResult warm = run(p, {.start = &other.final_state});
+        EXPECT_TRUE(warm.steady);
+        EXPECT_LT(warm.steps, cold.steps);
+        for (const Observable which : {Observable::stress_ratio, Observable::solid_fraction,
+                                       Observable::contact_coordination}) {
+            // One in 2000 beyond 3.5 standard errors.
+            EXPECT_NEAR(warm[which].value, cold[which].value,
+                        3.5 * std::hypot(warm[which].standard_error, cold[which].standard_error));
+        }
+        p.beads = 200;
+        EXPECT_THROW(run(p, {.start = &other.final_state}), std::invalid_argument);
+    }
+}
+
 TEST(ShearCell, SaysWhenItsStateBlowsUp) {
     ShearCell sample(100, {.modulus = 5e3, .friction = 0.3}, 0.05, 1);
     sample.set_time_step_fraction(3);  // far beyond what the explicit integrator can follow

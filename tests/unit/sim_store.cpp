@@ -123,12 +123,37 @@ TEST(RunStore, TellsRunsApartByAllThatDeterminesThem) {
     EXPECT_TRUE(without([](auto& p) { p.beads = 65; }));
     EXPECT_TRUE(without([](auto& p) { p.strain = 1; }));
     EXPECT_TRUE(without([](auto& p) { p.seed = 2; }));
+    EXPECT_TRUE(without([](auto& p) { p.start = 2; }));
     EXPECT_TRUE(without([](auto& p) { p.wetting.emplace(); }));
     EXPECT_TRUE(without([](auto& p) { p.precision = {{dem::Observable::stress_ratio, 0.01}}; }));
     EXPECT_FALSE(store.find(small(1), 2));  // two threads round otherwise
     // A version of the physics of its own.
     EXPECT_TRUE(store.add(invented(1), dem::physics_version + 1));
     EXPECT_EQ(store.size(), 2u);
+}
+
+TEST(RunStore, FindsTheNearestFlow) {
+    const TemporaryFolder folder;
+    RunStore store(folder.path() / "runs.sqlite");
+    const auto add = [&](std::uint64_t seed, bool wet, auto change) {
+        dem::RunResult run = invented(seed, wet);
+        change(run);
+        store.add(run);
+    };
+    EXPECT_FALSE(store.nearest(small(1)));
+    add(1, false, [](auto& run) { run.parameters.friction = 0.5; });
+    add(2, false, [](auto& run) { run.parameters.inertial_number = 0.2; });
+    add(3, false, [](auto& run) { run.crystallised = true; });
+    add(4, false, [](auto& run) { run.parameters.beads = 65; });
+    add(5, false, [](auto& run) { run.final_state = {}; });
+    add(6, true, [](auto&) {});
+    const auto found = store.nearest(small(9));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->run.parameters.seed, 2u);
+    EXPECT_EQ(found->run.final_state.beads.size(), 1000u);
+    dem::RunParameters wet = small(9);
+    wet.wetting = {.reduced_pressure = 1, .bridge_volume = 0.002};
+    EXPECT_EQ(store.nearest(wet)->run.parameters.seed, 6u);
 }
 
 TEST(RunStore, SavesRunsThatAreThere) {
