@@ -100,15 +100,22 @@ int calibrate(const std::vector<std::string>& arguments) {
     const Workers workers{common->threads, guard.token(),
                           [&](const EnsembleProgress& p) { console.progress(what, p); },
                           store.get(), !cold};
-    const Calibration c =
-        calibrate_study(study, measurements, request, workers, [&](int round, const Fit& fit) {
+    const auto report = [&](int round, const Fit& fit) {
+        console.end_progress();
+        if (!common->quiet) {
+            fmt::print(stderr, "round {}: friction = {}\n", round,
+                       with_error(fit.parameters(0), fit.standard_error(0)));
+        }
+        what = fmt::format("round {}", round + 1);
+    };
+    const Calibration c = [&] {
+        try {
+            return calibrate_study(study, measurements, request, workers, report);
+        } catch (const dem::Interrupted&) {
             console.end_progress();
-            if (!common->quiet) {
-                fmt::print(stderr, "round {}: friction = {}\n", round,
-                           with_error(fit.parameters(0), fit.standard_error(0)));
-            }
-            what = fmt::format("round {}", round + 1);
-        });
+            throw store ? interrupted_with(*store) : dem::Interrupted();
+        }
+    }();
     console.end_progress();
     const Comparison comparison = compare(c);
     const auto json = to_json(c, comparison);

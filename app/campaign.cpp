@@ -117,10 +117,15 @@ int campaign(const std::vector<std::string>& arguments) {
             .stop = guard.token(),
             .report = [&](const EnsembleProgress& p) { console.progress("campaign", p); },
             .store = &store};
-        if (processes && processes->workers() > 0) {
-            processes->manage(runs, workers);
-        } else if (!dry_run) {
-            run_all(runs, workers);
+        try {
+            if (processes && processes->workers() > 0) {
+                processes->manage(runs, workers);
+            } else if (!dry_run) {
+                run_all(runs, workers);
+            }
+        } catch (const dem::Interrupted&) {
+            console.end_progress();
+            throw interrupted_with(store);
         }
         console.end_progress();
         report(runs, store, before, console);

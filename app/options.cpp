@@ -43,6 +43,12 @@ std::uint64_t checked_seed(std::int64_t seed) {
     return static_cast<std::uint64_t>(seed);
 }
 
+dem::Interrupted interrupted_with(const RunStore& store) {
+    return dem::Interrupted(fmt::format(
+        "the runs that were done are in {}; give the same command again to go on from there",
+        store.file().string()));
+}
+
 std::int64_t run_number(const std::string& word) {
     std::int64_t id = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/dem/simulation_error.h"
 #include "sim/fidelity.h"
 #include "sim/store/run_store.h"
 
@@ -21,6 +22,9 @@ std::uint64_t checked_seed(std::int64_t seed);
 /// Number of a stored run.
 /// @throws InputError if it is none
 std::int64_t run_number(const std::string& word);
+
+/// What is said where work that keeps its runs is interrupted.
+dem::Interrupted interrupted_with(const RunStore& store);
 
 /// Refuses a file or folder that cannot be written, since long work must not end there.
 /// @throws InputError naming the option

@@ -12,10 +12,10 @@ cmake --build build/demo
 study=examples/polystyrene
 verdict=$(mktemp)
 trap 'rm -f "$verdict"' EXIT
-build/demo/pendular calibrate "$study" --fidelity quick | tee "$verdict"
+build/demo/pendular calibrate "$study" --fidelity quick --store "$study/out/runs.sqlite" | tee "$verdict"
 build/demo/pendular compare "$study" --fidelity quick
 
 echo
-echo "Results: $study/out/fit.json, $study/out/compare.json"
+echo "Results: $study/out/fit.json, $study/out/compare.json; every run: $study/out/runs.sqlite"
 echo "Figures: $study/out/figures/calibration.png and others (SVG, PDF, CSV beside them)"
 head -n 1 "$verdict"

@@ -71,6 +71,20 @@ TEST(CampaignCommand, GoesOnWhereItWasStopped) {
     EXPECT_EQ(json::parse(run_pendular(words + " --json -").output)["new"], 0);
 }
 
+TEST(CampaignCommand, SaysHowToGoOn) {
+    const TemporaryFolder folder;
+    const std::string store = (folder.path() / "runs.sqlite").string();
+    // The signal comes once the store is there.
+    const std::string command = fmt::format(
+        "{} campaign {} --quiet --store {} 2>{} & while kill -0 $! && ! test -e {}; do sleep "
+        "0.02; done 2>/dev/null; kill -INT $!; wait $!",
+        PENDULAR_PROGRAM, folder.write("runs.toml", "[[grid]]\nstrain = 500\n").string(), store,
+        (folder.path() / "err").string(), store);
+    EXPECT_EQ(WEXITSTATUS(std::system(("bash -c '" + command + "'").c_str())), 130);
+    EXPECT_THAT(content_of(folder.path() / "err"),
+                HasSubstr(store + "; give the same command again"));
+}
+
 TEST(CampaignCommand, IsTheSameInSharesAndUnderMpi) {
     const TemporaryFolder folder;
     const fs::path expected = whole(folder), merged = folder.path() / "merged.sqlite",
