@@ -7,6 +7,7 @@
 #include "app/console.h"
 #include "app/interrupt.h"
 #include "app/options.h"
+#include "app/stored_runs.h"
 #include "app/study_input.h"
 #include "calib/calibration.h"
 #include "reports/json.h"
@@ -94,7 +95,7 @@ int calibrate(const std::vector<std::string>& arguments) {
     request.fidelity = common->fidelity;
     request.options.fewest_rounds -= no_confirm;
     const auto [study, measurements] = read_input(common->study);
-    const auto store = common->open_store();
+    const auto store = open_store(*common);
     std::string what = "round 1";
     request.stage = [&](std::string_view name) { what = name; };
     const Workers workers{common->threads, guard.token(),

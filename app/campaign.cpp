@@ -9,10 +9,10 @@
 #include "app/console.h"
 #include "app/interrupt.h"
 #include "app/options.h"
+#include "app/stored_runs.h"
 #include "data/input_error.h"
 #include "sim/campaign.h"
 #include "sim/mpi_ensemble.h"
-#include "sim/store/run_store.h"
 
 namespace pendular::app {
 namespace {
@@ -27,9 +27,23 @@ std::pair<int, int> share_from(const std::string& text) {
     return {share, shares};
 }
 
-std::size_t stored_among(const RunStore& store, const std::vector<dem::RunParameters>& runs) {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        runs, [&](const dem::RunParameters& run) { return store.find(run).has_value(); }));
+/// What of a campaign a store has.
+struct Survey {
+    std::vector<dem::RunParameters> missing;
+    std::vector<dem::RunResult> failed;
+};
+
+Survey survey(const std::vector<dem::RunParameters>& runs, const RunStore& store) {
+    Survey found;
+    for (const auto& run : runs) {
+        auto stored = store.find(run);
+        if (!stored) {
+            found.missing.push_back(run);
+        } else if (!stored->failure.empty()) {
+            found.failed.push_back(std::move(*stored));
+        }
+    }
+    return found;
 }
 
 /// Ends all processes where this one fails, since the others would wait for it.
@@ -48,24 +62,21 @@ void or_abort(const MpiProcesses& processes, const std::function<void()>& work) 
     }
 }
 
-void report(const std::vector<dem::RunParameters>& runs, const RunStore& store, std::size_t before,
+void report(std::size_t runs, const Survey& before, const Survey& after, const RunStore& store,
             Console& console) {
-    std::size_t stored = 0, failed = 0;
-    for (const auto& run : runs) {
-        const auto found = store.find(run);
-        stored += found.has_value();
-        if (found && !found->failure.empty()) {
-            ++failed;
-            console.note(fmt::format("friction {}, inertial number {}, seed {} failed: {}",
-                                     run.friction, run.inertial_number, run.seed, found->failure));
-        }
+    for (const auto& run : after.failed) {
+        console.note(fmt::format("friction {}, inertial number {}, seed {} failed: {}",
+                                 run.parameters.friction, run.parameters.inertial_number,
+                                 run.parameters.seed, run.failure));
     }
-    console.line(fmt::format("{} of {} runs are in {}: {} new, {} failed", stored, runs.size(),
-                             store.file().string(), stored - before, failed));
-    console.json({{"runs", runs.size()},
+    const std::size_t stored = runs - after.missing.size(),
+                      made = before.missing.size() - after.missing.size();
+    console.line(fmt::format("{} of {} runs are in {}: {} new, {} failed", stored, runs,
+                             store.file().string(), made, after.failed.size()));
+    console.json({{"runs", runs},
                   {"stored", stored},
-                  {"new", stored - before},
-                  {"failed", failed},
+                  {"new", made},
+                  {"failed", after.failed.size()},
                   {"store", store.file().string()}});
 }
 
@@ -111,7 +122,7 @@ int campaign(const std::vector<std::string>& arguments) {
     }
     const auto carry_out = [&] {
         RunStore store(common->store);
-        const std::size_t before = stored_among(store, runs);
+        const Survey before = survey(runs, store);
         const Workers workers{
             .threads = common->threads,
             .stop = guard.token(),
@@ -119,16 +130,16 @@ int campaign(const std::vector<std::string>& arguments) {
             .store = &store};
         try {
             if (processes && processes->workers() > 0) {
-                processes->manage(runs, workers);
+                processes->manage(before.missing, workers);
             } else if (!dry_run) {
-                run_all(runs, workers);
+                run_all(before.missing, workers);
             }
         } catch (const dem::Interrupted&) {
             console.end_progress();
             throw interrupted_with(store);
         }
         console.end_progress();
-        report(runs, store, before, console);
+        report(runs.size(), before, survey(runs, store), store, console);
     };
     if (processes) {
         or_abort(*processes, carry_out);

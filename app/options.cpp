@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
@@ -13,6 +12,7 @@
 
 #include "data/input_error.h"
 #include "data/nearest.h"
+#include "sim/store/run_store.h"
 
 namespace pendular::app {
 namespace {
@@ -43,24 +43,6 @@ std::uint64_t checked_seed(std::int64_t seed) {
     return static_cast<std::uint64_t>(seed);
 }
 
-dem::Interrupted interrupted_with(const RunStore& store) {
-    return dem::Interrupted(fmt::format(
-        "the runs that were done are in {}; give the same command again to go on from there",
-        store.file().string()));
-}
-
-std::int64_t run_number(const std::string& word) {
-    std::int64_t id = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
-    if (error != std::errc() || end != word.data() + word.size()) {
-        throw InputError(
-            fmt::format("'{}' is no number of a run; 'pendular runs list' shows those "
-                        "there are",
-                        word));
-    }
-    return id;
-}
-
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder) {
     namespace fs = std::filesystem;
     std::error_code error;
@@ -87,21 +69,6 @@ void demand_writable(const std::filesystem::path& path, const std::string& optio
 
 std::filesystem::path CommonOptions::out_folder() const {
     return out ? *out : study_folder(study) / "out";
-}
-
-std::unique_ptr<RunStore> CommonOptions::open_store() const {
-    if (!store_named) {
-        std::error_code error;
-        std::filesystem::create_directories(store.parent_path(), error);
-        if (error || access(store.parent_path().c_str(), W_OK) != 0) {
-            fmt::print(stderr,
-                       "note: {} cannot be written, so that runs are not kept; --store FILE names "
-                       "another place\n",
-                       store.parent_path().string());
-            return nullptr;
-        }
-    }
-    return std::make_unique<RunStore>(store);
 }
 
 Options::Options(std::string usage, std::string about, std::string examples, bool takes_study)

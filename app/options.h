@@ -3,28 +3,18 @@
 #include <boost/program_options.hpp>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "sim/dem/simulation_error.h"
 #include "sim/fidelity.h"
-#include "sim/store/run_store.h"
 
 namespace pendular::app {
 
 /// A seed as the user gave it.
 /// @throws InputError if it is negative
 std::uint64_t checked_seed(std::int64_t seed);
-
-/// Number of a stored run.
-/// @throws InputError if it is none
-std::int64_t run_number(const std::string& word);
-
-/// What is said where work that keeps its runs is interrupted.
-dem::Interrupted interrupted_with(const RunStore& store);
 
 /// Refuses a file or folder that cannot be written, since long work must not end there.
 /// @throws InputError naming the option
@@ -43,10 +33,6 @@ struct CommonOptions {
 
     /// Folder for results: --out, else STUDY/out.
     std::filesystem::path out_folder() const;
-    /// The store of runs. Null, which is said on standard error, where its standard place cannot be
-    /// written: a command that only adds to it goes on without.
-    /// @throws InputError, std::runtime_error as RunStore
-    std::unique_ptr<RunStore> open_store() const;
 };
 
 /// Declares, parses and documents the options of one command.

@@ -10,11 +10,11 @@
 #include "app/command.h"
 #include "app/console.h"
 #include "app/options.h"
+#include "app/stored_runs.h"
 #include "data/input_error.h"
 #include "data/nearest.h"
 #include "reports/json.h"
 #include "reports/run_plots.h"
-#include "sim/store/run_store.h"
 #include "sim/store/run_table.h"
 
 namespace pendular::app {

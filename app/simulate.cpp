@@ -12,6 +12,7 @@
 #include "app/console.h"
 #include "app/interrupt.h"
 #include "app/options.h"
+#include "app/stored_runs.h"
 #include "data/input_error.h"
 #include "data/quantity.h"
 #include "data/text_file.h"
@@ -89,23 +90,12 @@ void print_result(Console& console, const dem::RunResult& run) {
                     run.wall_seconds, run.particle_steps_per_second()));
 }
 
-/// "stress_ratio=0.003" as a user gives it.
 /// @throws InputError
 dem::Precision precision_from(const std::string& text) {
-    const auto equals = text.find('=');
-    const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
-    char* end = nullptr;
-    const double error = std::strtod(number.c_str(), &end);
-    if (number.empty() || *end != '\0') {
-        throw InputError(
-            fmt::format("--precision {}: an observable and its standard error are needed, as in "
-                        "stress_ratio=0.003",
-                        text));
-    }
     try {
-        return {dem::observable_named(text.substr(0, equals)), error};
-    } catch (const std::invalid_argument& unknown) {
-        throw InputError(fmt::format("--precision {}: {}", text, unknown.what()));
+        return dem::precision_named(text);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(fmt::format("--precision {}: {}", text, error.what()));
     }
 }
 
@@ -134,6 +124,10 @@ void Extras::check(const Options& options, const CommonOptions& common) const {
         demand_writable(checkpoint, "--checkpoint", false);
     } else if (options.given("checkpoint-every")) {
         throw InputError("--checkpoint-every needs --checkpoint FILE");
+    }
+    if (options.given("start") && options.given("seed")) {
+        throw InputError(
+            "--start takes its initial state from a stored run, so that there is no --seed to set");
     }
     if (!(checkpoint_minutes > 0)) {
         throw InputError(
@@ -245,7 +239,7 @@ void carry_out(dem::RunParameters run, const Extras& extras, const CommonOptions
     if (extras.snapshot_every > 0) {
         snapshots.emplace(*common.out, extras.snapshot_every);
     }
-    const auto store = common.open_store();
+    const auto store = open_store(common);
     std::optional<StoredRun> start;
     if (!extras.start.empty()) {
         if (!store) {
@@ -253,9 +247,6 @@ void carry_out(dem::RunParameters run, const Extras& extras, const CommonOptions
         }
         start = start_of(run, extras.start, *store);
         run.start = dem::fingerprint(dem::described(start->run.parameters, start->run.threads));
-        console.line(fmt::format("starts from run {}: friction {:.4g}, inertial number {:.4g}",
-                                 start->id, start->run.parameters.friction,
-                                 start->run.parameters.inertial_number));
     }
     const dem::RunResult result =
         shear(run, start ? &start->run.final_state : nullptr, checkpoint ? &*checkpoint : nullptr,
@@ -264,6 +255,11 @@ void carry_out(dem::RunParameters run, const Extras& extras, const CommonOptions
         store->add(result);
     }
     print_result(console, result);
+    if (start) {
+        console.line(fmt::format("started from run {}: friction {:.4g}, inertial number {:.4g}",
+                                 start->id, start->run.parameters.friction,
+                                 start->run.parameters.inertial_number));
+    }
     nlohmann::ordered_json json = to_json(result);
     json["threads"] = common.threads;
     json.update(fields_json(result));
@@ -327,9 +323,10 @@ int simulate(const std::vector<std::string>& arguments) {
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random initial state (default 1)");
     Extras extras;
-    options.add("start", &extras.start,
-                "stored run whose final state to start from, by number, or 'nearest': shortens the "
-                "transient");
+    options.add(
+        "start", &extras.start,
+        "stored run whose final state to start from in place of a random one, by number, or "
+        "'nearest': shortens the transient");
     options.add("snapshot-every", &extras.snapshot_every,
                 "strain between snapshots for OVITO and ParaView in the folder of --out [1]");
     options.add("checkpoint", &extras.checkpoint,

@@ -153,4 +153,12 @@ Table read_table(const std::filesystem::path& path) {
     return table;
 }
 
+std::string csv_cell(std::string_view text) {
+    if (text.find_first_of(",;\t\"\n") == std::string_view::npos) return std::string(text);
+    std::string result = "\"";
+    for (const char c : text)
+        result += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' ? ' ' : c);
+    return result + '"';
+}
+
 }  // namespace pendular

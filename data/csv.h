@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "data/input_error.h"
@@ -38,5 +39,8 @@ struct Table {
 /// @throws InputError at file:line:column for an empty file, no data rows, rows of another length
 ///         than the header, quotes that do not close, and column names that stand twice
 Table read_table(const std::filesystem::path& path);
+
+/// A text as one cell of such a file, whatever stands in it; line ends become blanks.
+std::string csv_cell(std::string_view text);
 
 }  // namespace pendular

@@ -34,10 +34,6 @@ std::filesystem::path study_file(const std::filesystem::path& study) {
     return study / "study.toml";
 }
 
-std::string joined_lines(const std::filesystem::path& file) {
-    return fmt::format("{}\n", fmt::join(read_lines(file), "\n"));
-}
-
 Grains read_grains(const StudyTable& root) {
     const auto table = root.table("grains", grains_keys);
     if (!table)
@@ -185,8 +181,7 @@ Study read_study(const std::filesystem::path& path) {
     Study study;
     study.file = study_file(path);
     study.folder = study.file.has_parent_path() ? study.file.parent_path() : ".";
-    const StudyTable root =
-        StudyTable::parse(study.file.string(), joined_lines(study.file), top_keys);
+    const StudyTable root = StudyTable::read(study.file, top_keys);
     study.grains = read_grains(root);
     study.liquid = read_liquid(root);
     study.cell = read_cell(root, study.grains);

@@ -1,6 +1,7 @@
 #include "data/study_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <stdexcept>
 
 #include "data/nearest.h"
+#include "data/text_file.h"
 #include "data/units.h"
 
 namespace pendular {
@@ -40,6 +42,11 @@ StudyTable StudyTable::parse(const std::string& file, const std::string& text,
         throw InputError(position_in(file, error.source().begin),
                          fmt::format("{}; correct the syntax here", error.description()));
     }
+}
+
+StudyTable StudyTable::read(const std::filesystem::path& file,
+                            const std::vector<std::string>& keys) {
+    return parse(file.string(), fmt::format("{}\n", fmt::join(read_lines(file), "\n")), keys);
 }
 
 StudyTable::StudyTable(std::shared_ptr<const toml::table> root, const toml::table& table,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,10 @@ class StudyTable {
     /// @throws InputError for a syntax error and for an unknown key, with the nearest known one
     static StudyTable parse(const std::string& file, const std::string& text,
                             const std::vector<std::string>& keys);
+
+    /// The same of a file.
+    /// @throws InputError also where it cannot be read
+    static StudyTable read(const std::filesystem::path& file, const std::vector<std::string>& keys);
 
     bool has(std::string_view key) const;
     /// Of a key's value, or of the table where the key is not there.

@@ -6,20 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "data/csv.h"
 #include "data/quantity.h"
 #include "data/text_file.h"
 
 namespace pendular {
 namespace {
-
-/// A cell that stays one, whatever a file or reason is called.
-std::string cell_text(std::string_view text) {
-    if (text.find_first_of(",;\t\"") == std::string_view::npos) return std::string(text);
-    std::string result = "\"";
-    for (const char c : text)
-        result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + '"';
-}
 
 /// The shortest text that reads back as the same number; empty for what is not known.
 std::string known(double value) {
@@ -32,7 +24,7 @@ std::string header(std::string_view name, std::string_view suffix = "") {
 
 std::string file_from(const std::filesystem::path& written, const std::string& file) {
     const std::filesystem::path folder = written.has_parent_path() ? written.parent_path() : ".";
-    return cell_text(std::filesystem::proximate(file, folder).string());
+    return csv_cell(std::filesystem::proximate(file, folder).string());
 }
 
 std::string reading_row(const Reading& reading, const std::filesystem::path& path) {
@@ -88,7 +80,7 @@ void write_excluded(const std::filesystem::path& path, const Measurements& measu
     std::string text = "file,first_line,last_line,reason\n";
     for (const Excluded& each : measurements.excluded)
         text += fmt::format("{},{},{},{}\n", file_from(path, each.origin.file), each.origin.line,
-                            each.last_line, cell_text(each.reason));
+                            each.last_line, csv_cell(each.reason));
     write_whole(path, text);
 }
 

@@ -16,11 +16,11 @@ namespace {
 const char* const colours[] = {"#000000", "#1b6ca8", "#c8502d", "#2f8f4e"};
 
 Panel course(const StoredRun& stored, const std::string& label, dem::Observable which,
-             double (*value)(const dem::Trace::value_type&)) {
+             double (*value)(const dem::TraceBlock&)) {
     Curve curve{.label = "blocks of strain", .style = Curve::Style::line, .colour = "#1b6ca8"};
     double strain = 0;
     for (const auto& block : stored.run.trace) {
-        strain += block[0];
+        strain += block.strain;
         curve.x.push_back(strain);
         curve.y.push_back(value(block));
     }
@@ -95,11 +95,10 @@ Figure trace_figure(const StoredRun& stored) {
         .name = fmt::format("run_{}", stored.id),
         .title = fmt::format("run {}: friction {:.4g}, inertial number {:.3g}", stored.id,
                              stored.run.parameters.friction, stored.run.parameters.inertial_number),
-        .panels = {course(
-                       stored, "stress ratio [1]", dem::Observable::stress_ratio,
-                       [](const auto& block) { return -static_cast<double>(block[4]) / block[2]; }),
+        .panels = {course(stored, "stress ratio [1]", dem::Observable::stress_ratio,
+                          [](const dem::TraceBlock& b) { return -double{b.s12} / b.s22; }),
                    course(stored, "solid fraction [1]", dem::Observable::solid_fraction,
-                          [](const auto& block) { return static_cast<double>(block[5]); })},
+                          [](const dem::TraceBlock& b) { return double{b.solid_fraction}; })},
         .stacked = true};
 }
 

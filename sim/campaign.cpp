@@ -5,53 +5,47 @@
 #include <algorithm>
 #include <boost/random/sobol.hpp>
 #include <cmath>
-#include <map>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
 
-#include "data/files.h"
-#include "data/nearest.h"
+#include "data/number.h"
 #include "data/study_table.h"
-#include "data/text_file.h"
 #include "sim/ensemble.h"
 #include "sim/seeds.h"
+#include "sim/store/run_columns.h"
 
 namespace pendular {
 namespace {
 
 constexpr std::size_t most_runs = 1'000'000;
+constexpr double most = 1e9;  ///< of a whole number
 
-/// A key of a campaign and what it sets.
-struct Parameter {
-    std::string key;
-    void (*set)(dem::RunParameters& run, double value);
-};
-
-dem::Wetting& wetting_of(dem::RunParameters& run) {
-    return run.wetting ? *run.wetting : run.wetting.emplace();
+bool is_count(double value) {
+    return value >= 0 && value <= most && value == std::floor(value);
 }
 
-const std::vector<Parameter>& parameters() {
-    using Run = dem::RunParameters;
-    static const std::vector<Parameter> all = {
-        {"friction", [](Run& r, double v) { r.friction = v; }},
-        {"inertial_number", [](Run& r, double v) { r.inertial_number = v; }},
-        {"reduced_pressure", [](Run& r, double v) { wetting_of(r).reduced_pressure = v; }},
-        {"bridge_volume", [](Run& r, double v) { wetting_of(r).bridge_volume = v; }},
-        {"stiffness_number", [](Run& r, double v) { r.stiffness_number = v; }},
-        {"poisson_ratio", [](Run& r, double v) { r.poisson_ratio = v; }},
-        {"damping", [](Run& r, double v) { r.damping = v; }},
-        {"beads", [](Run& r, double v) { r.beads = static_cast<int>(v); }},
-        {"strain", [](Run& r, double v) { r.strain = v; }}};
+/// What a campaign may set: the columns of numbers that determine a run, but for those it chooses
+/// itself.
+const std::vector<const RunColumn*>& parameters() {
+    static const std::vector<const RunColumn*> all = [] {
+        std::vector<const RunColumn*> columns;
+        for (const RunColumn& column : run_columns()) {
+            const bool chosen =
+                column.name == "seed" || column.name == "start" || column.name == "threads";
+            if (column.determines && column.type != RunColumn::Type::text && !chosen) {
+                columns.push_back(&column);
+            }
+        }
+        return columns;
+    }();
     return all;
 }
 
 std::vector<std::string> keys_and(const std::vector<std::string>& others) {
     std::vector<std::string> keys = others;
-    for (const Parameter& parameter : parameters()) {
-        keys.push_back(parameter.key);
+    for (const RunColumn* parameter : parameters()) {
+        keys.push_back(parameter->name);
     }
     return keys;
 }
@@ -66,13 +60,18 @@ std::size_t count(const StudyTable& table, std::string_view key, double missing,
 }
 
 /// The numbers of each key that a table has, in the order of `parameters`.
-using Columns = std::vector<std::pair<const Parameter*, std::vector<double>>>;
+using Columns = std::vector<std::pair<const RunColumn*, std::vector<double>>>;
 
 Columns columns_of(const StudyTable& table) {
     Columns columns;
-    for (const Parameter& parameter : parameters()) {
-        if (auto numbers = table.numbers(parameter.key); !numbers.empty()) {
-            columns.emplace_back(&parameter, std::move(numbers));
+    for (const RunColumn* parameter : parameters()) {
+        auto numbers = table.numbers(parameter->name);
+        if (parameter->type == RunColumn::Type::integer &&
+            !std::ranges::all_of(numbers, is_count)) {
+            table.refuse(parameter->name, fmt::format("must be whole numbers up to {}", most));
+        }
+        if (!numbers.empty()) {
+            columns.emplace_back(parameter, std::move(numbers));
         }
     }
     if (table.has("bridge_volume") && !table.has("reduced_pressure")) {
@@ -82,14 +81,14 @@ Columns columns_of(const StudyTable& table) {
 }
 
 /// One point of a table: what to set in a run.
-using Point = std::vector<std::pair<const Parameter*, double>>;
+using Point = std::vector<std::pair<const RunColumn*, double>>;
 
 std::vector<Point> grid_points(const StudyTable& table) {
     std::vector<Point> points(1);
     for (const auto& [parameter, numbers] : columns_of(table)) {
         std::vector<Point> more;
         if (points.size() * numbers.size() > most_runs) {
-            table.refuse(parameter->key,
+            table.refuse(parameter->name,
                          fmt::format("makes more than {} runs of this grid", most_runs));
         }
         for (const Point& point : points) {
@@ -112,7 +111,7 @@ std::vector<Point> list_points(const StudyTable& table) {
     std::vector<Point> points(length);
     for (const auto& [parameter, numbers] : columns) {
         if (numbers.size() != 1 && numbers.size() != length) {
-            table.refuse(parameter->key,
+            table.refuse(parameter->name,
                          fmt::format("has {} numbers where another key of this list has {}; give "
                                      "one, or as many",
                                      numbers.size(), length));
@@ -133,12 +132,12 @@ std::vector<Point> sobol_points(const StudyTable& table) {
     }
     for (const auto& [parameter, range] : ranges) {
         if (range.size() != 2 || !(range[0] < range[1])) {
-            table.refuse(parameter->key, "must be one number or [least, greatest]");
+            table.refuse(parameter->name, "must be one number or [least, greatest]");
         }
     }
     for (const std::string& key : logarithmic) {
         const auto found = std::ranges::find_if(
-            ranges, [&](const auto& range) { return range.first->key == key; });
+            ranges, [&](const auto& range) { return range.first->name == key; });
         if (found == ranges.end() || found->second[0] <= 0) {
             table.refuse("logarithmic", fmt::format("'{}' is no range of positive numbers", key));
         }
@@ -153,16 +152,25 @@ std::vector<Point> sobol_points(const StudyTable& table) {
     for (Point& point : points) {
         for (const auto& [parameter, range] : ranges) {
             const double at = static_cast<double>(sequence()) * scale;
-            const bool log = std::ranges::find(logarithmic, parameter->key) != logarithmic.end();
+            const bool log = std::ranges::find(logarithmic, parameter->name) != logarithmic.end();
             const double value = log ? range[0] * std::pow(range[1] / range[0], at)
                                      : range[0] + at * (range[1] - range[0]);
-            point.emplace_back(parameter, std::stod(fmt::format("{:.4g}", value)));
+            point.emplace_back(parameter, parse_number(fmt::format("{:.4g}", value)).value());
         }
         for (const auto& [parameter, number] : fixed) {
             point.emplace_back(parameter, number.front());
         }
     }
     return points;
+}
+
+dem::RunParameters run_at(const Point& point) {
+    dem::RunResult run;
+    for (const auto& [parameter, value] : point) {
+        const bool whole = parameter->type == RunColumn::Type::integer;
+        parameter->set(run, whole ? RunCell(std::int64_t{std::llround(value)}) : RunCell(value));
+    }
+    return run.parameters;
 }
 
 /// Of what determines a run but its seed.
@@ -178,10 +186,7 @@ class Reader {
     void add(const StudyTable& table, const std::vector<Point>& points) {
         const std::size_t repeats = count(table, "repeats", 1, 1);
         for (const Point& point : points) {
-            dem::RunParameters run;
-            for (const auto& [parameter, value] : point) {
-                parameter->set(run, value);
-            }
+            dem::RunParameters run = run_at(point);
             const std::uint64_t own = fingerprint(run);
             for (std::size_t repeat = 0; repeat < repeats; ++repeat) {
                 // 53 bits, which every program that reads the store can hold.
@@ -218,12 +223,7 @@ class Reader {
 }  // namespace
 
 std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file) {
-    std::string text;
-    for (const std::string& line : read_lines(file)) {
-        text += line + "\n";
-    }
-    const StudyTable root =
-        StudyTable::parse(file.string(), text, {"seed", "grid", "list", "sobol"});
+    const StudyTable root = StudyTable::read(file, {"seed", "grid", "list", "sobol"});
     Reader reader(count(root, "seed", 1, 0));
     for (const StudyTable& table : root.tables("grid", keys_and({"repeats"}))) {
         reader.add(table, grid_points(table));
@@ -246,10 +246,7 @@ std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file)
 
 std::vector<dem::RunParameters> share_of(const std::vector<dem::RunParameters>& runs, int share,
                                          int shares) {
-    std::vector<std::size_t> order(runs.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::greater{},
-                             [&](std::size_t k) { return expected_cost(runs[k]); });
+    const auto order = longest_first(runs);
     std::vector<dem::RunParameters> mine;
     for (std::size_t turn = static_cast<std::size_t>(share) - 1; turn < order.size();
          turn += static_cast<std::size_t>(shares)) {

@@ -19,6 +19,14 @@ double expected_cost(const dem::RunParameters& run) {
     return run.beads * (run.strain + 1.2) / run.inertial_number * std::sqrt(run.stiffness_number);
 }
 
+std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& runs) {
+    std::vector<std::size_t> order(runs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater{},
+                             [&](std::size_t k) { return expected_cost(runs[k]); });
+    return order;
+}
+
 dem::RunResult carry_out(const dem::RunParameters& run, const dem::RunOptions& options) {
     try {
         return dem::run(run, options);
@@ -38,10 +46,7 @@ class Ensemble {
           workers_(workers),
           results_(runs.size()),
           done_(runs.size(), 0.0),
-          order_(runs.size()) {
-        std::iota(order_.begin(), order_.end(), std::size_t{0});
-        std::ranges::stable_sort(order_, std::greater{},
-                                 [&](std::size_t k) { return expected_cost(runs_[k]); });
+          order_(longest_first(runs)) {
         if (workers_.store && workers_.reads_store) {
             take_stored();
         }

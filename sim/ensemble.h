@@ -24,7 +24,8 @@ struct Workers {
     int threads = 1;
     std::stop_token stop;
     EnsembleReport report;      ///< called from one thread at a time
-    RunStore* store = nullptr;  ///< to which every run goes as it ends
+    RunStore* store = nullptr;  ///< to which every run goes as it ends, with its course and final
+                                ///< state, which are then not among the results
     bool reads_store = true;    ///< runs that are in the store are not carried out again
 };
 
@@ -38,6 +39,9 @@ std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
 
 /// One run; where its simulation fails, RunResult::failure is set and nothing else.
 dem::RunResult carry_out(const dem::RunParameters& run, const dem::RunOptions& options);
+
+/// Places of the runs, the costliest first: so the last ones to end are short.
+std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& runs);
 
 /// Bead-steps that a run will take, transient included; relative cost only.
 double expected_cost(const dem::RunParameters& run);

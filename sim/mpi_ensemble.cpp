@@ -112,19 +112,16 @@ void MpiProcesses::abort(int exit_code) const {
 
 void MpiProcesses::manage(const std::vector<dem::RunParameters>& runs,
                           const Workers& workers) const {
-    std::vector<dem::RunParameters> missing;
-    std::ranges::copy_if(runs, std::back_inserter(missing),
-                         [&](const auto& run) { return !workers.store->find(run); });
-    std::ranges::stable_sort(missing, std::greater{}, expected_cost);
+    const auto order = longest_first(runs);
     double total = 0, done = 0;
-    for (const auto& run : missing) {
+    for (const auto& run : runs) {
         total += expected_cost(run);
     }
     const auto started = std::chrono::steady_clock::now();
     std::size_t next = 0, busy = 0, finished = 0;
     const auto hand_on = [&](int worker) {
-        if (next < missing.size()) {
-            send(worker, Tag::job, packed({.parameters = missing[next++]}));
+        if (next < runs.size()) {
+            send(worker, Tag::job, packed({.parameters = runs[order[next++]]}));
             ++busy;
         } else {
             send(worker, Tag::no_more, "");
@@ -143,7 +140,7 @@ void MpiProcesses::manage(const std::vector<dem::RunParameters>& runs,
         if (workers.report) {
             const double spent =
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-            workers.report({.runs_done = runs.size() - missing.size() + finished,
+            workers.report({.runs_done = finished,
                             .runs = runs.size(),
                             .fraction = done / total,
                             .seconds_left = spent * (total / done - 1)});

@@ -22,9 +22,9 @@ class MpiProcesses {
     bool manager() const { return rank_ == 0; }
     int workers() const { return size_ - 1; }
 
-    /// Rank 0: has the runs that the store lacks carried out, the longest first, a worker each, and
-    /// keeps every one as it comes back. `workers.threads` is not used. The store is this process's
-    /// alone, so that machines need share no disk.
+    /// Rank 0: has the runs carried out, the longest first, a worker each, and keeps every one as
+    /// it comes back. Of `workers` only `stop`, `report` and `store` are used; the store is this
+    /// process's alone, so that machines need share no disk.
     /// @throws dem::Interrupted, and what the store throws; the others must then be ended
     void manage(const std::vector<dem::RunParameters>& runs, const Workers& workers) const;
 

@@ -104,6 +104,10 @@ struct Precision {
     Observable which = Observable::stress_ratio;
     double standard_error = 0;
 };
+/// One as in "stress_ratio=0.003".
+/// @throws std::invalid_argument for any other text and for an unknown observable
+Precision precision_named(std::string_view text);
+
 /// A standard error from a shorter averaged strain is not to be relied on.
 constexpr double shortest_precise_strain = 2;
 

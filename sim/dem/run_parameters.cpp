@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "data/form.h"
+#include "data/number.h"
 #include "sim/dem/run.h"
 #include "sim/dem/shear_cell.h"
 
@@ -70,6 +71,14 @@ Observable observable_named(std::string_view name) {
     demand(found != observable_names.end(), fmt::format("unknown observable '{}'; use one of {}",
                                                         name, fmt::join(observable_names, ", ")));
     return static_cast<Observable>(found - observable_names.begin());
+}
+
+Precision precision_named(std::string_view text) {
+    const auto equals = std::min(text.find('='), text.size());
+    const auto error = parse_number(text.substr(std::min(equals + 1, text.size())));
+    demand(error.has_value(),
+           "an observable and its standard error are needed, as in stress_ratio=0.003");
+    return {observable_named(text.substr(0, equals)), *error};
 }
 
 bool needs_bridges(Observable which) {

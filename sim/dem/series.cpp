@@ -132,18 +132,17 @@ std::optional<std::size_t> Series::transient(bool wet) const {
 
 Trace Series::trace() const {
     Trace trace;
+    const auto single = [](double value) { return static_cast<float>(value); };
     for (const Block& b : blocks_) {
-        const double row[] = {b.strain,
-                              b.s11,
-                              b.s22,
-                              b.s33,
-                              b.s12,
-                              b.solid_fraction,
-                              b.structure.contact_coordination,
-                              b.structure.distant_coordination,
-                              b.localization};
-        std::ranges::transform(row, trace.emplace_back().begin(),
-                               [](double value) { return static_cast<float>(value); });
+        trace.push_back({.strain = single(b.strain),
+                         .s11 = single(b.s11),
+                         .s22 = single(b.s22),
+                         .s33 = single(b.s33),
+                         .s12 = single(b.s12),
+                         .solid_fraction = single(b.solid_fraction),
+                         .contact_coordination = single(b.structure.contact_coordination),
+                         .distant_coordination = single(b.structure.distant_coordination),
+                         .localization = single(b.localization)});
     }
     return trace;
 }

@@ -9,14 +9,15 @@
 namespace pendular::dem {
 
 /// A sample as a run leaves it, in single precision: enough for another run to start from, not to
-/// go on bit for bit (that is a checkpoint). What contacts remember is left out; it is made anew
-/// within a strain of 0.01.
+/// go on bit for bit (that is a checkpoint). What contacts remember is left out: it builds up again
+/// while they slide by their overlap, a small part of any transient.
 struct StoredSample {
     Cell cell;
     std::vector<std::array<float, 9>> beads;  ///< position, peculiar velocity, angular velocity
 
     StoredSample() = default;
     explicit StoredSample(const ShearCell& sample) : cell(sample.cell()) {
+        beads.reserve(sample.beads().size());
         for (const auto& bead : sample.beads().motion) {
             auto& to = beads.emplace_back();
             for (std::size_t d = 0; d < 3; ++d) {

@@ -1,18 +1,26 @@
 #pragma once
 
-#include <array>
-#include <string_view>
 #include <vector>
 
 namespace pendular::dem {
 
-/// What a trace tells of every block; stresses over the imposed normal stress.
-constexpr std::array trace_names = std::to_array<std::string_view>(
-    {"strain", "s11", "s22", "s33", "s12", "solid_fraction", "contact_coordination",
-     "distant_coordination", "localization"});
+/// One block of strain of about 0.02 [1] of a run, in single precision; stresses over the imposed
+/// normal stress.
+struct TraceBlock {
+    float strain = 0;  ///< of this block alone
+    float s11 = 0, s22 = 0, s33 = 0, s12 = 0;
+    float solid_fraction = 0, contact_coordination = 0, distant_coordination = 0, localization = 0;
 
-/// A run block by block, each of a strain of about 0.02 [1], in single precision: numbers in the
-/// order of `trace_names`, the strain that of the block alone.
-using Trace = std::vector<std::array<float, trace_names.size()>>;
+    friend bool operator==(const TraceBlock&, const TraceBlock&) = default;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+        archive(strain, s11, s22, s33, s12, solid_fraction, contact_coordination,
+                distant_coordination, localization);
+    }
+};
+
+/// A run block by block.
+using Trace = std::vector<TraceBlock>;
 
 }  // namespace pendular::dem

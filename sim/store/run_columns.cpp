@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
+#include <algorithm>
 
 #include "data/form.h"
 #include "sim/dem/series.h"
@@ -84,13 +84,7 @@ std::string precision_text(const RunParameters& p) {
 void set_precision(RunParameters& p, std::string_view text) {
     while (!text.empty()) {
         const auto end = std::min(text.find(' '), text.size());
-        const std::string_view one = text.substr(0, end);
-        const auto equals = one.find('=');
-        if (equals == std::string_view::npos) {
-            throw std::invalid_argument(fmt::format("'{}' is not OBSERVABLE=ERROR", one));
-        }
-        p.precision.push_back({dem::observable_named(one.substr(0, equals)),
-                               std::stod(std::string(one.substr(equals + 1)))});
+        p.precision.push_back(dem::precision_named(text.substr(0, end)));
         text.remove_prefix(std::min(end + 1, text.size()));
     }
 }

@@ -68,31 +68,53 @@ std::string sql_type(RunColumn::Type type) {
                                             : "TEXT";
 }
 
-/// Creates the table, or adds the columns that this version has beyond the file's.
-void make_table(SQLite::Database& database) {
-    SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    database.exec(
-        "CREATE TABLE IF NOT EXISTS runs (id INTEGER PRIMARY KEY AUTOINCREMENT, key TEXT NOT NULL "
-        "UNIQUE, physics_version INTEGER NOT NULL, added TEXT NOT NULL DEFAULT CURRENT_TIMESTAMP, "
-        "trace BLOB, final_state BLOB)");
+int pragma(SQLite::Database& database, const std::string& name) {
+    return database.execAndGet("PRAGMA " + name).getInt();
+}
+
+std::vector<const RunColumn*> missing_columns(SQLite::Database& database) {
     std::vector<std::string> there;
     SQLite::Statement columns(database, "SELECT name FROM pragma_table_info('runs')");
     while (columns.executeStep()) {
         there.push_back(columns.getColumn(0).getString());
     }
+    std::vector<const RunColumn*> missing;
     for (const RunColumn& column : run_columns()) {
         if (std::ranges::find(there, column.name) == there.end()) {
-            database.exec(fmt::format("ALTER TABLE runs ADD COLUMN {} {}", column.name,
-                                      sql_type(column.type)));
+            missing.push_back(&column);
         }
+    }
+    return missing;
+}
+
+/// Creates the table, or adds the columns that this version has beyond the file's. Another process
+/// may be doing the same: what is there is looked at once no other can write.
+void make_table(SQLite::Database& database, const std::string& name) {
+    SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+    const int id = pragma(database, "application_id"), version = pragma(database, "user_version");
+    const bool fresh = id == 0 && version == 0 &&
+                       database.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
+    if (!fresh && id != application_id) {
+        throw InputError(
+            fmt::format("{} is a database of another program; name another file", name));
+    }
+    if (version > RunStore::format) {
+        throw InputError(fmt::format(
+            "{} was written by a newer version of pendular (format {}, this one knows {}); update "
+            "pendular or name another file",
+            name, version, RunStore::format));
+    }
+    database.exec(
+        "CREATE TABLE IF NOT EXISTS runs (id INTEGER PRIMARY KEY AUTOINCREMENT, key TEXT NOT NULL "
+        "UNIQUE, physics_version INTEGER NOT NULL, added TEXT NOT NULL DEFAULT CURRENT_TIMESTAMP, "
+        "trace BLOB, final_state BLOB)");
+    for (const RunColumn* column : missing_columns(database)) {
+        database.exec(
+            fmt::format("ALTER TABLE runs ADD COLUMN {} {}", column->name, sql_type(column->type)));
     }
     database.exec(fmt::format("PRAGMA application_id = {}", application_id));
     database.exec(fmt::format("PRAGMA user_version = {}", RunStore::format));
     transaction.commit();
-}
-
-int pragma(SQLite::Database& database, const std::string& name) {
-    return database.execAndGet("PRAGMA " + name).getInt();
 }
 
 std::string column_list() {
@@ -165,25 +187,15 @@ RunStore::RunStore(const std::filesystem::path& file, bool must_exist)
     explained(file_, [&] {
         database_ = std::make_unique<SQLite::Database>(
             file_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, patience_ms);
-        const int id = pragma(*database_, "application_id"),
-                  version = pragma(*database_, "user_version");
-        const bool fresh =
-            id == 0 && version == 0 &&
-            database_->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
-        if (!fresh && id != application_id) {
-            throw InputError(fmt::format(
-                "store {} is a database of another program; name another file", file_.string()));
-        }
-        if (version > format) {
-            throw InputError(fmt::format(
-                "store {} was written by a newer version of pendular (format {}, this one knows "
-                "{}); update pendular or name another file",
-                file_.string(), version, format));
+        const bool made = pragma(*database_, "application_id") == application_id &&
+                          pragma(*database_, "user_version") == format &&
+                          missing_columns(*database_).empty();
+        if (!made) {
+            make_table(*database_, fmt::format("store {}", file_.string()));
         }
         // Readers and one writer go side by side; a commit is on disk before it is reported.
         database_->exec("PRAGMA journal_mode = WAL");
         database_->exec("PRAGMA synchronous = FULL");
-        make_table(*database_);
     });
 }
 

@@ -17,17 +17,6 @@ namespace {
 
 constexpr const char* version_column = "physics_version";
 
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) {
-        return text;
-    }
-    std::string result = "\"";
-    for (const char c : text) {
-        result += c == '"' ? "\"\"" : std::string(1, c == '\n' ? ' ' : c);
-    }
-    return result + '"';
-}
-
 std::string text_of(const RunCell& cell) {
     if (const auto* whole = std::get_if<std::int64_t>(&cell)) {
         return fmt::format("{}", *whole);
@@ -36,7 +25,7 @@ std::string text_of(const RunCell& cell) {
         return fmt::format("{}", *number);
     }
     const auto* text = std::get_if<std::string>(&cell);
-    return text ? quoted(*text) : "";
+    return text ? csv_cell(*text) : "";
 }
 
 template <typename Number>

@@ -148,9 +148,7 @@ TEST(Simulate, KeepsItsCheckpointWhenTheDiskIsFull) {
 
 TEST(Simulate, NamesWhatIsMissingForItsFiles) {
     const auto refused = [](const std::string& words, const std::string& why) {
-        const Outcome run = run_pendular("simulate --quiet --beads 64 " + words);
-        EXPECT_EQ(run.code, 2) << words;
-        EXPECT_THAT(run.errors, HasSubstr(why));
+        expect_refused("simulate --quiet --beads 64 " + words, why);
     };
     refused("--snapshot-every 0.1", "needs --out");
     refused("--snapshot-every 0.001 --out /tmp", "0.02 or more");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -44,4 +46,11 @@ inline Outcome run_pendular(const std::string& words) {
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(folder.path() / "out"),
             content_of(folder.path() / "err")};
+}
+
+/// Expects that `pendular` calls these words wrong and says why.
+inline void expect_refused(const std::string& words, const std::string& why) {
+    const Outcome run = run_pendular(words);
+    EXPECT_EQ(run.code, 2) << words;
+    EXPECT_THAT(run.errors, testing::HasSubstr(why));
 }

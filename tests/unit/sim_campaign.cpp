@@ -95,6 +95,7 @@ TEST(Campaign, PointsToWhatIsWrong) {
     EXPECT_THAT(refusal("[[grid]]\nfriction = -0.1\n"), HasSubstr("friction -0.1 is not between"));
     EXPECT_THAT(refusal("[[grid]]\nfriction = [0.1, \"a\"]\n"), HasSubstr("runs.toml:2:18"));
     EXPECT_THAT(refusal("[[grid]]\nbridge_volume = 0.1\n"), HasSubstr("needs reduced_pressure"));
+    EXPECT_THAT(refusal("[[grid]]\nbeads = [100.5]\n"), HasSubstr("whole numbers"));
     EXPECT_THAT(refusal("[[list]]\nfriction = [0.1, 0.2]\nbeads = [64, 65, 66]\n"),
                 HasSubstr("has 2 numbers where another key of this list has 3"));
     EXPECT_THAT(refusal("[[sobol]]\npoints = 4\nfriction = 0.1\n"), HasSubstr("has no range"));

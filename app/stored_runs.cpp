@@ -1,0 +1,45 @@
+#include "app/stored_runs.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+
+#include "data/input_error.h"
+
+namespace pendular::app {
+
+std::unique_ptr<RunStore> open_store(const CommonOptions& options) {
+    if (!options.store_named) {
+        std::error_code error;
+        std::filesystem::create_directories(options.store.parent_path(), error);
+        if (error || access(options.store.parent_path().c_str(), W_OK) != 0) {
+            fmt::print(stderr,
+                       "note: {} cannot be written, so that runs are not kept; --store FILE names "
+                       "another place\n",
+                       options.store.parent_path().string());
+            return nullptr;
+        }
+    }
+    return std::make_unique<RunStore>(options.store);
+}
+
+dem::Interrupted interrupted_with(const RunStore& store) {
+    return dem::Interrupted(fmt::format(
+        "the runs that were done are in {}; give the same command again to go on from there",
+        store.file().string()));
+}
+
+std::int64_t run_number(const std::string& word) {
+    std::int64_t id = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
+    if (error != std::errc() || end != word.data() + word.size()) {
+        throw InputError(
+            fmt::format("'{}' is no number of a run; 'pendular runs list' shows those "
+                        "there are",
+                        word));
+    }
+    return id;
+}
+
+}  // namespace pendular::app
