@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "analysis/compare.h"
 #include "app/command.h"
@@ -16,6 +19,22 @@
 namespace pendular::app {
 namespace {
 
+/// What simulations a calibration rests on.
+std::string basis_of(const Calibration& c) {
+    if (!c.scales) {
+        return fmt::format("{} simulations at {} fidelity in {} rounds", c.runs.size(),
+                           c.fidelity.name, c.rounds);
+    }
+    std::size_t ordered = 0;
+    std::string why;
+    for (const Order& order : c.orders) {
+        ordered += order.runs;
+        why += fmt::format("{}{} {}", why.empty() ? ": " : ", ", order.runs, order.why);
+    }
+    return fmt::format("emulated from {} runs, of which {} ordered at {} fidelity{}", c.runs.size(),
+                       ordered, c.fidelity.name, why);
+}
+
 void print_result(Console& console, const Calibration& c, const Comparison& comparison) {
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
@@ -30,9 +49,8 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     }
     console.line(fmt::format(
         "chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); errors are not scaled by chi2/dof; "
-        "{} simulations at {} fidelity in {} rounds",
-        comparison.fitted.chi2, comparison.fitted.dof, comparison.fitted.p(), c.runs.size(),
-        c.fidelity.name, c.rounds));
+        "{}",
+        comparison.fitted.chi2, comparison.fitted.dof, comparison.fitted.p(), basis_of(c)));
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format(
             "{} wet readings predicted by {} without any further parameter: chi2 = {:.2f} for {} "
@@ -58,6 +76,20 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     }
 }
 
+/// An emulator is confirmed by a second round, direct simulation by a third.
+void choose_rounds(CalibrationRequest& request, std::optional<KnownRuns> known, bool no_confirm) {
+    request.known = std::move(known);
+    if (!request.known) {
+        request.options.fewest_rounds -= no_confirm;
+        return;
+    }
+    request.known->orders_more = !no_confirm;
+    request.options.fewest_rounds = 2;
+    if (no_confirm) {
+        request.options.fewest_rounds = request.options.most_rounds = 1;
+    }
+}
+
 }  // namespace
 
 int calibrate(const std::vector<std::string>& arguments) {
@@ -65,21 +97,28 @@ int calibrate(const std::vector<std::string>& arguments) {
     Options options("calibrate STUDY [options]",
                     "Fits the intergranular friction to shear stress and solid fraction of all dry "
                     "readings together,\n"
-                    "by discrete-element simulations inside a Ceres least-squares loop, and "
+                    "by discrete-element simulation inside a Ceres least-squares loop, and "
                     "predicts the wet readings\n"
-                    "with it (fit_to = \"all\" in the study fits them too). Writes fit.json to "
-                    "the results folder.",
+                    "with it (fit_to = \"all\" in the study fits them too). An emulator of the "
+                    "atlas and of all stored\n"
+                    "runs answers first; fresh runs at the optimum confirm it, until both agree. "
+                    "Writes fit.json to the\n"
+                    "results folder.",
+                    "  pendular calibrate examples/polystyrene --no-confirm\n"
                     "  pendular calibrate examples/polystyrene --fidelity quick\n"
-                    "  pendular calibrate my-study --profile --json -\n",
+                    "  pendular calibrate my-study --cold --profile --json -\n",
                     true);
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the simulations (default 1)");
     bool no_confirm = false, cold = false;
-    options.add_switch("no-confirm", &no_confirm,
-                       "fewer rounds: do not demand a last round that confirms the optimum");
+    options.add_switch(
+        "no-confirm", &no_confirm,
+        "simulate nothing: take the emulator's answer as it is (with --cold: one round "
+        "fewer)");
     options.add_switch(
         "cold", &cold,
-        "read no earlier runs; those of this fit are kept in the store all the same");
+        "by direct simulation alone, from neither the atlas nor earlier runs; those of this fit "
+        "are kept in the store all the same");
     options.add("lowest-reduced-pressure", &request.cohesion.lowest_reduced_pressure,
                 "cohesion lines go through points from this P* on [1] (default 2.3)");
     options.add_switch("profile", &request.profile,
@@ -93,9 +132,10 @@ int calibrate(const std::vector<std::string>& arguments) {
     check(request.cohesion);
     request.seed = checked_seed(seed);
     request.fidelity = common->fidelity;
-    request.options.fewest_rounds -= no_confirm;
     const auto [study, measurements] = read_input(common->study);
     const auto store = open_store(*common);
+    choose_rounds(request, cold ? std::nullopt : known_runs(study, request.fidelity, store.get()),
+                  no_confirm);
     std::string what = "round 1";
     request.stage = [&](std::string_view name) { what = name; };
     const Workers workers{common->threads, guard.token(),

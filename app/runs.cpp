@@ -11,6 +11,7 @@
 #include "app/console.h"
 #include "app/options.h"
 #include "app/stored_runs.h"
+#include "calib/emulator.h"
 #include "data/input_error.h"
 #include "data/nearest.h"
 #include "reports/json.h"
@@ -234,16 +235,45 @@ int prune(const Request& request, Console& console) {
     return done;
 }
 
+/// Learns the emulator's scales from the runs, for an atlas to be shipped with.
+int learn(const Request& request, Console& console) {
+    demand_words(request, 1, "the file to write, emulator.csv beside its atlas");
+    std::vector<dem::RunResult> runs;
+    for (const StoredRun& stored : request.selected()) {
+        if (Emulator::usable(stored.run)) {
+            runs.push_back(stored.run);
+        }
+    }
+    if (runs.empty()) {
+        throw InputError("there are no steady runs to learn from");
+    }
+    EmulatorScales scales;
+    for (const dem::Observable which : Emulator::observables()) {
+        if (Emulator::known(runs, which)) {
+            scales[which] = Emulator::learn(runs, which);
+        }
+        if (!request.common.quiet) {
+            fmt::print(stderr, "learned {} of {} observables\n", scales.size(),
+                       Emulator::observables().size());
+        }
+    }
+    write_scales(request.words[0], scales);
+    console.line(fmt::format("scales of {} observables from {} runs written to {}", scales.size(),
+                             runs.size(), request.words[0]));
+    return done;
+}
+
 const std::vector<std::pair<std::string, int (*)(const Request&, Console&)>> actions = {
-    {"list", list},          {"show", show},          {"compare", compare_two}, {"plot", plot},
-    {"export", export_runs}, {"import", import_runs}, {"merge", merge},         {"prune", prune}};
+    {"list", list},   {"show", show},          {"compare", compare_two},
+    {"plot", plot},   {"export", export_runs}, {"import", import_runs},
+    {"merge", merge}, {"prune", prune},        {"learn", learn}};
 
 }  // namespace
 
 int runs(const std::vector<std::string>& arguments) {
     Request request;
     Options options(
-        "runs list|show|compare|plot|export|import|merge|prune [words] [options]",
+        "runs list|show|compare|plot|export|import|merge|prune|learn [words] [options]",
         "Looks after the runs in the store.\n"
         "  list              a line each\n"
         "  show ID...        everything known of a run; with --out, a figure of its course\n"
@@ -252,9 +282,13 @@ int runs(const std::vector<std::string>& arguments) {
         "  export FILE.csv   the runs as a table\n"
         "  import FILE.csv   runs from such a table\n"
         "  merge STORE...    runs of other stores\n"
-        "  prune             removes the runs of --where",
+        "  prune             removes the runs of --where\n"
+        "  learn FILE.csv    scales of the emulator, which commands then need not learn anew: "
+        "emulator.csv\n"
+        "                    beside an atlas",
         "  pendular runs list --where \"friction = 0.09 AND reduced_pressure IS NULL\"\n"
         "  pendular runs list --atlas\n"
+        "  pendular runs learn --atlas sim/atlas/emulator.csv\n"
         "  pendular runs plot --x inertial_number --y solid_fraction --out figures\n"
         "  pendular runs prune --where \"crystallised\" --yes\n",
         false);
@@ -280,11 +314,12 @@ int runs(const std::vector<std::string>& arguments) {
         }
         names.push_back(name);
     }
-    throw InputError(request.words.empty()
-                         ? "runs needs an action: list, show, compare, plot, export, import, merge "
-                           "or prune"
-                         : fmt::format("unknown action '{}'; {}", request.words.front(),
-                                       did_you_mean(request.words.front(), names)));
+    throw InputError(
+        request.words.empty()
+            ? "runs needs an action: list, show, compare, plot, export, import, merge, "
+              "prune or learn"
+            : fmt::format("unknown action '{}'; {}", request.words.front(),
+                          did_you_mean(request.words.front(), names)));
 }
 
 }  // namespace pendular::app

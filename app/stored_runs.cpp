@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
+#include <set>
+#include <vector>
 
 #include "data/input_error.h"
+#include "sim/store/run_table.h"
 
 namespace pendular::app {
 
@@ -22,6 +27,34 @@ std::unique_ptr<RunStore> open_store(const CommonOptions& options) {
         }
     }
     return std::make_unique<RunStore>(options.store);
+}
+
+std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
+                                    const RunStore* store) {
+    constexpr std::size_t fewest = 20;
+    const std::filesystem::path atlas = atlas_file();
+    std::vector<StoredRun> stored;
+    KnownRuns known;
+    if (!atlas.empty()) {
+        stored = read_runs(atlas);
+        const auto scales = atlas.parent_path() / scales_name;
+        if (std::filesystem::exists(scales)) {
+            known.scales = read_scales(scales);
+        }
+    }
+    if (store) {
+        std::ranges::move(store->select(), std::back_inserter(stored));
+    }
+    std::set<std::string> there;
+    std::vector<dem::RunResult> runs;
+    for (StoredRun& each : stored) {
+        if (each.physics_version == dem::physics_version &&
+            there.insert(dem::described(each.run.parameters, each.run.threads)).second) {
+            runs.push_back(std::move(each.run));
+        }
+    }
+    known.runs = EmulatedSimulation::serving(study, fidelity, runs);
+    return known.runs.size() < fewest ? std::nullopt : std::optional(std::move(known));
 }
 
 dem::Interrupted interrupted_with(const RunStore& store) {

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/options.h"
+#include "calib/emulated_simulation.h"
 #include "sim/dem/simulation_error.h"
 #include "sim/store/run_store.h"
 
@@ -14,6 +16,12 @@ namespace pendular::app {
 /// where its standard place cannot be written: the command then goes on without.
 /// @throws InputError, std::runtime_error as RunStore
 std::unique_ptr<RunStore> open_store(const CommonOptions& options);
+
+/// What an emulator knows of the beads of a study: the runs that come with the program and those of
+/// the store that can serve; none where they are too few to begin with.
+/// @throws InputError for an atlas that cannot be read
+std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
+                                    const RunStore* store);
 
 /// What is said where work that keeps its runs is interrupted.
 dem::Interrupted interrupted_with(const RunStore& store);

@@ -35,31 +35,20 @@ Coordinates coordinates(const FlowState& state, double centre, double exponent) 
 }
 
 Eigen::RowVectorXd Basis::values(const Coordinates& at) const {
-    Eigen::RowVectorXd row(size());
-    for (Eigen::Index k = 0; k < size(); ++k) {
-        const Powers& p = terms_[static_cast<std::size_t>(k)];
-        row(k) =
-            std::pow(at.x, p.x) * std::pow(at.q, p.q) * std::pow(at.u, p.u) * std::pow(at.v, p.v);
-    }
-    return row;
+    return slopes(at, -1);
 }
 
-Eigen::RowVectorXd Basis::slopes_in_x(const Coordinates& at) const {
+Eigen::RowVectorXd Basis::slopes(const Coordinates& at, int coordinate) const {
+    const double bases[] = {at.x, at.q, at.u, at.v};
     Eigen::RowVectorXd row(size());
     for (Eigen::Index k = 0; k < size(); ++k) {
         const Powers& p = terms_[static_cast<std::size_t>(k)];
-        row(k) =
-            derivative(at.x, p.x) * std::pow(at.q, p.q) * std::pow(at.u, p.u) * std::pow(at.v, p.v);
-    }
-    return row;
-}
-
-Eigen::RowVectorXd Basis::slopes_in_v(const Coordinates& at) const {
-    Eigen::RowVectorXd row(size());
-    for (Eigen::Index k = 0; k < size(); ++k) {
-        const Powers& p = terms_[static_cast<std::size_t>(k)];
-        row(k) =
-            std::pow(at.x, p.x) * std::pow(at.q, p.q) * std::pow(at.u, p.u) * derivative(at.v, p.v);
+        const int powers[] = {p.x, p.q, p.u, p.v};
+        row(k) = 1;
+        for (int c = 0; c < 4; ++c) {
+            row(k) *=
+                c == coordinate ? derivative(bases[c], powers[c]) : std::pow(bases[c], powers[c]);
+        }
     }
     return row;
 }

@@ -44,8 +44,10 @@ class Basis {
     Eigen::Index size() const { return static_cast<Eigen::Index>(terms_.size()); }
 
     Eigen::RowVectorXd values(const Coordinates& at) const;
-    Eigen::RowVectorXd slopes_in_x(const Coordinates& at) const;
-    Eigen::RowVectorXd slopes_in_v(const Coordinates& at) const;
+    /// Derivatives of the values in one coordinate, by its place in `Coordinates`.
+    Eigen::RowVectorXd slopes(const Coordinates& at, int coordinate) const;
+    Eigen::RowVectorXd slopes_in_x(const Coordinates& at) const { return slopes(at, 0); }
+    Eigen::RowVectorXd slopes_in_v(const Coordinates& at) const { return slopes(at, 3); }
 
   private:
     std::vector<Powers> terms_;

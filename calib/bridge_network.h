@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "calib/basis.h"
+#include "calib/structure_response.h"
 #include "sim/dem/run.h"
 
 namespace pendular {
@@ -17,12 +18,7 @@ class BridgeNetwork {
     /// Without wet runs it knows a typical coordination only, to begin with.
     BridgeNetwork(const std::vector<dem::RunResult>& runs, double centre);
 
-    /// A value with its derivatives.
-    struct Response {
-        double value = 0;
-        double by_friction = 0;
-        double by_log_volume = 0;
-    };
+    using Response = StructureResponse;
     Response coordination(const FlowState& state) const { return respond(0, state); }  ///< Z [1]
     Response effective_coordination(const FlowState& state) const {                    ///< Z* [1]
         return respond(1, state);

@@ -237,7 +237,7 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
     check_fitted(study, measurements, c);
     check_range(c.readings, study, c.fidelity);
     StudyModel study_model(study, conditions_of(c.readings), request.fidelity, request.seed,
-                           workers);
+                           workers, request.known);
     FlowModel& model = study_model.model();
     const auto counting = [&](int round, const Fit& fit) {
         c.rounds = round;
@@ -262,12 +262,17 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
                 "the noise of the wet runs is not small beside the errors of the wet readings: "
                 "their predictions are less sharp than the readings; a higher fidelity helps");
         }
+        if (request.known) {
+            // An emulator learns of dry flow from wet runs too, and the friction with it.
+            model.predict_for(conditions_of(fitted));
+            c.fit = fit(model, stack(fitted), c.fit.parameters);
+        }
     }
     c.prediction = predict_readings(model, c);
-    const DirectSimulation& simulation = study_model.simulation();
+    const SimulationModel& simulation = study_model.simulation();
     c.parameters = model.parameters();
-    c.surface_centre = simulation.centre();
     c.runs = simulation.runs();
+    study_model.note_in(c);
     std::ranges::copy(simulation.notes(), std::back_inserter(c.notes));
     std::ranges::copy(warnings(c), std::back_inserter(c.notes));
     c.cohesion = request.cohesion;

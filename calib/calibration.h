@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "calib/cohesion_lines.h"
+#include "calib/emulated_simulation.h"
 #include "calib/fit.h"
 #include "calib/study_model.h"
 #include "data/reading.h"
@@ -36,8 +37,10 @@ struct Calibration {
     std::vector<CohesionLine> cohesion_lines;  ///< measured, then simulated; none where dry
     std::vector<std::string> cohesion_notes;   ///< which readings are on no line, and why
     int rounds = 0;
-    double surface_centre = 0;  ///< friction at which the response surface is centred
-    std::vector<dem::RunResult> runs;
+    double surface_centre = 0;             ///< friction at which the response surface is centred
+    std::vector<dem::RunResult> runs;      ///< the model rests on
+    std::optional<EmulatorScales> scales;  ///< of the emulator behind it; none: direct simulation
+    std::vector<Order> orders;             ///< runs that the emulator asked for
     std::optional<std::pair<double, double>> profile;  ///< of the friction, where asked for
     std::vector<std::string> notes;
 };
@@ -48,12 +51,14 @@ struct CalibrationRequest {
     bool profile = false;
     CalibrationOptions options = {};
     CohesionOptions cohesion = {};
+    /// Runs that an emulator is made of; none: by direct simulation alone.
+    std::optional<KnownRuns> known = {};
     /// Called with the name of what is simulated next.
     std::function<void(std::string_view)> stage = {};
 };
 
-/// Fits the study's parameters by direct simulation: to its dry readings, whereupon the wet ones
-/// are predicted (fit_to = "dry"), or to all (fit_to = "all").
+/// Fits the study's parameters by simulation, emulated where there are known runs: to its dry
+/// readings, whereupon the wet ones are predicted (fit_to = "dry"), or to all (fit_to = "all").
 /// @throws InputError where there is nothing to fit, or a reading is outside what can be simulated
 Calibration calibrate_study(const Study& study, const Measurements& measurements,
                             const CalibrationRequest& request, const Workers& workers,

@@ -57,7 +57,6 @@ DirectSimulation::DirectSimulation(const Study& study, const std::vector<Conditi
       fidelity_(fidelity),
       seed_(seed),
       workers_(std::move(workers)),
-      parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}},
       inertial_numbers_(inertial_numbers_for(conditions, fidelity.lowest_inertial_number)),
       wet_settings_(wet_settings_for(conditions, study, fidelity.lowest_inertial_number)),
       network_({}, 0) {
@@ -79,8 +78,7 @@ void DirectSimulation::improve(const Eigen::VectorXd& parameters, double excess)
         std::vector<double> frictions;
         for (int set = 0; set < sets; ++set) {
             for (const double offset : offsets[placed_++ % std::size(offsets)]) {
-                frictions.push_back(std::clamp(friction_at(offset, centre), parameters_[0].lower,
-                                               parameters_[0].upper));
+                frictions.push_back(allowed(friction_at(offset, centre)));
             }
         }
         carry_out_dry(frictions, fidelity_.strain);
@@ -104,13 +102,12 @@ void DirectSimulation::learn_wet(const Eigen::VectorXd& parameters, int turns) {
     for (std::size_t k = 0; k < settings.size(); ++k) {
         const WetSetting& setting = settings[k];
         const double friction = friction_at(wet_friction_width * places[k].first, parameters(0));
-        FlowState state{
-            .friction = std::clamp(friction, parameters_[0].lower, parameters_[0].upper),
-            .inertial_number = setting.inertial_number,
-            .inverse_pressure = setting.inverse_pressure};
+        FlowState state{.friction = allowed(friction),
+                        .inertial_number = setting.inertial_number,
+                        .inverse_pressure = setting.inverse_pressure};
         state.bridge_volume = network_.volume_of(setting.liquid_content, state) *
                               std::exp(wet_volume_width * places[k].second);
-        wanted.push_back(run_at(state, fidelity_.strain));
+        wanted.push_back(run_at(state, study_, fidelity_));
     }
     carry_out(std::move(wanted));
     const auto usable =
@@ -145,24 +142,12 @@ void DirectSimulation::renew_surfaces(double centre, double half_width) {
     network_ = BridgeNetwork(runs_, centre);
 }
 
-dem::RunParameters DirectSimulation::run_at(const FlowState& state, double strain) const {
-    dem::RunParameters run{.friction = state.friction,
-                           .inertial_number = state.inertial_number,
-                           .stiffness_number = fidelity_.stiffness_number,
-                           .poisson_ratio = study_.grains.poisson_ratio,
-                           .beads = fidelity_.beads,
-                           .strain = strain};
-    if (!state.dry()) {
-        run.wetting = {1 / state.inverse_pressure, state.bridge_volume, study_.model.bridge_force};
-    }
-    return run;
-}
-
 void DirectSimulation::carry_out_dry(const std::vector<double>& frictions, double strain) {
     std::vector<dem::RunParameters> wanted;
     for (const double inertial_number : inertial_numbers_) {
         for (const double friction : frictions) {
-            wanted.push_back(run_at({friction, inertial_number}, strain));
+            wanted.push_back(run_at({friction, inertial_number}, study_, fidelity_));
+            wanted.back().strain = strain;
         }
     }
     carry_out(std::move(wanted));
@@ -207,11 +192,6 @@ void DirectSimulation::add(const dem::RunResult& run) {
     point.rigidity_shift =
         dem::rigidity_shift(solid_fraction.value, run[dem::Observable::mean_overlap].value);
     points_.push_back(point);
-}
-
-double DirectSimulation::stiffness_share(const Condition& condition) const {
-    const auto studied = stiffness_number(condition.normal_stress, study_.grains);
-    return studied ? 1 - fidelity_.stiffness_number / *studied : 0.0;
 }
 
 FlowState DirectSimulation::state_of(double friction, const Condition& condition) const {
@@ -259,7 +239,9 @@ Prediction DirectSimulation::predict_conditions(const Eigen::VectorXd& parameter
     Eigen::VectorXd stiffness_error = Eigen::VectorXd::Zero(2 * n), form_error = stiffness_error;
     for (Eigen::Index k = 0; k < n; ++k) {
         const Condition& condition = conditions[static_cast<std::size_t>(k)];
-        const double stress = condition.normal_stress, share = stiffness_share(condition);
+        const double stress = condition.normal_stress,
+                     share = stiffness_share(fidelity_.stiffness_number, condition, study_.grains,
+                                             fidelity_);
         const Terms terms = terms_of(friction, condition);
         const ResponseSurface& surface = best.of(terms.state);
         const Eigen::Index size = surface.terms();
@@ -291,14 +273,14 @@ Prediction DirectSimulation::predict_conditions(const Eigen::VectorXd& parameter
     return prediction;
 }
 
-BridgeNetwork::Response DirectSimulation::effective_coordination(double friction,
-                                                                 const Condition& condition) const {
+StructureResponse DirectSimulation::effective_coordination(double friction,
+                                                           const Condition& condition) const {
     const FlowState state = state_of(friction, condition);
     return network_.at_constant_content(network_.effective_coordination(state), state);
 }
 
-BridgeNetwork::Response DirectSimulation::capillary_shear_stress(double friction,
-                                                                 const Condition& condition) const {
+StructureResponse DirectSimulation::capillary_shear_stress(double friction,
+                                                           const Condition& condition) const {
     const FlowState state = state_of(friction, condition);
     return network_.at_constant_content(network_.capillary_shear_stress(state), state);
 }

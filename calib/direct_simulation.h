@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "calib/bridge_network.h"
-#include "calib/model.h"
 #include "calib/response_surface.h"
 #include "calib/run_design.h"
+#include "calib/simulation_model.h"
 #include "data/reading.h"
 #include "data/study.h"
 #include "sim/ensemble.h"
@@ -24,13 +24,12 @@ namespace pendular {
 /// turned into a bridge volume with the simulated coordination. Solid fractions are corrected from
 /// the simulated to the study's stiffness number by the overlaps measured in each run. The
 /// corrections add their errors to the covariance, common to all readings.
-class DirectSimulation : public FlowModel {
+class DirectSimulation : public SimulationModel {
   public:
     /// Predicts `conditions` until `predict_for` says otherwise; runs span all of them.
     DirectSimulation(const Study& study, const std::vector<Condition>& conditions,
                      const Fidelity& fidelity, std::uint64_t seed, Workers workers);
 
-    const std::vector<Parameter>& parameters() const override { return parameters_; }
     Prediction predict_conditions(const Eigen::VectorXd& parameters,
                                   const std::vector<Condition>& conditions) const override;
     void improve(const Eigen::VectorXd& parameters, double excess) override;
@@ -39,29 +38,21 @@ class DirectSimulation : public FlowModel {
     void learn_wet(const Eigen::VectorXd& parameters, int turns = 1) override;
 
     /// Inertial numbers at which dry runs are made.
-    const std::vector<double>& inertial_numbers() const { return inertial_numbers_; }
+    const std::vector<double>& inertial_numbers() const override { return inertial_numbers_; }
     /// All runs made so far, crystallised ones included: those are not used.
-    const std::vector<dem::RunResult>& runs() const { return runs_; }
-    /// Lines the user should read, such as runs left out.
-    const std::vector<std::string>& notes() const { return notes_; }
+    const std::vector<dem::RunResult>& runs() const override { return runs_; }
+    const std::vector<std::string>& notes() const override { return notes_; }
 
     /// Takes the runs of an earlier calibration in place of making its own, centred as it was.
     void restore(const std::vector<dem::RunResult>& runs, double centre);
     /// Friction at which the response surface is centred.
     double centre() const { return centre_; }
 
-    /// Z* and a^2 s12cap/F0 at a wet condition; derivatives by friction at constant liquid content.
-    BridgeNetwork::Response effective_coordination(double friction,
-                                                   const Condition& condition) const;
-    BridgeNetwork::Response capillary_shear_stress(double friction,
-                                                   const Condition& condition) const;
-
-    /// State to simulate for a condition: a wet one at the bridge volume that has its liquid
-    /// content.
-    FlowState state_of(double friction, const Condition& condition) const;
-
-    /// Share of the rigidity shift that separates the simulated from the study's stiffness [1].
-    double stiffness_share(const Condition& condition) const;
+    StructureResponse effective_coordination(double friction,
+                                             const Condition& condition) const override;
+    StructureResponse capillary_shear_stress(double friction,
+                                             const Condition& condition) const override;
+    FlowState state_of(double friction, const Condition& condition) const override;
 
   private:
     /// Surfaces for one way in which the quasi-static limit is approached.
@@ -74,7 +65,6 @@ class DirectSimulation : public FlowModel {
 
     void carry_out(std::vector<dem::RunParameters> wanted);
     void carry_out_dry(const std::vector<double>& frictions, double strain);
-    dem::RunParameters run_at(const FlowState& state, double strain) const;
     void add(const dem::RunResult& run);
     void renew_surfaces(double centre, double half_width);
     Terms terms_of(double friction, const Condition& condition) const;
@@ -83,7 +73,6 @@ class DirectSimulation : public FlowModel {
     Fidelity fidelity_;
     std::uint64_t seed_;
     Workers workers_;
-    std::vector<Parameter> parameters_;
     std::vector<double> inertial_numbers_;
     std::vector<WetSetting> wet_settings_;
     std::vector<dem::RunResult> runs_;

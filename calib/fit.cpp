@@ -259,12 +259,16 @@ Fit calibrate(Model& model, const Measured& measured, const CalibrationOptions& 
             report(round, best);
         }
         excess = excess_of(best);
-        const bool done = round >= options.fewest_rounds && settled(best) && excess <= 1;
+        const bool done =
+            round >= options.fewest_rounds && settled(best) && excess <= 1 && model.confirmed();
         at = best.parameters;
         // What the readings do not determine, more simulation cannot.
         if (done || (round >= options.fewest_rounds && !best.converged)) {
             return best;
         }
+    }
+    if (options.most_rounds == 1) {
+        return best;
     }
     best.converged = false;
     best.message = "the parameters had not settled after the last round of simulations";

@@ -57,7 +57,7 @@ struct CalibrationOptions {
     double simulation_share = 0.2;  ///< of a parameter's variance that noise of the runs may cause
     double settled = 0.5;           ///< largest last move, in standard errors
     int fewest_rounds = 3;
-    int most_rounds = 8;
+    int most_rounds = 8;                        ///< 1: the first fit stands
     std::optional<Eigen::VectorXd> start = {};  ///< none: each parameter's own
 };
 
@@ -65,8 +65,8 @@ struct CalibrationOptions {
 using CalibrationReport = std::function<void(int round, const Fit& fit)>;
 
 /// Fits, lets the model learn where the fit has arrived, and fits again, until the parameters stay
-/// where they are and the simulation's share of their variance is small. `converged` is false when
-/// the rounds run out first.
+/// where they are, what the model learns confirms it and the simulation's share of their variance
+/// is small. `converged` is false when the rounds run out first.
 Fit calibrate(Model& model, const Measured& measured, const CalibrationOptions& options,
               const CalibrationReport& report = {});
 

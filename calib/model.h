@@ -50,6 +50,9 @@ class Model {
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
 
     virtual Supported supported() const = 0;
+
+    /// Whether what the model learned last agrees with what it had said before.
+    virtual bool confirmed() const { return true; }
 };
 
 /// A model of any condition of shear, such as the simulation behind the readings of a study.

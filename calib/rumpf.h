@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calib/direct_simulation.h"
+#include "calib/simulation_model.h"
 
 namespace pendular {
 
@@ -14,7 +14,7 @@ namespace pendular {
 class RumpfModel : public FlowModel {
   public:
     /// `simulation` must outlive it.
-    RumpfModel(DirectSimulation& simulation, const Study& study)
+    RumpfModel(SimulationModel& simulation, const Study& study)
         : simulation_(simulation), study_(study) {}
 
     const std::vector<Parameter>& parameters() const override { return simulation_.parameters(); }
@@ -25,9 +25,10 @@ class RumpfModel : public FlowModel {
         simulation_.learn_wet(parameters, turns);
     }
     Supported supported() const override { return simulation_.supported(); }
+    bool confirmed() const override { return simulation_.confirmed(); }
 
   private:
-    DirectSimulation& simulation_;
+    SimulationModel& simulation_;
     Study study_;
 };
 

@@ -33,7 +33,7 @@ std::vector<Condition> with_dry_twins(std::vector<Condition> conditions) {
 
 /// Mean over conditions, each wet one with its dry twin n places on.
 StructuralCohesion mean_over(const std::vector<Condition>& conditions,
-                             const DirectSimulation& simulation, const Calibration& c) {
+                             const SimulationModel& simulation, const Calibration& c) {
     const double friction = c.fit.parameters(0);
     const Prediction predicted =
         simulation.predict_conditions(c.fit.parameters, with_dry_twins(conditions));
@@ -72,7 +72,7 @@ StructuralCohesion mean_over(const std::vector<Condition>& conditions,
 
 }  // namespace
 
-std::vector<StructuralCohesion> structural_cohesions(const DirectSimulation& simulation,
+std::vector<StructuralCohesion> structural_cohesions(const SimulationModel& simulation,
                                                      const Calibration& calibration,
                                                      const CohesionOptions& options) {
     std::vector<StructuralCohesion> result;

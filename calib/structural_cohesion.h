@@ -4,6 +4,7 @@
 
 #include "calib/calibration.h"
 #include "calib/cohesion_lines.h"
+#include "calib/simulation_model.h"
 
 namespace pendular {
 
@@ -21,7 +22,7 @@ struct StructuralCohesion {
 /// Groups without such readings are left out. The errors are those of the friction, the dry stress
 /// ratio and the solid fraction; those of Z* and s12cap are not known and left out.
 /// Source: Badetti et al. (2018), fig:cphilphis.
-std::vector<StructuralCohesion> structural_cohesions(const DirectSimulation& simulation,
+std::vector<StructuralCohesion> structural_cohesions(const SimulationModel& simulation,
                                                      const Calibration& calibration,
                                                      const CohesionOptions& options = {});
 

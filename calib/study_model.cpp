@@ -8,10 +8,20 @@
 namespace pendular {
 
 StudyModel::StudyModel(const Study& study, const std::vector<Condition>& conditions,
-                       const Fidelity& fidelity, std::uint64_t seed, Workers workers)
-    : simulation_(std::make_unique<DirectSimulation>(study, conditions, fidelity, seed,
-                                                     std::move(workers))),
-      model_(simulation_.get()) {
+                       const Fidelity& fidelity, std::uint64_t seed, Workers workers,
+                       const std::optional<KnownRuns>& known) {
+    if (known) {
+        auto emulated = std::make_unique<EmulatedSimulation>(study, conditions, fidelity, seed,
+                                                             std::move(workers), *known);
+        emulated_ = emulated.get();
+        simulation_ = std::move(emulated);
+    } else {
+        auto direct = std::make_unique<DirectSimulation>(study, conditions, fidelity, seed,
+                                                         std::move(workers));
+        direct_ = direct.get();
+        simulation_ = std::move(direct);
+    }
+    model_ = simulation_.get();
     if (study.model.base == "rumpf") {
         closure_ = std::make_unique<RumpfModel>(*simulation_, study);
         model_ = closure_.get();
@@ -19,10 +29,21 @@ StudyModel::StudyModel(const Study& study, const std::vector<Condition>& conditi
     model_->predict_for(conditions);
 }
 
-StudyModel::StudyModel(const Study& study, const Calibration& calibration)
-    : StudyModel(study, conditions_of(calibration.readings), calibration.fidelity, calibration.seed,
-                 {}) {
-    simulation_->restore(calibration.runs, calibration.surface_centre);
+StudyModel::StudyModel(const Study& study, const Calibration& c)
+    : StudyModel(study, conditions_of(c.readings), c.fidelity, c.seed, {},
+                 c.scales ? std::optional(KnownRuns{c.runs, *c.scales, false}) : std::nullopt) {
+    if (direct_) {
+        direct_->restore(c.runs, c.surface_centre);
+    }
+}
+
+void StudyModel::note_in(Calibration& c) const {
+    if (direct_) {
+        c.surface_centre = direct_->centre();
+    } else {
+        c.scales = emulated_->emulator().scales();
+        c.orders = emulated_->orders();
+    }
 }
 
 }  // namespace pendular

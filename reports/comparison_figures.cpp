@@ -75,7 +75,7 @@ Shown at_study_stiffness(const dem::RunResult& run, double share) {
     return {{ratio.value, fraction.value - shift}, {ratio.standard_error, fraction.standard_error}};
 }
 
-Curve runs_curve(const Calibration& c, const DirectSimulation& model, const Condition& condition,
+Curve runs_curve(const Calibration& c, const Condition& condition,
                  std::size_t o, double inertial_number) {
     Curve curve{.label = fmt::format("simulations, I = {:.3g}", inertial_number),
                 .colour = run_colour,
@@ -83,7 +83,7 @@ Curve runs_curve(const Calibration& c, const DirectSimulation& model, const Cond
     for (const auto& run : c.runs) {
         if (!run.crystallised && !run.parameters.wetting &&
             std::abs(run.parameters.inertial_number / inertial_number - 1) < 0.01) {
-            const Shown one = at_study_stiffness(run, model.stiffness_share(condition));
+            const Shown one = at_study_stiffness(run, stiffness_share(run.parameters.stiffness_number, condition, c.grains, c.fidelity));
             curve.x.push_back(run.parameters.friction);
             curve.y.push_back(one.value[o]);
             curve.y_error.push_back(one.error[o]);
@@ -92,7 +92,7 @@ Curve runs_curve(const Calibration& c, const DirectSimulation& model, const Cond
     return curve;
 }
 
-Figure calibration_figure(const Calibration& c, const DirectSimulation& model) {
+Figure calibration_figure(const Calibration& c, const SimulationModel& model) {
     const std::vector<Reading> used = slowest(dry_readings(c));
     const Shown measured = mean_of(used);
     const Condition condition = used.front().condition;
@@ -116,7 +116,7 @@ Figure calibration_figure(const Calibration& c, const DirectSimulation& model) {
                                     measured.error[o], false, measured_colour});
         panel.references.push_back({"calibrated, ± 1 standard error", calibrated(c),
                                     c.fit.standard_error(0), true, calibrated_colour});
-        panel.curves.push_back(runs_curve(c, model, condition, o, slow));
+        panel.curves.push_back(runs_curve(c, condition, o, slow));
         curve.draw_in(
             panel, o,
             limit ? "model, I → 0" : fmt::format("model, I = {:.3g}", condition.inertial_number));
@@ -126,7 +126,7 @@ Figure calibration_figure(const Calibration& c, const DirectSimulation& model) {
     return figure;
 }
 
-Figure inertial_figure(const Calibration& c, const DirectSimulation& model) {
+Figure inertial_figure(const Calibration& c, const SimulationModel& model) {
     const auto& levels = model.inertial_numbers();
     const std::vector<Reading> dry = dry_readings(c);
     Condition condition = dry.front().condition;
@@ -253,7 +253,7 @@ Figure residual_figure(const Comparison& comparison) {
 std::vector<Figure> comparison_figures(const StudyModel& study_model,
                                        const Calibration& calibration,
                                        const Comparison& comparison) {
-    const DirectSimulation& model = study_model.simulation();
+    const SimulationModel& model = study_model.simulation();
     std::vector<Figure> figures;
     if (!dry_readings(calibration).empty()) {
         figures = {calibration_figure(calibration, model), inertial_figure(calibration, model)};

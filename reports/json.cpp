@@ -219,6 +219,40 @@ Json to_json(const Measurements& measurements) {
     return json;
 }
 
+namespace {
+
+/// Null for a calibration by direct simulation.
+Json emulator_json(const Calibration& c) {
+    if (!c.scales) {
+        return nullptr;
+    }
+    Json json = {{"runs_ordered", Json::array()}, {"scales", Json::object()}};
+    for (const Order& order : c.orders) {
+        json["runs_ordered"].push_back({{"runs", order.runs}, {"why", order.why}});
+    }
+    for (const auto& [which, scales] : *c.scales) {
+        json["scales"][std::string(dem::observable_names[static_cast<std::size_t>(which)])] =
+            scales.as_array();
+    }
+    return json;
+}
+
+void read_emulator(const Json& json, Calibration& c) {
+    if (json.is_null()) {
+        return;
+    }
+    for (const auto& order : json.at("runs_ordered")) {
+        c.orders.push_back({order.at("runs"), order.at("why")});
+    }
+    c.scales.emplace();
+    for (const auto& [name, scales] : json.at("scales").items()) {
+        (*c.scales)[dem::observable_named(name)] =
+            Scales::from_array(scales.get<std::array<double, Scales::count>>());
+    }
+}
+
+}  // namespace
+
 Json to_json(const Calibration& c, const Comparison& comparison) {
     Json json;
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
@@ -250,6 +284,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
     json["seed"] = c.seed;
     json["rounds"] = c.rounds;
     json["surface_centre"] = c.surface_centre;
+    json["emulator"] = emulator_json(c);
     json["notes"] = c.notes;
     json["runs"] = Json::array();
     for (const auto& run : c.runs) {
@@ -304,6 +339,7 @@ Calibration parse_calibration(const Json& json, const Study& study,
     c.rounds = json.at("rounds");
     c.cohesion.lowest_reduced_pressure = json.at("cohesion_lines_from");
     c.surface_centre = json.at("surface_centre");
+    read_emulator(json.at("emulator"), c);
     c.notes = json.at("notes").get<std::vector<std::string>>();
     const Json& friction = json.at("parameters").at("friction");
     c.parameters = {{.name = "friction"}};

@@ -1,0 +1,409 @@
+#include "calib/emulated_simulation.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "calib/emulated_structure.h"
+#include "sim/seeds.h"
+
+namespace pendular {
+namespace {
+
+using dem::Observable;
+
+/// Runs that one round of confirmation orders at least and at most.
+constexpr std::size_t fewest_confirming = 4, most_confirming = 16;
+/// Below this probability fresh runs do not agree with what was said of them.
+constexpr double significance = 0.01;
+
+/// How far from a friction runs are ordered, in ln(friction + 0.05).
+constexpr double spread = 0.2;
+/// Factor by which the variance is to fall where there was no run yet.
+constexpr double unknown = 1e9;
+
+/// What counts as equally grave an error of stress ratio and of solid fraction [1].
+const Eigen::Vector2d grave(0.01, 0.002);
+
+constexpr double largest_poisson_difference = 0.1;
+
+/// Stress ratio and solid fraction at these states, one after the other.
+std::vector<Query> pairs_at(const std::vector<FlowState>& states) {
+    std::vector<Query> queries;
+    for (const FlowState& state : states) {
+        queries.push_back({state, Observable::stress_ratio});
+        queries.push_back({state, Observable::solid_fraction});
+    }
+    return queries;
+}
+
+Eigen::Matrix2d noise_of(const dem::RunResult& run) {
+    const double ratio = run[Observable::stress_ratio].standard_error,
+                 fraction = run[Observable::solid_fraction].standard_error;
+    Eigen::Matrix2d noise;
+    noise << ratio * ratio, run.covariance, run.covariance, fraction * fraction;
+    return noise;
+}
+
+/// The noise of a run to come, from the mean of those known.
+Eigen::Matrix2d expected_noise(const std::vector<dem::RunResult>& runs, const Fidelity& fidelity) {
+    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+    for (const auto& run : runs) {
+        sum += noise_of(run) * run.parameters.beads * run.strain_averaged;
+    }
+    return sum / (static_cast<double>(runs.size()) * fidelity.beads * fidelity.strain);
+}
+
+std::string describe(const FlowState& state) {
+    std::string text = fmt::format("friction {:.3g}, inertial number {:.3g}", state.friction,
+                                   state.inertial_number);
+    if (!state.dry()) {
+        text += fmt::format(", reduced pressure {:.3g}, bridge volume {:.3g} a^3",
+                            1 / state.inverse_pressure, state.bridge_volume);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<dem::RunResult> EmulatedSimulation::serving(const Study& study,
+                                                        const Fidelity& fidelity,
+                                                        const std::vector<dem::RunResult>& runs) {
+    // Smaller samples than those asked for, and than the atlas has, feel their own periodicity.
+    constexpr int enough_beads = 1000;
+    std::vector<dem::RunResult> result;
+    std::ranges::copy_if(runs, std::back_inserter(result), [&](const dem::RunResult& run) {
+        const auto& p = run.parameters;
+        return Emulator::usable(run) && p.beads >= std::min(fidelity.beads, enough_beads) &&
+               std::abs(p.poisson_ratio - study.grains.poisson_ratio) <=
+                   largest_poisson_difference &&
+               (!p.wetting || p.wetting->bridge_force == study.model.bridge_force);
+    });
+    return result;
+}
+
+EmulatedSimulation::EmulatedSimulation(const Study& study, const std::vector<Condition>& conditions,
+                                       const Fidelity& fidelity, std::uint64_t seed,
+                                       Workers workers, KnownRuns known)
+    : study_(study),
+      fidelity_(fidelity),
+      seed_(seed),
+      workers_(std::move(workers)),
+      orders_more_(known.orders_more),
+      emulator_(known.runs, std::move(known.scales)),
+      inertial_numbers_(inertial_numbers_for(conditions, fidelity.lowest_inertial_number)),
+      wet_settings_(wet_settings_for(conditions, study, fidelity.lowest_inertial_number)) {
+    predict_for(conditions);
+}
+
+FlowState EmulatedSimulation::wet_state(double friction, const WetSetting& setting) const {
+    FlowState state{friction, setting.inertial_number, setting.inverse_pressure};
+    state.bridge_volume = bridge_volume_of(emulator_, setting.liquid_content, state);
+    return state;
+}
+
+FlowState EmulatedSimulation::state_of(double friction, const Condition& condition) const {
+    if (condition.dry()) {
+        return {friction, condition.inertial_number};
+    }
+    return wet_state(friction,
+                     {1 / reduced_pressure(condition.normal_stress, study_.grains, *study_.liquid),
+                      condition.liquid_content, condition.inertial_number});
+}
+
+StructureResponse EmulatedSimulation::at_constant_content(StructureResponse response,
+                                                          const FlowState& state) const {
+    const StructureResponse z = coordination(emulator_, state);
+    response.by_friction -= response.by_log_volume * z.by_friction / (z.value + z.by_log_volume);
+    return response;
+}
+
+StructureResponse EmulatedSimulation::effective_coordination(double friction,
+                                                             const Condition& condition) const {
+    const FlowState state = state_of(friction, condition);
+    return at_constant_content(respond(emulator_, {Observable::effective_coordination}, state),
+                               state);
+}
+
+StructureResponse EmulatedSimulation::capillary_shear_stress(double friction,
+                                                             const Condition& condition) const {
+    const FlowState state = state_of(friction, condition);
+    StructureResponse stress =
+        at_constant_content(respond(emulator_, {Observable::capillary_shear_stress}, state), state);
+    stress.value /= state.inverse_pressure;  // over s22; wanted over F0/a^2
+    stress.by_friction /= state.inverse_pressure;
+    stress.by_log_volume /= state.inverse_pressure;
+    return stress;
+}
+
+Prediction EmulatedSimulation::predict_conditions(const Eigen::VectorXd& parameters,
+                                                  const std::vector<Condition>& conditions) const {
+    const auto n = static_cast<Eigen::Index>(conditions.size());
+    std::vector<FlowState> states;
+    for (const Condition& condition : conditions) {
+        states.push_back(state_of(parameters(0), condition));
+    }
+    // Stress ratio, solid fraction and overlap; by friction; by bridge volume.
+    std::vector<Query> queries;
+    for (const FlowState& state : states) {
+        for (const std::optional<Input> by :
+             {std::optional<Input>(), std::optional(Input::friction),
+              std::optional(Input::bridge_volume)}) {
+            for (const Observable which :
+                 {Observable::stress_ratio, Observable::solid_fraction, Observable::mean_overlap}) {
+                queries.push_back({state, which, by});
+            }
+        }
+    }
+    const Eigen::VectorXd said = emulator_.mean(queries);
+    const Eigen::MatrixXd noise = emulator_.covariance(pairs_at(states));
+
+    Prediction prediction{.value = Eigen::VectorXd(2 * n),
+                          .jacobian = Eigen::MatrixXd(2 * n, 1),
+                          .covariance = {},
+                          .run_noise = {}};
+    Eigen::VectorXd unit(2 * n), stiffness_error = Eigen::VectorXd::Zero(2 * n);
+    std::vector<Query> coordinations;  // two a wet condition
+    Eigen::MatrixXd by_coordination = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Condition& condition = conditions[static_cast<std::size_t>(k)];
+        const FlowState& state = states[static_cast<std::size_t>(k)];
+        Eigen::Vector3d value = said.segment<3>(9 * k), slope = said.segment<3>(9 * k + 3);
+        const Eigen::Vector3d by_log_volume =
+            state.dry() ? Eigen::Vector3d::Zero()
+                        : Eigen::Vector3d(state.bridge_volume * said.segment<3>(9 * k + 6));
+        // From rigid beads to those of the study: of the shift at the reference stiffness a part
+        // 1 - share is there.
+        const double share =
+            stiffness_share(Emulator::reference_stiffness, condition, study_.grains, fidelity_);
+        const double shift = dem::rigidity_shift(value(1), value(2));
+        const auto with_stiffness = [&](const Eigen::Vector3d& change) {
+            return Eigen::Vector2d(
+                change(0),
+                change(1) + (1 - share) * shift * (change(1) / value(1) + change(2) / value(2)));
+        };
+        const Eigen::Vector2d volume_slope = with_stiffness(by_log_volume);
+        Eigen::Vector2d total = with_stiffness(slope);
+        if (!state.dry()) {
+            const StructureResponse z = coordination(emulator_, state);
+            const double log_volume_by_coordination = -1 / (z.value + z.by_log_volume);
+            total += volume_slope * log_volume_by_coordination * z.by_friction;
+            const auto column = static_cast<Eigen::Index>(coordinations.size());
+            by_coordination.block<2, 1>(2 * k, column) = volume_slope * log_volume_by_coordination;
+            by_coordination.col(column + 1) = by_coordination.col(column);
+            coordinations.push_back({state, Observable::contact_coordination});
+            coordinations.push_back({state, Observable::distant_coordination});
+        }
+        unit.segment<2>(2 * k) << condition.normal_stress, 1;
+        prediction.value.segment<2>(2 * k) << value(0), value(1) + (1 - share) * shift;
+        prediction.jacobian.block<2, 1>(2 * k, 0) = total;
+        stiffness_error(2 * k + 1) =
+            share * shift * dem::rigidity_factor_error / dem::rigidity_factor;
+    }
+    const auto columns = static_cast<Eigen::Index>(coordinations.size());
+    const auto through_volume = by_coordination.leftCols(columns);
+    prediction.run_noise =
+        noise + through_volume * emulator_.covariance(coordinations) * through_volume.transpose();
+    prediction.covariance = prediction.run_noise + stiffness_error * stiffness_error.transpose();
+    prediction.value = unit.cwiseProduct(prediction.value);
+    prediction.jacobian = unit.asDiagonal() * prediction.jacobian;
+    for (Eigen::MatrixXd* matrix : {&prediction.run_noise, &prediction.covariance}) {
+        *matrix = unit.asDiagonal() * *matrix * unit.asDiagonal();
+    }
+    return prediction;
+}
+
+Supported EmulatedSimulation::supported() const {
+    const auto [least, greatest] = std::ranges::minmax(
+        runs(), {}, [](const dem::RunResult& run) { return run.parameters.friction; });
+    return {Eigen::VectorXd::Constant(1, least.parameters.friction),
+            Eigen::VectorXd::Constant(1, greatest.parameters.friction)};
+}
+
+EmulatedSimulation::Candidates EmulatedSimulation::candidates(double friction, bool wet) const {
+    const auto states_at = [&](double at) {
+        std::vector<FlowState> states;
+        if (wet) {
+            for (const WetSetting& setting : wet_settings_) {
+                states.push_back(wet_state(at, setting));
+            }
+        } else {
+            for (const double inertial_number : inertial_numbers_) {
+                states.push_back({at, inertial_number});
+            }
+        }
+        return states;
+    };
+    return {.at_friction = states_at(friction),
+            .below = states_at(allowed(friction_at(-spread, friction))),
+            .above = states_at(allowed(friction_at(spread, friction)))};
+}
+
+std::vector<FlowState> EmulatedSimulation::most_informative(const std::vector<FlowState>& targets,
+                                                            const std::vector<FlowState>& from,
+                                                            double excess) const {
+    std::vector<FlowState> all = targets;
+    all.insert(all.end(), from.begin(), from.end());
+    Eigen::MatrixXd covariance = emulator_.covariance(pairs_at(all));
+    const Eigen::Matrix2d noise = expected_noise(runs(), fidelity_);
+    const auto wanted = 2 * static_cast<Eigen::Index>(targets.size());
+    const Eigen::VectorXd weight =
+        grave.cwiseInverse().cwiseAbs2().replicate(static_cast<Eigen::Index>(targets.size()), 1);
+    const auto variance = [&] { return weight.dot(covariance.diagonal().head(wanted)); };
+    const double enough = variance() / std::max(1.0, excess);
+    std::vector<FlowState> chosen;
+    while (chosen.size() < most_confirming &&
+           (chosen.size() < fewest_confirming || variance() > enough)) {
+        // A run at c lowers the covariance by C(., c) [C(c, c) + noise]^-1 C(c, .).
+        const auto fall = [&](Eigen::Index c) {
+            const auto columns = covariance.middleCols<2>(c);
+            const Eigen::Matrix2d inverse = (covariance.block<2, 2>(c, c) + noise).inverse();
+            return std::pair(columns, inverse);
+        };
+        Eigen::Index best = wanted;
+        double most = -1;
+        for (Eigen::Index c = wanted; c < covariance.rows(); c += 2) {
+            const auto [columns, inverse] = fall(c);
+            const double gain =
+                weight.dot((columns * inverse).cwiseProduct(columns).rowwise().sum().head(wanted));
+            if (gain > most) {
+                most = gain, best = c;
+            }
+        }
+        const auto [columns, inverse] = fall(best);
+        covariance -= Eigen::MatrixXd(columns * inverse * columns.transpose());
+        chosen.push_back(all[static_cast<std::size_t>(best / 2)]);
+    }
+    return chosen;
+}
+
+void EmulatedSimulation::improve(const Eigen::VectorXd& parameters, double excess) {
+    const auto all = conditions();
+    const auto wet = [](const Condition& c) { return !c.dry(); };
+    if (!std::ranges::all_of(all, wet)) {
+        learn(parameters(0), false, excess);
+    }
+    if (std::ranges::any_of(all, wet)) {
+        learn(parameters(0), true, excess);
+    }
+    ++rounds_;
+}
+
+void EmulatedSimulation::learn_wet(const Eigen::VectorXd& parameters, int turns) {
+    // What lies beyond the known runs first, whatever rounds the dry readings took.
+    order_beyond(parameters(0), true);
+    // The first runs only confirm; more are asked for where predictions stay too uncertain.
+    confirm(parameters(0), true, began_wet_ ? 1 + turns : 1);
+    began_wet_ = true;
+}
+
+void EmulatedSimulation::learn(double friction, bool wet, double excess) {
+    if (rounds_ == 0) {
+        order_beyond(friction, wet);
+    } else {
+        confirm(friction, wet, excess);
+    }
+}
+
+void EmulatedSimulation::order_beyond(double friction, bool wet) {
+    const Candidates all = candidates(friction, wet);
+    std::vector<FlowState> targets, from;
+    std::string why;
+    for (std::size_t k = 0; k < all.at_friction.size(); ++k) {
+        if (const std::string text = emulator_.beyond(all.at_friction[k]); !text.empty()) {
+            why = text;
+            targets.push_back(all.at_friction[k]);
+            from.insert(from.end(), {all.below[k], all.at_friction[k], all.above[k]});
+        }
+    }
+    if (targets.empty()) {
+        return;
+    }
+    if (!orders_more_) {
+        const std::string note = fmt::format(
+            "the emulator extrapolates: {} of the runs it knows; without --no-confirm it orders "
+            "runs there",
+            why);
+        if (std::ranges::find(notes_, note) == notes_.end()) {
+            notes_.push_back(note);
+        }
+        return;
+    }
+    // The error to begin with is that of a guess.
+    order(most_informative(targets, from, unknown), "since " + why + " of the known runs");
+}
+
+void EmulatedSimulation::confirm(double friction, bool wet, double excess) {
+    if (!orders_more_) {
+        return;
+    }
+    const Candidates all = candidates(friction, wet);
+    std::vector<FlowState> from = all.at_friction;
+    from.insert(from.end(), all.below.begin(), all.below.end());
+    from.insert(from.end(), all.above.begin(), all.above.end());
+    const double p = order(most_informative(all.at_friction, from, excess),
+                           wet ? "to confirm the wet readings" : "to confirm the optimum");
+    confirmed_ = p >= significance;
+}
+
+double EmulatedSimulation::order(const std::vector<FlowState>& states, const std::string& why) {
+    std::set<std::string> known;
+    for (const auto& run : runs()) {
+        known.insert(dem::described(run.parameters));
+    }
+    std::vector<dem::RunParameters> wanted;
+    for (const FlowState& state : states) {
+        dem::RunParameters run = run_at(state, study_, fidelity_);
+        // A run that is known already would confirm nothing.
+        do {
+            run.seed = seed_of_run(seed_, ordered_++);
+        } while (known.contains(dem::described(run)));
+        wanted.push_back(run);
+    }
+    std::vector<dem::RunResult> fresh;
+    std::vector<FlowState> places;
+    for (const auto& run : run_all(wanted, workers_)) {
+        const FlowState state = Emulator::state_of(run.parameters);
+        if (Emulator::usable(run)) {
+            fresh.push_back(run);
+            places.push_back(state);
+        } else {
+            notes_.push_back(fmt::format("a run at {} is not used: it {}", describe(state),
+                                         !run.failure.empty() ? "failed, " + run.failure
+                                         : run.crystallised   ? "crystallised"
+                                                              : "was not steady"));
+        }
+    }
+    add_order(wanted.size(), why);
+    if (fresh.empty()) {
+        return 0;
+    }
+    const auto queries = pairs_at(places);
+    Eigen::VectorXd off = -emulator_.mean(queries);
+    Eigen::MatrixXd covariance = emulator_.covariance(queries);
+    for (std::size_t k = 0; k < fresh.size(); ++k) {
+        const auto at = 2 * static_cast<Eigen::Index>(k);
+        off(at) += Emulator::taught(fresh[k], Observable::stress_ratio).value;
+        off(at + 1) += Emulator::taught(fresh[k], Observable::solid_fraction).value;
+        covariance.block<2, 2>(at, at) += noise_of(fresh[k]);
+    }
+    emulator_ = emulator_.with(fresh);
+    const double chi2 = off.dot(covariance.llt().solve(off));
+    return cdf(complement(boost::math::chi_squared(static_cast<double>(off.size())), chi2));
+}
+
+void EmulatedSimulation::add_order(std::size_t runs, const std::string& why) {
+    const auto same = std::ranges::find(orders_, why, &Order::why);
+    if (same == orders_.end()) {
+        orders_.push_back({runs, why});
+    } else {
+        same->runs += runs;
+    }
+}
+
+}  // namespace pendular

@@ -1,0 +1,395 @@
+#include "calib/emulator.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "data/csv.h"
+#include "data/number.h"
+#include "data/text_file.h"
+
+namespace pendular {
+namespace {
+
+using dem::Observable;
+
+constexpr double centre = 0.1;    // of the coordinate of friction
+constexpr double exponent = 0.5;  // of the coordinate of the inertial number
+
+/// Softer beads overlap more than the correction to rigid ones was measured for.
+constexpr double softest = 300;
+/// Structure is that of beads of about this stiffness.
+constexpr double stiffness_factor = 2;
+
+/// Stress ratio and solid fraction share one process.
+constexpr Observable pair[] = {Observable::stress_ratio, Observable::solid_fraction};
+
+bool in_pair(Observable which) {
+    return which == pair[0] || which == pair[1];
+}
+
+/// Capillary stresses over s22 go with 1/P*; over F0/a^2 they keep their value.
+bool goes_with_inverse_pressure(Observable which) {
+    using enum Observable;
+    return which == capillary_stress_22 || which == capillary_pressure ||
+           which == capillary_shear_stress || which == capillary_shear_stress_contact ||
+           which == capillary_shear_stress_distant;
+}
+
+Domain domain_of(Observable which) {
+    return Emulator::of_bridges(which) ? Domain::bridges : Domain::all_flow;
+}
+
+bool depends_on_stiffness(Observable which) {
+    return !in_pair(which) && which != Observable::mean_overlap &&
+           which != Observable::first_normal_stress_difference &&
+           which != Observable::second_normal_stress_difference;
+}
+
+bool teaches(const dem::RunResult& run, Observable which) {
+    const double stiffness = run.parameters.stiffness_number / Emulator::reference_stiffness;
+    return (run.parameters.wetting || !Emulator::of_bridges(which)) &&
+           (!depends_on_stiffness(which) ||
+            (stiffness <= stiffness_factor && stiffness >= 1 / stiffness_factor));
+}
+
+Coordinates place_of(const FlowState& state) {
+    return coordinates(state, centre, exponent);
+}
+
+/// What the process of an observable knows: of the pair, both.
+Observations observations_of(const std::vector<dem::RunResult>& runs, Observable which) {
+    std::vector<Observable> quantities = {which};
+    if (in_pair(which)) {
+        quantities.assign(std::begin(pair), std::end(pair));
+    }
+    const auto m = static_cast<Eigen::Index>(quantities.size());
+    Observations known;
+    std::vector<double> values;
+    for (const auto& run : runs) {
+        if (!teaches(run, which)) {
+            continue;
+        }
+        const double pressure =
+            goes_with_inverse_pressure(which) ? run.parameters.wetting->reduced_pressure : 1;
+        known.at.push_back(place_of(Emulator::state_of(run.parameters)));
+        Eigen::MatrixXd noise(m, m);
+        for (Eigen::Index k = 0; k < m; ++k) {
+            const Mean mean = Emulator::taught(run, quantities[static_cast<std::size_t>(k)]);
+            values.push_back(pressure * mean.value);
+            noise(k, k) = std::pow(pressure * mean.standard_error, 2);
+        }
+        if (m == 2) {
+            noise(0, 1) = noise(1, 0) = run.covariance;
+        }
+        known.noise.push_back(noise);
+    }
+    if (known.at.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "no run says anything of {}", dem::observable_names[static_cast<std::size_t>(which)]));
+    }
+    known.values = Eigen::MatrixXd(
+        Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+            values.data(), static_cast<Eigen::Index>(known.at.size()), m));
+    // A run that states no error, as where nothing varies, still is not exact.
+    constexpr double least_error = 1e-4;
+    const Eigen::RowVectorXd sizes = known.values.cwiseAbs().colwise().mean();
+    for (auto& noise : known.noise) {
+        noise.diagonal() += (least_error * sizes.transpose()).cwiseAbs2();
+    }
+    return known;
+}
+
+double unit_of(const Observations& known, Eigen::Index quantity) {
+    return std::sqrt(known.values.col(quantity).squaredNorm() /
+                     static_cast<double>(known.at.size()));
+}
+
+/// A query is a sum of what a process can be asked, each with a factor.
+struct Term {
+    double factor = 1;
+    GaussianProcess::Asked asked;
+};
+
+std::vector<Term> terms_of(const Query& query) {
+    if (Emulator::of_bridges(query.which) && query.state.dry()) {
+        throw std::invalid_argument(fmt::format(
+            "dry beads have no {}", dem::observable_names[static_cast<std::size_t>(query.which)]));
+    }
+    const Coordinates at = place_of(query.state);
+    const Eigen::Index quantity = query.which == pair[1];
+    const bool scaled = goes_with_inverse_pressure(query.which);
+    const double size = scaled ? at.u : 1;
+    const auto slope = [&](double factor, int coordinate) {
+        return Term{size * factor, {quantity, {at, coordinate}}};
+    };
+    if (!query.by) {
+        return {slope(1, Functional::value)};
+    }
+    switch (*query.by) {
+        case Input::friction:
+            return {slope(friction_slope(query.state.friction), 0)};
+        case Input::log_inertial_number:
+            return {slope(exponent * at.q, 1)};
+        case Input::inverse_pressure:
+            if (scaled) {
+                return {slope(1, 2), {1, {quantity, {at, Functional::value}}}};
+            }
+            return {slope(1, 2)};
+        default:
+            return {slope(query.state.dry() ? 0 : 1 / query.state.bridge_volume, 3)};
+    }
+}
+
+/// The queries that one process answers: their places in the list, all they ask, and the map from
+/// those answers to the queries'.
+struct Share {
+    std::vector<Eigen::Index> queries;
+    std::vector<GaussianProcess::Asked> asked;
+    Eigen::MatrixXd map;
+};
+
+std::map<Observable, Share> shares_of(const std::vector<Query>& queries) {
+    std::map<Observable, Share> shares;
+    std::map<Observable, std::vector<std::vector<Term>>> terms;
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        const Observable process = in_pair(queries[k].which) ? pair[0] : queries[k].which;
+        shares[process].queries.push_back(static_cast<Eigen::Index>(k));
+        terms[process].push_back(terms_of(queries[k]));
+    }
+    for (auto& [process, share] : shares) {
+        std::vector<Eigen::Triplet<double>> entries;
+        Eigen::Index row = 0;
+        for (const auto& sum : terms[process]) {
+            for (const Term& term : sum) {
+                entries.emplace_back(row, static_cast<Eigen::Index>(share.asked.size()),
+                                     term.factor);
+                share.asked.push_back(term.asked);
+            }
+            ++row;
+        }
+        share.map = Eigen::MatrixXd::Zero(row, static_cast<Eigen::Index>(share.asked.size()));
+        for (const auto& entry : entries) {
+            share.map(entry.row(), entry.col()) = entry.value();
+        }
+    }
+    return shares;
+}
+
+}  // namespace
+
+bool Emulator::of_bridges(Observable which) {
+    // Z* counts distant bridges, which are there however little they matter, and none in dry flow.
+    return dem::needs_bridges(which) || which == Observable::effective_coordination;
+}
+
+bool Emulator::usable(const dem::RunResult& run) {
+    return run.failure.empty() && !run.crystallised && run.steady &&
+           run.parameters.damping == dem::RunParameters{}.damping &&
+           run.parameters.stiffness_number >= softest;
+}
+
+FlowState Emulator::state_of(const dem::RunParameters& p) {
+    FlowState state{p.friction, p.inertial_number};
+    if (p.wetting) {
+        state.inverse_pressure = 1 / p.wetting->reduced_pressure;
+        state.bridge_volume = p.wetting->bridge_volume;
+    }
+    return state;
+}
+
+Mean Emulator::taught(const dem::RunResult& run, Observable which) {
+    Mean mean = run[which];
+    if (which == Observable::solid_fraction) {
+        mean.value -= dem::rigidity_shift(mean.value, run[Observable::mean_overlap].value);
+    } else if (which == Observable::mean_overlap) {
+        const double factor = run.parameters.stiffness_number / reference_stiffness;
+        mean.value *= factor;
+        mean.standard_error *= factor;
+    }
+    return mean;
+}
+
+const std::vector<Observable>& Emulator::observables() {
+    using enum Observable;
+    static const std::vector<Observable> all = {stress_ratio,
+                                                solid_fraction,
+                                                contact_coordination,
+                                                distant_coordination,
+                                                liquid_content,
+                                                fabric_12_contact,
+                                                fabric_12_distant,
+                                                force_anisotropy_12_contact,
+                                                force_anisotropy_12_distant,
+                                                length_anisotropy_12_distant,
+                                                contact_force,
+                                                distant_force,
+                                                distant_force_gap,
+                                                distant_length,
+                                                effective_coordination,
+                                                capillary_stress_22,
+                                                capillary_pressure,
+                                                capillary_shear_stress,
+                                                capillary_shear_stress_contact,
+                                                capillary_shear_stress_distant,
+                                                first_normal_stress_difference,
+                                                second_normal_stress_difference,
+                                                localization,
+                                                mean_overlap};
+    return all;
+}
+
+bool Emulator::known(const std::vector<dem::RunResult>& runs, Observable which) {
+    return std::ranges::any_of(runs, [&](const auto& run) { return teaches(run, which); });
+}
+
+Scales Emulator::learn(const std::vector<dem::RunResult>& runs, Observable which) {
+    const Observations known = observations_of(runs, which);
+    const Eigen::Index quantity = which == pair[1];
+    return learn_scales(domain_of(which), known.only(quantity), unit_of(known, quantity));
+}
+
+Emulator::Emulator(const std::vector<dem::RunResult>& runs, EmulatorScales scales)
+    : scales_(std::move(scales)) {
+    std::ranges::copy_if(runs, std::back_inserter(runs_), usable);
+    if (runs_.empty()) {
+        throw std::invalid_argument("there is no run to learn from");
+    }
+}
+
+Emulator::~Emulator() = default;
+Emulator::Emulator(Emulator&&) noexcept = default;
+Emulator& Emulator::operator=(Emulator&&) noexcept = default;
+
+Emulator Emulator::with(const std::vector<dem::RunResult>& more) const {
+    std::vector<dem::RunResult> all = runs_;
+    all.insert(all.end(), more.begin(), more.end());
+    return {all, scales_};
+}
+
+const GaussianProcess& Emulator::process_of(Observable which) const {
+    auto& process = processes_[which];
+    if (!process) {
+        const Observations known = observations_of(runs_, which);
+        std::vector<Observable> quantities = {which};
+        if (in_pair(which)) {
+            quantities.assign(std::begin(pair), std::end(pair));
+        }
+        std::vector<Kernel> kernels;
+        for (const Observable quantity : quantities) {
+            if (!scales_.contains(quantity)) {
+                scales_[quantity] = learn(runs_, quantity);
+            }
+            kernels.emplace_back(domain_of(quantity), scales_.at(quantity),
+                                 unit_of(known, static_cast<Eigen::Index>(kernels.size())));
+        }
+        process = std::make_unique<GaussianProcess>(std::move(kernels), known);
+    }
+    return *process;
+}
+
+Eigen::VectorXd Emulator::mean(const std::vector<Query>& queries) const {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(queries.size()));
+    for (const auto& [process, share] : shares_of(queries)) {
+        result(share.queries) = share.map * process_of(process).mean(share.asked);
+    }
+    return result;
+}
+
+Eigen::MatrixXd Emulator::covariance(const std::vector<Query>& queries) const {
+    const auto n = static_cast<Eigen::Index>(queries.size());
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+    for (const auto& [process, share] : shares_of(queries)) {
+        result(share.queries, share.queries) =
+            share.map * process_of(process).covariance(share.asked) * share.map.transpose();
+    }
+    return result;
+}
+
+std::string Emulator::beyond(const FlowState& state) const {
+    struct Known {
+        const char* name;
+        double value, least = INFINITY, greatest = -INFINITY;
+        bool below_matters = true;
+    };
+    std::vector<Known> inputs = {
+        {.name = "friction", .value = state.friction},
+        {.name = "inertial number", .value = state.inertial_number, .below_matters = false}};
+    if (!state.dry()) {
+        inputs.push_back({.name = "reduced pressure", .value = 1 / state.inverse_pressure});
+        inputs.push_back({.name = "bridge volume over a^3", .value = state.bridge_volume});
+    }
+    for (const auto& run : runs_) {
+        const auto& p = run.parameters;
+        if (state.dry() || p.wetting) {
+            double values[] = {p.friction, p.inertial_number, 0, 0};
+            if (p.wetting) {
+                values[2] = p.wetting->reduced_pressure;
+                values[3] = p.wetting->bridge_volume;
+            }
+            for (std::size_t k = 0; k < inputs.size(); ++k) {
+                inputs[k].least = std::min(inputs[k].least, values[k]);
+                inputs[k].greatest = std::max(inputs[k].greatest, values[k]);
+            }
+        }
+    }
+    constexpr double rounding = 1e-6;
+    std::string text;
+    for (const Known& input : inputs) {
+        const bool above = input.value > input.greatest * (1 + rounding);
+        if (above || (input.below_matters && input.value < input.least * (1 - rounding))) {
+            text += fmt::format("{}{} {:.4g} is {} {:.4g}", text.empty() ? "" : ", ", input.name,
+                                input.value, above ? "above" : "below",
+                                above ? input.greatest : input.least);
+        }
+    }
+    return text;
+}
+
+EmulatorScales read_scales(const std::filesystem::path& file) {
+    const Table table = read_table(file);
+    if (table.header.cells.size() != Scales::count + 1) {
+        throw InputError(table.at_header(0),
+                         fmt::format("{} columns are needed, there are {}", Scales::count + 1,
+                                     table.header.cells.size()));
+    }
+    EmulatorScales result;
+    for (const Row& row : table.rows) {
+        std::array<double, Scales::count> values{};
+        for (std::size_t k = 0; k < Scales::count; ++k) {
+            const auto number = parse_number(row.cells[k + 1].text);
+            if (!number || *number <= 0) {
+                throw InputError(table.at(row, k + 1),
+                                 fmt::format("'{}' is no positive number", row.cells[k + 1].text));
+            }
+            values[k] = *number;
+        }
+        try {
+            result[dem::observable_named(row.cells[0].text)] = Scales::from_array(values);
+        } catch (const std::invalid_argument& error) {
+            throw InputError(table.at(row, 0), error.what());
+        }
+    }
+    return result;
+}
+
+void write_scales(const std::filesystem::path& file, const EmulatorScales& scales) {
+    std::string text = "observable";
+    for (const auto name : Scales::names) {
+        text += fmt::format(",{}", name);
+    }
+    text += '\n';
+    for (const auto& [which, each] : scales) {
+        text += dem::observable_names[static_cast<std::size_t>(which)];
+        for (const double value : each.as_array()) {
+            text += fmt::format(",{:.6g}", value);
+        }
+        text += '\n';
+    }
+    write_whole(file, text);
+}
+
+}  // namespace pendular

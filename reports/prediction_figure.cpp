@@ -1,0 +1,147 @@
+#include "reports/prediction_figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/shown.h"
+
+namespace pendular {
+namespace {
+
+using dem::Observable;
+
+struct Variable {
+    const char* name;
+    const char* label;
+    bool log;
+    double (*of)(const FlowState&);
+};
+
+constexpr Variable variables[] = {
+    {"friction", "intergranular friction μ", false, [](const FlowState& s) { return s.friction; }},
+    {"inertial_number", "inertial number I", true,
+     [](const FlowState& s) { return s.inertial_number; }},
+    {"reduced_pressure", "reduced pressure P*", true,
+     [](const FlowState& s) { return 1 / s.inverse_pressure; }},
+    {"bridge_volume", "bridge volume V_0/a^3", true,
+     [](const FlowState& s) { return s.bridge_volume; }},
+    {"liquid_content", "liquid content Φ_L/Φ_S", true, nullptr}};
+
+const Variable& variable_named(const std::string& name) {
+    return *std::ranges::find(variables, name, &Variable::name);
+}
+
+/// Whether a run differs from the curve in nothing but the variable.
+bool beside(const dem::RunResult& run, const PredictionCurve& curve, const Variable& variable) {
+    constexpr double tolerance = 0.05;
+    const FlowState state = Emulator::state_of(run.parameters), &line = curve.states.front();
+    const auto close = [](double a, double b) {
+        return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+    };
+    if (state.dry() != line.dry() ||
+        !close(run.parameters.stiffness_number, curve.stiffness_number)) {
+        return false;
+    }
+    return std::ranges::all_of(variables, [&](const Variable& other) {
+        const bool matters = other.of && (!line.dry() || other.of(line) == line.friction ||
+                                          other.of(line) == line.inertial_number);
+        return !matters || other.name == variable.name || close(other.of(state), other.of(line));
+    });
+}
+
+std::string subtitle(const PredictionCurve& curve) {
+    const FlowState& s = curve.states.front();
+    std::string text;
+    const auto say = [&](const char* name, const std::string& what) {
+        if (curve.variable != name) {
+            text += (text.empty() ? "" : ", ") + what;
+        }
+    };
+    say("friction", fmt::format("μ = {:.3g}", s.friction));
+    say("inertial_number", fmt::format("I = {:.3g}", s.inertial_number));
+    if (!s.dry()) {
+        say("reduced_pressure", fmt::format("P* = {:.3g}", 1 / s.inverse_pressure));
+        if (curve.variable != "liquid_content") {
+            say("bridge_volume", fmt::format("V_0 = {:.3g} a^3", s.bridge_volume));
+        }
+    }
+    return text;
+}
+
+const Estimate& value_of(const std::vector<EmulatedObservable>& observables, Observable which) {
+    return std::ranges::find(observables, which, &EmulatedObservable::which)->value;
+}
+
+}  // namespace
+
+Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator) {
+    const Variable& variable = variable_named(curve.variable);
+    Figure figure{.name = "prediction",
+                  .title = "Emulated flow, " + subtitle(curve),
+                  .panels = {},
+                  .stacked = true};
+    for (const Observable which : {Observable::stress_ratio, Observable::solid_fraction}) {
+        const bool first = figure.panels.empty();
+        Curve line{.label = "emulator",
+                   .style = Curve::Style::line,
+                   .x = curve.at,
+                   .y = {},
+                   .y_error = {},
+                   .colour = model_colour};
+        Curve band = line;
+        band.style = Curve::Style::band;
+        band.label = "emulator, ± 1 standard error";
+        for (const auto& observables : curve.observables) {
+            const Estimate& value = value_of(observables, which);
+            line.y.push_back(value.value);
+            band.y.push_back(value.value);
+            band.y_error.push_back(value.standard_error);
+        }
+        Curve runs{.label = "runs beside it",
+                   .colour = run_colour,
+                   .symbol = {Shape::circle, Filling::hollow}};
+        for (const auto& run : emulator.runs()) {
+            if (variable.of && beside(run, curve, variable)) {
+                const Mean& mean = run[which];
+                runs.x.push_back(variable.of(Emulator::state_of(run.parameters)));
+                runs.y.push_back(mean.value);
+                runs.y_error.push_back(mean.standard_error);
+            }
+        }
+        Panel panel{.x_label = variable.label,
+                    .y_label = first ? stress_ratio_label : solid_fraction_label,
+                    .log_x = variable.log && curve.at.front() > 0};
+        panel.curves = {band, line};
+        if (!runs.x.empty()) {
+            panel.curves.push_back(runs);
+        }
+        panel.key = first ? Key::top_left : Key::none;
+        panel.headroom = first ? 0.3 : 0;
+        figure.panels.push_back(panel);
+    }
+    return figure;
+}
+
+std::string prediction_table(const PredictionCurve& curve) {
+    std::string text = "friction,inertial_number,reduced_pressure,bridge_volume";
+    for (const auto& one : curve.observables.front()) {
+        const auto name = dem::observable_names[static_cast<std::size_t>(one.which)];
+        text += fmt::format(",{},{}_stderr", name, name);
+    }
+    text += '\n';
+    for (std::size_t k = 0; k < curve.states.size(); ++k) {
+        const FlowState& s = curve.states[k];
+        text += fmt::format("{:.6g},{:.6g}", s.friction, s.inertial_number);
+        text +=
+            s.dry() ? ",," : fmt::format(",{:.6g},{:.6g}", 1 / s.inverse_pressure, s.bridge_volume);
+        for (const auto& one : curve.observables[k]) {
+            text += fmt::format(",{:.6g},{:.3g}", one.value.value, one.value.standard_error);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace pendular
