@@ -16,8 +16,10 @@ namespace {
 
 using dem::Observable;
 
-constexpr double centre = 0.1;    // of the coordinate of friction
-constexpr double exponent = 0.5;  // of the coordinate of the inertial number
+/// Coordinate of friction: about ln(friction), straight below 0.02, where flow changes fastest.
+constexpr double friction_scale = 0.02, friction_centre = 0.1;
+/// Coordinate of the inertial number: I^0.5.
+constexpr double exponent = 0.5;
 
 /// Softer beads overlap more than the correction to rigid ones was measured for.
 constexpr double softest = 300;
@@ -31,16 +33,38 @@ bool in_pair(Observable which) {
     return which == pair[0] || which == pair[1];
 }
 
-/// Capillary stresses over s22 go with 1/P*; over F0/a^2 they keep their value.
-bool goes_with_inverse_pressure(Observable which) {
+/// What an observable is emulated over, so that what is left changes little: value = offset + size
+/// x process. Capillary stresses over s22 go with 1/P*, the gap of distant pairs with the rupture
+/// distance.
+struct Unit {
+    double offset = 0, size = 1;
+    double by_inverse_pressure = 0, by_bridge_volume = 0;  ///< derivatives of `size`
+};
+
+Unit unit_at(Observable which, const FlowState& state) {
     using enum Observable;
-    return which == capillary_stress_22 || which == capillary_pressure ||
-           which == capillary_shear_stress || which == capillary_shear_stress_contact ||
-           which == capillary_shear_stress_distant;
+    switch (which) {
+        case capillary_stress_22:
+        case capillary_pressure:
+        case capillary_shear_stress:
+        case capillary_shear_stress_contact:
+        case capillary_shear_stress_distant:
+            return {.size = state.inverse_pressure, .by_inverse_pressure = 1};
+        case distant_length: {
+            const double rupture_distance = std::cbrt(state.bridge_volume);
+            return {.offset = 1,
+                    .size = rupture_distance,
+                    .by_bridge_volume = rupture_distance / (3 * state.bridge_volume)};
+        }
+        default:
+            return {};
+    }
 }
 
 Domain domain_of(Observable which) {
-    return Emulator::of_bridges(which) ? Domain::bridges : Domain::all_flow;
+    return Emulator::of_bridges(which)                 ? Domain::bridges
+           : which == Observable::contact_coordination ? Domain::contacts
+                                                       : Domain::all_flow;
 }
 
 bool depends_on_stiffness(Observable which) {
@@ -57,7 +81,9 @@ bool teaches(const dem::RunResult& run, Observable which) {
 }
 
 Coordinates place_of(const FlowState& state) {
-    return coordinates(state, centre, exponent);
+    Coordinates at = coordinates(state, friction_centre, exponent);
+    at.x = std::log((state.friction + friction_scale) / (friction_centre + friction_scale));
+    return at;
 }
 
 /// What the process of an observable knows: of the pair, both.
@@ -73,14 +99,14 @@ Observations observations_of(const std::vector<dem::RunResult>& runs, Observable
         if (!teaches(run, which)) {
             continue;
         }
-        const double pressure =
-            goes_with_inverse_pressure(which) ? run.parameters.wetting->reduced_pressure : 1;
-        known.at.push_back(place_of(Emulator::state_of(run.parameters)));
+        const FlowState state = Emulator::state_of(run.parameters);
+        const Unit unit = unit_at(which, state);
+        known.at.push_back(place_of(state));
         Eigen::MatrixXd noise(m, m);
         for (Eigen::Index k = 0; k < m; ++k) {
             const Mean mean = Emulator::taught(run, quantities[static_cast<std::size_t>(k)]);
-            values.push_back(pressure * mean.value);
-            noise(k, k) = std::pow(pressure * mean.standard_error, 2);
+            values.push_back((mean.value - unit.offset) / unit.size);
+            noise(k, k) = std::pow(mean.standard_error / unit.size, 2);
         }
         if (m == 2) {
             noise(0, 1) = noise(1, 0) = run.covariance;
@@ -121,26 +147,24 @@ std::vector<Term> terms_of(const Query& query) {
     }
     const Coordinates at = place_of(query.state);
     const Eigen::Index quantity = query.which == pair[1];
-    const bool scaled = goes_with_inverse_pressure(query.which);
-    const double size = scaled ? at.u : 1;
-    const auto slope = [&](double factor, int coordinate) {
-        return Term{size * factor, {quantity, {at, coordinate}}};
+    const Unit unit = unit_at(query.which, query.state);
+    const auto of_process = [&](double factor, int derivative) {
+        return Term{factor, {quantity, {at, derivative}}};
     };
     if (!query.by) {
-        return {slope(1, Functional::value)};
+        return {of_process(unit.size, Functional::value)};
     }
     switch (*query.by) {
         case Input::friction:
-            return {slope(friction_slope(query.state.friction), 0)};
+            return {of_process(unit.size / (query.state.friction + friction_scale), 0)};
         case Input::log_inertial_number:
-            return {slope(exponent * at.q, 1)};
+            return {of_process(unit.size * exponent * at.q, 1)};
         case Input::inverse_pressure:
-            if (scaled) {
-                return {slope(1, 2), {1, {quantity, {at, Functional::value}}}};
-            }
-            return {slope(1, 2)};
+            return {of_process(unit.size, 2),
+                    of_process(unit.by_inverse_pressure, Functional::value)};
         default:
-            return {slope(query.state.dry() ? 0 : 1 / query.state.bridge_volume, 3)};
+            return {of_process(query.state.dry() ? 0 : unit.size / query.state.bridge_volume, 3),
+                    of_process(unit.by_bridge_volume, Functional::value)};
     }
 }
 
@@ -211,6 +235,13 @@ Mean Emulator::taught(const dem::RunResult& run, Observable which) {
         mean.standard_error *= factor;
     }
     return mean;
+}
+
+double Emulator::noise_variance(const dem::RunResult& run, Observable which) const {
+    const Scales& scales = scales_.at(which);
+    const double size = unit_at(which, state_of(run.parameters)).size;
+    return scales.noise * std::pow(taught(run, which).standard_error, 2) +
+           std::pow(scales.between * size, 2);
 }
 
 const std::vector<Observable>& Emulator::observables() {
@@ -295,6 +326,12 @@ Eigen::VectorXd Emulator::mean(const std::vector<Query>& queries) const {
     Eigen::VectorXd result(static_cast<Eigen::Index>(queries.size()));
     for (const auto& [process, share] : shares_of(queries)) {
         result(share.queries) = share.map * process_of(process).mean(share.asked);
+    }
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        if (!queries[k].by) {
+            result(static_cast<Eigen::Index>(k)) +=
+                unit_at(queries[k].which, queries[k].state).offset;
+        }
     }
     return result;
 }

@@ -71,6 +71,9 @@ class Emulator {
     /// What a run says of an observable, as emulated.
     static Mean taught(const dem::RunResult& run, dem::Observable which);
     static FlowState state_of(const dem::RunParameters& run);
+    /// Variance of what a run says about what a longer one would: of the error it states and of the
+    /// scatter between runs beyond that. Scales must be known.
+    double noise_variance(const dem::RunResult& run, dem::Observable which) const;
 
     /// Whether an observable says nothing of dry beads.
     static bool of_bridges(dem::Observable which);

@@ -18,16 +18,18 @@ GaussianProcess::GaussianProcess(std::vector<Kernel> kernels, const Observations
     const auto n = static_cast<Eigen::Index>(known.at.size()),
                m = static_cast<Eigen::Index>(kernels_.size());
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n * m, n * m);
-    Eigen::VectorXd growth(m);
+    Eigen::VectorXd growth(m), between(m);
     for (Eigen::Index k = 0; k < m; ++k) {
         const Kernel& kernel = kernels_[static_cast<std::size_t>(k)];
         known_.push_back(kernel.prepare(known.at));
         matrix.block(k * n, k * n, n, n) = kernel.matrix(known_.back());
         growth(k) = std::sqrt(kernel.scales().noise);
+        between(k) = kernel.scales().between;
     }
     for (Eigen::Index i = 0; i < n; ++i) {
-        const Eigen::MatrixXd noise =
+        Eigen::MatrixXd noise =
             growth.asDiagonal() * known.noise[static_cast<std::size_t>(i)] * growth.asDiagonal();
+        noise.diagonal() += between.cwiseAbs2();
         for (Eigen::Index k = 0; k < m; ++k) {
             for (Eigen::Index l = 0; l < m; ++l) {
                 matrix(k * n + i, l * n + i) += noise(k, l);

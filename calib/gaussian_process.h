@@ -25,7 +25,8 @@ struct Observations {
 /// derivatives: section 9.4.
 class GaussianProcess {
   public:
-    /// The noise at each place is multiplied by the kernels' noise factors.
+    /// The noise at each place is multiplied by the kernels' noise factors and grows by the scatter
+    /// between runs that they allow.
     GaussianProcess(std::vector<Kernel> kernels, const Observations& known);
 
     /// A value or derivative of one of the quantities.

@@ -22,16 +22,18 @@ double inverse_square(double length) {
 }  // namespace
 
 std::array<double, Scales::count> Scales::as_array() const {
-    return {dry_amplitude, dry_x, dry_q, wet_amplitude, wet_x, wet_q, wet_u, wet_v, noise};
+    return {dry_amplitude, dry_x, dry_q, wet_amplitude, wet_x, wet_q, wet_u, wet_v, noise, between};
 }
 
 Scales Scales::from_array(const std::array<double, count>& a) {
-    return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8]};
+    return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9]};
 }
 
 Kernel::Kernel(Domain domain, const Scales& s, double unit)
-    : scales_(s), coefficient_variance_(std::pow(coefficient_scale * unit, 2)) {
-    if (domain == Domain::all_flow) {
+    : scales_(s),
+      steps_(domain == Domain::contacts),
+      coefficient_variance_(std::pow(coefficient_scale * unit, 2)) {
+    if (domain != Domain::bridges) {
         parts_.push_back({.variance = s.dry_amplitude * s.dry_amplitude,
                           .inverse_squares = {inverse_square(s.dry_x), inverse_square(s.dry_q)}});
         is_dry_.push_back(true);
@@ -39,11 +41,14 @@ Kernel::Kernel(Domain domain, const Scales& s, double unit)
              {Basis::Powers{}, {.x = 1}, {.x = 2}, {.q = 1}, {.x = 1, .q = 1}, {.q = 2}}) {
             basis_.add(term);
         }
+        dry_terms_ = basis_.size();
     }
     parts_.push_back({.variance = s.wet_amplitude * s.wet_amplitude,
                       .inverse_squares = {inverse_square(s.wet_x), inverse_square(s.wet_q),
                                           inverse_square(s.wet_u), inverse_square(s.wet_v)},
-                      .vanishes = domain == Domain::all_flow});
+                      .amplitude = domain == Domain::all_flow   ? Amplitude::linear
+                                   : domain == Domain::contacts ? Amplitude::step
+                                                                : Amplitude::one});
     is_dry_.push_back(false);
     const int u = domain == Domain::all_flow ? 1 : 0;
     for (const Basis::Powers& term : {Basis::Powers{.u = u},
@@ -57,11 +62,26 @@ Kernel::Kernel(Domain domain, const Scales& s, double unit)
 
 Kernel::Prepared Kernel::prepare(const Functional& f) const {
     const Coordinates& at = f.at;
-    return {.derivative = f.derivative,
-            .u = at.u,
-            .place = {at.x, at.q, std::log1p(at.u / weak_capillarity), at.v},
-            .stretch = {1, 1, 1 / (weak_capillarity + at.u), 1},
-            .polynomial = basis_.slopes(at, f.derivative)};
+    Prepared prepared{.derivative = f.derivative,
+                      .u = at.u,
+                      .place = {at.x, at.q, std::log1p(at.u / weak_capillarity), at.v},
+                      .stretch = {1, 1, 1 / (weak_capillarity + at.u), 1},
+                      .polynomial = basis_.slopes(at, f.derivative)};
+    if (steps_ && at.u == 0) {
+        prepared.polynomial.tail(basis_.size() - dry_terms_).setZero();
+    }
+    return prepared;
+}
+
+double Kernel::amplitude(const Part& part, const Prepared& at) {
+    switch (part.amplitude) {
+        case Amplitude::linear:
+            return at.u;
+        case Amplitude::step:
+            return at.u > 0;
+        default:
+            return 1;
+    }
 }
 
 std::vector<Kernel::Prepared> Kernel::prepare(const std::vector<Coordinates>& at) const {
@@ -79,15 +99,15 @@ double Kernel::of_part(const Part& part, const Prepared& a, const Prepared& b) {
         pull[k] = (a.place[k] - b.place[k]) * part.inverse_squares[k];
         exponent += (a.place[k] - b.place[k]) * pull[k];
     }
-    const double amplitude_a = part.vanishes ? a.u : 1, amplitude_b = part.vanishes ? b.u : 1;
+    const double amplitude_a = amplitude(part, a), amplitude_b = amplitude(part, b);
     const double whole = part.variance * std::exp(-exponent / 2);
     const int da = a.derivative, db = b.derivative;
     if (da == Functional::value && db == Functional::value) {
         return whole * amplitude_a * amplitude_b;
     }
     // Of the product amplitude(a) amplitude(b) exp(-exponent/2).
-    const double growth_a = part.vanishes && da == pressure,
-                 growth_b = part.vanishes && db == pressure;
+    const bool linear = part.amplitude == Amplitude::linear;
+    const double growth_a = linear && da == pressure, growth_b = linear && db == pressure;
     const auto ka = static_cast<std::size_t>(std::max(da, 0)),
                kb = static_cast<std::size_t>(std::max(db, 0));
     const double slope_a = -a.stretch[ka] * pull[ka], slope_b = b.stretch[kb] * pull[kb];
@@ -124,10 +144,10 @@ Eigen::MatrixXd Kernel::matrix(const std::vector<Prepared>& of) const {
     return result;
 }
 
-std::array<double, Scales::count - 1> Kernel::half_traces(const std::vector<Prepared>& values,
-                                                          const Eigen::MatrixXd& weights) const {
+std::array<double, Scales::of_processes> Kernel::half_traces(const std::vector<Prepared>& values,
+                                                             const Eigen::MatrixXd& weights) const {
     // Of a part K: dK/d(ln amplitude) = 2 K, dK/d(ln length) = K (difference/length)^2.
-    std::array<double, Scales::count - 1> traces{};
+    std::array<double, Scales::of_processes> traces{};
     for (std::size_t p = 0; p < parts_.size(); ++p) {
         double* const own = traces.data() + (is_dry_[p] ? 0 : 3);
         const std::size_t lengths = is_dry_[p] ? 2 : coordinate_count;

@@ -22,6 +22,7 @@ struct Functional {
 /// What an emulated quantity is about.
 enum class Domain {
     all_flow,  ///< defined for dry beads too, which it goes over into as 1/P* -> 0
+    contacts,  ///< likewise, but with a step: beads that touched nothing now hang in bridges
     bridges,   ///< of liquid bridges, which keep a structure where their force no longer matters
 };
 
@@ -31,12 +32,13 @@ struct Scales {
     double dry_x = 1, dry_q = 0.2;  ///< lengths over which it changes
     double wet_amplitude = 1;       ///< of what it leaves of capillarity, per 1/P*
     double wet_x = 1, wet_q = 0.2, wet_u = 1, wet_v = 1;
-    double noise = 1;  ///< factor on the runs' stated variances
+    double noise = 1;       ///< factor on the runs' stated variances
+    double between = 1e-3;  ///< scatter between runs beyond that, unit of the quantity
 
-    static constexpr std::size_t count = 9;
+    static constexpr std::size_t count = 10, of_processes = 8;  ///< the last two are of noise
     static constexpr std::array<std::string_view, count> names = {
         "dry_amplitude", "dry_friction", "dry_inertia", "wet_amplitude", "wet_friction",
-        "wet_inertia",   "wet_pressure", "wet_volume",  "noise"};
+        "wet_inertia",   "wet_pressure", "wet_volume",  "noise",         "between"};
     std::array<double, count> as_array() const;
     static Scales from_array(const std::array<double, count>& values);
 };
@@ -46,7 +48,7 @@ struct Scales {
 ///     f = h(z).beta + g_dry(x, q) + b(u) [h_wet(z).gamma + g_wet(x, q, u, v)],
 /// h polynomials with coefficients that are hardly known, g Gaussian processes of squared
 /// exponential covariance with a length for every coordinate (that of u in ln(1 + u/0.1)), b(u) =
-/// u. Dry flow (u = 0) thus does
+/// u, or 1 from the least u on for contacts. Dry flow (u = 0) thus does
 /// not depend on the bridge volume and the capillary part vanishes with 1/P*; q = sqrt(I) makes the
 /// quasi-static limit finite, approached as some power of I between 1/2 and 1.
 class Kernel {
@@ -75,26 +77,30 @@ class Kernel {
     double coefficient_variance() const { return coefficient_variance_; }
     /// Covariance matrix of functionals.
     Eigen::MatrixXd matrix(const std::vector<Prepared>& of) const;
-    /// Derivatives of half the trace of W K by the logarithms of the scales but the noise, K being
+    /// Derivatives of half the trace of W K by the logarithms of the scales of processes, K being
     /// the matrix of values; W symmetric.
-    std::array<double, Scales::count - 1> half_traces(const std::vector<Prepared>& values,
-                                                      const Eigen::MatrixXd& weights) const;
+    std::array<double, Scales::of_processes> half_traces(const std::vector<Prepared>& values,
+                                                         const Eigen::MatrixXd& weights) const;
 
     const Scales& scales() const { return scales_; }
 
   private:
+    enum class Amplitude { one, linear, step };
     /// One process g with its amplitude function.
     struct Part {
         double variance = 0;
         std::array<double, coordinate_count> inverse_squares{};  ///< of the lengths; 0: no matter
-        bool vanishes = false;                                   ///< with u
+        Amplitude amplitude = Amplitude::one;
     };
+    static double amplitude(const Part& part, const Prepared& at);
     static double of_part(const Part& part, const Prepared& a, const Prepared& b);
 
     Scales scales_;
     std::vector<Part> parts_;
     std::vector<bool> is_dry_;  ///< of the parts
     Basis basis_;
+    Eigen::Index dry_terms_ = 0;
+    bool steps_ = false;  ///< whether the wet terms begin with a step
     double coefficient_variance_;
 };
 

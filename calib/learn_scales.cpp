@@ -26,8 +26,9 @@ Broad prior(double unit) {
                        .wet_q = 0.2,
                        .wet_u = 1,
                        .wet_v = 2,
-                       .noise = 1},
-            .deviation = {2, 0.7, 0.7, 2, 0.7, 0.7, 0.7, 0.7, 0.3}};
+                       .noise = 1,
+                       .between = 1e-3 * unit},
+            .deviation = {2, 0.7, 0.7, 2, 0.7, 0.7, 0.7, 0.7, 0.3, 2}};
 }
 
 /// The cost as Ceres wants it.
@@ -62,7 +63,7 @@ double scales_cost(Domain domain, const Observations& known, double unit, const 
     }
     const auto places = kernel.prepare(known.at);
     Eigen::MatrixXd matrix = kernel.matrix(places);
-    matrix.diagonal() += noise;
+    matrix.diagonal().array() += noise.array() + scales.between * scales.between;
     const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
     if (factor.info() != Eigen::Success) {
         return INFINITY;
@@ -86,7 +87,8 @@ double scales_cost(Domain domain, const Observations& known, double unit, const 
         for (std::size_t k = 0; k < traces.size(); ++k) {
             gradient[k] = slopes[k] + traces[k];
         }
-        gradient[traces.size()] = slopes.back() + 0.5 * spread.diagonal().dot(noise);
+        gradient[8] = slopes[8] + 0.5 * spread.diagonal().dot(noise);
+        gradient[9] = slopes[9] + spread.trace() * scales.between * scales.between;
     }
     return cost;
 }

@@ -9,7 +9,7 @@ namespace {
 
 // All lengths in inches.
 constexpr double title_height = 0.38;
-constexpr double left_margin = 0.95, right_margin = 0.3, bottom_margin = 0.62, top_margin = 0.1;
+constexpr double left_margin = 1.1, right_margin = 0.3, bottom_margin = 0.62, top_margin = 0.1;
 constexpr double outside_key_width = 2.75;
 struct Size {
     double width, height;

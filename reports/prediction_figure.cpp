@@ -99,7 +99,7 @@ Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator)
             band.y.push_back(value.value);
             band.y_error.push_back(value.standard_error);
         }
-        Curve runs{.label = "runs beside it",
+        Curve runs{.label = "simulations",
                    .colour = run_colour,
                    .symbol = {Shape::circle, Filling::hollow}};
         for (const auto& run : emulator.runs()) {

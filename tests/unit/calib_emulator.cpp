@@ -51,7 +51,7 @@ TEST(Kernel, HasTheGradientOfItsLikelihood) {
         known.values(static_cast<Eigen::Index>(k), 0) = runs[k][Observable::stress_ratio].value;
         known.noise.push_back(Eigen::MatrixXd::Constant(1, 1, 4e-6));
     }
-    const Scales at{0.05, 0.8, 0.3, 0.07, 1.2, 0.4, 1.5, 2.5, 1.3};
+    const Scales at{0.05, 0.8, 0.3, 0.07, 1.2, 0.4, 1.5, 2.5, 1.3, 2e-3};
     std::array<double, Scales::count> gradient{}, none{};
     scales_cost(Domain::all_flow, known, 0.5, at, gradient.data());
     for (std::size_t k = 0; k < Scales::count; ++k) {
@@ -254,9 +254,9 @@ TEST(EmulatorScales, AreReadBackAndCheckedCellByCell) {
     const auto refusal = [&](const std::string& text) {
         return input_error([&] { read_scales(folder.write("bad.csv", text)); });
     };
-    EXPECT_THAT(refusal(header + "\nstress_ratio,1,1,1,1,-1,1,1,1,1\n"), HasSubstr("bad.csv:2:22"));
-    EXPECT_THAT(refusal(header + "\nstres_ratio,1,1,1,1,1,1,1,1,1\n"), HasSubstr("bad.csv:2:1"));
-    EXPECT_THAT(refusal("observable,noise\nstress_ratio,1\n"), HasSubstr("10 columns"));
+    EXPECT_THAT(refusal(header + "\nstress_ratio,1,1,1,1,-1,1,1,1,1,1\n"), HasSubstr("bad.csv:2:22"));
+    EXPECT_THAT(refusal(header + "\nstres_ratio,1,1,1,1,1,1,1,1,1,1\n"), HasSubstr("bad.csv:2:1"));
+    EXPECT_THAT(refusal("observable,noise\nstress_ratio,1\n"), HasSubstr("11 columns"));
 }
 
 }  // namespace pendular
