@@ -193,6 +193,10 @@ TEST(RunsCommand, LooksAfterTheStore) {
                       other = " --store " + (folder.path() / "other.sqlite").string();
     EXPECT_EQ(run_pendular("runs export " + table + store).code, 0);
     EXPECT_THAT(run_pendular("runs import " + table + other).output, HasSubstr("8 runs added"));
+    const Outcome learned =
+        run_pendular("runs learn --quiet " + (folder.path() / "emulator.csv").string() + store);
+    EXPECT_THAT(learned.output, HasSubstr("from 8 runs"));
+    EXPECT_THAT(content_of(folder.path() / "emulator.csv"), HasSubstr("stress_ratio"));
     EXPECT_THAT(run_pendular("runs prune --where \"friction = 0.1\"" + other).output,
                 HasSubstr("4 of 8 runs would be removed"));
     EXPECT_THAT(run_pendular("runs prune --yes --where \"friction = 0.1\"" + other).output,
@@ -208,6 +212,7 @@ TEST(RunsCommand, LooksAfterTheStore) {
     refused("plot --y stres_ratio", "did you mean 'stress_ratio'");
     refused("list --where \"a b\"", "condition 'a b'");
     refused("prune", "name what to remove");
+    refused("learn", "name the file to write");
 }
 
 TEST(Simulate, KeepsItsRun) {
