@@ -283,6 +283,7 @@ std::vector<FlowState> EmulatedSimulation::most_informative(const std::vector<Fl
 }
 
 void EmulatedSimulation::improve(const Eigen::VectorXd& parameters, double excess) {
+    confirmed_ = rounds_ > 0;  // unless fresh runs say otherwise
     const auto all = conditions();
     const auto wet = [](const Condition& c) { return !c.dry(); };
     if (!std::ranges::all_of(all, wet)) {
@@ -348,7 +349,13 @@ void EmulatedSimulation::confirm(double friction, bool wet, double excess) {
     from.insert(from.end(), all.above.begin(), all.above.end());
     const double p = order(most_informative(all.at_friction, from, excess),
                            wet ? "to confirm the wet readings" : "to confirm the optimum");
-    confirmed_ = p >= significance;
+    if (p < significance) {
+        confirmed_ = false;
+        notes_.push_back(fmt::format(
+            "fresh runs {} differed from what the emulator had said of them (p = {:.2g}); "
+            "it has learned them since",
+            wet ? "at the wet readings" : "at the optimum", p));
+    }
 }
 
 double EmulatedSimulation::order(const std::vector<FlowState>& states, const std::string& why) {

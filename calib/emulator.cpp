@@ -238,6 +238,7 @@ Mean Emulator::taught(const dem::RunResult& run, Observable which) {
 }
 
 double Emulator::noise_variance(const dem::RunResult& run, Observable which) const {
+    process_of(which);  // learns what is missing
     const Scales& scales = scales_.at(which);
     const double size = unit_at(which, state_of(run.parameters)).size;
     return scales.noise * std::pow(taught(run, which).standard_error, 2) +

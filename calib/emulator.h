@@ -72,7 +72,7 @@ class Emulator {
     static Mean taught(const dem::RunResult& run, dem::Observable which);
     static FlowState state_of(const dem::RunParameters& run);
     /// Variance of what a run says about what a longer one would: of the error it states and of the
-    /// scatter between runs beyond that. Scales must be known.
+    /// scatter between runs beyond that.
     double noise_variance(const dem::RunResult& run, dem::Observable which) const;
 
     /// Whether an observable says nothing of dry beads.
