@@ -2,6 +2,9 @@
 # Speed of Pendular's solver beside LAMMPS and YADE on the same flow, one core each, in the same
 # minutes. What is compared and how fairly: bench/peers/README.md.
 set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# shellcheck source=bench/common.sh
+. "$root/bench/common.sh"
 
 usage() {
   cat <<'END'
@@ -40,16 +43,6 @@ bridge_volume=0.004
 cases=(dry:pendular dry:lammps-granular dry:lammps-hertz dry:yade wet:pendular wet:yade)
 lammps_skins=(0.03 0.05 0.08 0.12)
 yade_skins=(0.02 0.05 0.1 0.2)
-
-say() { echo "$*" >&2; }
-fail() {
-  say "compare_peers: $*"
-  exit 1
-}
-wrong() {
-  say "compare_peers: $* (--help explains)"
-  exit 2
-}
 
 parse() {
   rounds=5 sizes="2000 4000" seconds=6 install=yes pendular="" out="" work=""
@@ -96,28 +89,6 @@ install_packages() {
     apt-get install -q -y --no-install-recommends "${missing[@]}"; } >"$run/apt" 2>&1 || {
     tail -n 5 "$run/apt" >&2
     fail "${missing[*]} cannot be had: apt-get failed as above; Debian 12 has them in its section main"
-  }
-}
-
-build_pendular() {
-  if [ -z "$pendular" ]; then
-    pendular=$root/build/release/pendular
-    say "Building $pendular"
-    { cmake --preset release && cmake --build --preset release --target pendular; } >"$run/build" 2>&1 || {
-      tail -n 20 "$run/build" >&2
-      fail "Pendular does not build; see CONTRIBUTING.md"
-    }
-  fi
-  [ -x "$pendular" ] || fail "$pendular is not a program"
-}
-
-# run_logged LOG COMMAND...: runs with both streams in a file, which is shown where it fails.
-run_logged() {
-  local log=$1
-  shift
-  "$@" >"$log" 2>&1 </dev/null || {
-    tail -n 15 "$log" >&2
-    fail "this failed: $1"
   }
 }
 
@@ -282,13 +253,7 @@ describe() {
   echo "Pendular beside LAMMPS and YADE, $(date +%F): friction $friction, I = $rate, stiffness number"
   echo "$stiffness_number, dry and at P* = $reduced_pressure with bridges of $bridge_volume a^3; one core each"
   echo
-  echo "machine   $(awk -F': ' '/model name/ { print $2; exit }' /proc/cpuinfo), $(getconf _NPROCESSORS_ONLN) cores, load $(cut -d' ' -f1 /proc/loadavg) at the start"
-  echo "system    $(sed -n 's/^PRETTY_NAME="\(.*\)"/\1/p' /etc/os-release), Linux $(uname -r)"
-  echo "compiler  $(c++ --version 2>/dev/null | head -n 1)"
-  echo "pendular  $("$pendular" --version 2>/dev/null | head -n 1) $(git -C "$root" describe --always --dirty 2>/dev/null)"
-  for package in lammps yade; do
-    printf '%-9s %s\n' $package "$(dpkg-query -W -f='${Version}' $package)"
-  done
+  describe_machine lammps yade
   echo "skins     diameters, the best of ${lammps_skins[*]} (LAMMPS), ${yade_skins[*]} (YADE):"
   for size in $sizes; do
     for case in "${cases[@]}"; do
@@ -300,7 +265,6 @@ describe() {
 
 main() {
   parse "$@"
-  root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
   peers=$root/bench/peers
   cd "$root"
   out=${out:-$root/bench/results/$(date +%F)-peers.txt}
@@ -315,7 +279,7 @@ main() {
   modulus=$(python3 -c "print($stiffness_number**1.5)")
   # States are those of one flow and one set of input files.
   states=${work:-$root/build/peers}/$({ echo $friction $rate "$modulus" $reduced_pressure $bridge_volume &&
-    cat "$peers"/*.lmp "$peers"/gas.py "$peers"/shear.yade.py; } | cksum | cut -d' ' -f1)
+    cat "$peers"/{beads,height,measure,prepare}.lmp "$peers"/gas.py "$peers"/shear.yade.py; } | cksum | cut -d' ' -f1)
   for size in $sizes; do
     mkdir -p "$states/$size"
     for case in "${cases[@]}"; do

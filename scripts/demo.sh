@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From nothing to a calibrated friction with its figures: installs what is missing, builds, calibrates
-# the published measurement of dry polystyrene beads by discrete-element simulation, predicts the wet
+# the published measurement of dry polystyrene beads, confirms it by discrete-element simulation, predicts the wet
 # range, and compares. About eight minutes on 2 cores once the packages are installed, three of them to build.
 set -euo pipefail
 cd "$(dirname "$0")/.."
