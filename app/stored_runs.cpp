@@ -43,7 +43,8 @@ std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity
         }
     }
     if (store) {
-        std::ranges::move(store->select(), std::back_inserter(stored));
+        auto own = store->select();
+        std::ranges::move(own.rbegin(), own.rend(), std::back_inserter(stored));
     }
     std::set<std::string> there;
     std::vector<dem::RunResult> runs;
@@ -54,6 +55,13 @@ std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity
         }
     }
     known.runs = EmulatedSimulation::serving(study, fidelity, runs);
+    if (known.runs.size() > most_known) {
+        fmt::print(stderr,
+                   "note: of {} runs that could serve the emulator knows {}, the atlas and the "
+                   "latest of the store; 'pendular runs prune' removes some\n",
+                   known.runs.size(), most_known);
+        known.runs.resize(most_known);
+    }
     return known.runs.size() < fewest ? std::nullopt : std::optional(std::move(known));
 }
 

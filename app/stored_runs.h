@@ -18,10 +18,14 @@ namespace pendular::app {
 std::unique_ptr<RunStore> open_store(const CommonOptions& options);
 
 /// What an emulator knows of the beads of a study: the runs that come with the program and those of
-/// the store that can serve; none where they are too few to begin with.
+/// the store that can serve, the latest of them where there are more than `most_known`, which is
+/// said on standard error; none where they are too few to begin with.
 /// @throws InputError for an atlas that cannot be read
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
                                     const RunStore* store);
+
+/// Time grows with the cube of their number: so many take some seconds.
+constexpr std::size_t most_known = 1500;
 
 /// What is said where work that keeps its runs is interrupted.
 dem::Interrupted interrupted_with(const RunStore& store);

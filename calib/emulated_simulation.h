@@ -63,8 +63,9 @@ class EmulatedSimulation : public SimulationModel {
     /// All that was ordered so far.
     const std::vector<Order>& orders() const { return orders_; }
 
-    /// Runs that can serve a study: its bridge force, and a Poisson ratio within 0.1 of its beads',
-    /// on which friction and packing of these flows depend too little to be seen.
+    /// Runs that can serve a study: of its bridge force, of as many beads as the fidelity has or
+    /// 1000, and of a Poisson ratio within 0.1 of its beads', which changes the ratio of tangential
+    /// to normal stiffness by less than a tenth.
     static std::vector<dem::RunResult> serving(const Study& study, const Fidelity& fidelity,
                                                const std::vector<dem::RunResult>& runs);
 

@@ -39,7 +39,7 @@ class Emulator {
     static constexpr double reference_stiffness = 1000;
 
     /// Runs that failed, crystallised or were not steady are left out, and those of another damping
-    /// than the standard. Scales that are missing are learned, a few seconds an observable.
+    /// than the standard. Scales that are missing are learned, half a second an observable.
     /// @throws std::invalid_argument where no run is left
     Emulator(const std::vector<dem::RunResult>& runs, EmulatorScales scales);
     ~Emulator();

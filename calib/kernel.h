@@ -48,9 +48,9 @@ struct Scales {
 ///     f = h(z).beta + g_dry(x, q) + b(u) [h_wet(z).gamma + g_wet(x, q, u, v)],
 /// h polynomials with coefficients that are hardly known, g Gaussian processes of squared
 /// exponential covariance with a length for every coordinate (that of u in ln(1 + u/0.1)), b(u) =
-/// u, or 1 from the least u on for contacts. Dry flow (u = 0) thus does
-/// not depend on the bridge volume and the capillary part vanishes with 1/P*; q = sqrt(I) makes the
-/// quasi-static limit finite, approached as some power of I between 1/2 and 1.
+/// u, or 1 from the least u on for contacts. Dry flow (u = 0) thus does not depend on the bridge
+/// volume and the capillary part vanishes with 1/P*; q = sqrt(I) makes the quasi-static limit
+/// finite, approached as some power of I between 1/2 and 1.
 class Kernel {
   public:
     /// `unit`: a typical size of the quantity, for coefficients to be large beside.

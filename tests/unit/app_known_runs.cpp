@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include "app/stored_runs.h"
+#include "emulator_support.h"
+#include "sim/fidelity.h"
+
+namespace pendular {
+
+TEST(KnownRuns, AreTheAtlasAndTheLatestOfTheStore) {
+    RunStore store(RunStore::in_memory);
+    auto own = invented_runs(1200, 40);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        own[k].strain_transient = static_cast<double>(k);  // tells their order
+        store.add(own[k]);
+    }
+    const Study study{};
+    const Fidelity quick = fidelity_named("quick");
+    const auto known = app::known_runs(study, quick, &store);
+    ASSERT_TRUE(known);
+    const std::size_t shipped = shipped_runs().size();
+    ASSERT_EQ(known->runs.size(), app::most_known);
+    EXPECT_EQ(known->runs[shipped].strain_transient, 1199);
+    EXPECT_EQ(known->runs.back().strain_transient,
+              1200 - static_cast<double>(app::most_known - shipped));
+    EXPECT_EQ(app::known_runs(study, quick, nullptr)->runs.size(), shipped);
+    EXPECT_EQ(known->scales.size(), Emulator::observables().size());
+}
+
+TEST(KnownRuns, CountARunOnceThatIsInBoth) {
+    RunStore store(RunStore::in_memory);
+    for (const auto& run : shipped_runs()) {
+        store.add(run);
+    }
+    EXPECT_EQ(app::known_runs(Study{}, fidelity_named("quick"), &store)->runs.size(),
+              shipped_runs().size());
+}
+
+}  // namespace pendular
