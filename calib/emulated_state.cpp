@@ -25,6 +25,11 @@ Jet jet_of(const Emulator& emulator, const FlowState& state, Observable which) {
     return {emulator.mean(queries), emulator.covariance(queries)};
 }
 
+Estimate estimate(const Jet& jet, Eigen::Index k) {
+    const double variance = jet.covariance(k, k);
+    return {jet.value(k), variance > 0 ? std::sqrt(variance) : 0.0};
+}
+
 /// From rigid beads to those of a stiffness number: of the shift at the reference stiffness a part
 /// reference/kappa is there. The errors of the overlap are small beside those of the correction.
 void soften(Jet& fraction, const Jet& overlap, double stiffness_number) {
@@ -62,10 +67,9 @@ std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const Flow
             jet.value *= part;
             jet.covariance *= part * part;
         }
-        EmulatedObservable one{.which = which, .value = {}, .slopes = {}};
-        for (Eigen::Index k = 0; k < jet.value.size(); ++k) {
-            (k == 0 ? one.value : one.slopes.emplace_back()) = {
-                jet.value(k), std::sqrt(std::max(0.0, jet.covariance(k, k)))};
+        EmulatedObservable one{.which = which, .value = estimate(jet, 0), .slopes = {}};
+        for (Eigen::Index k = 1; k < jet.value.size(); ++k) {
+            one.slopes.push_back(estimate(jet, k));
         }
         result.push_back(std::move(one));
     }
