@@ -42,21 +42,13 @@ std::vector<Query> pairs_at(const std::vector<FlowState>& states) {
     return queries;
 }
 
-Eigen::Matrix2d noise_of(const dem::RunResult& run) {
-    const double ratio = run[Observable::stress_ratio].standard_error,
-                 fraction = run[Observable::solid_fraction].standard_error;
-    Eigen::Matrix2d noise;
-    noise << ratio * ratio, run.covariance, run.covariance, fraction * fraction;
-    return noise;
-}
-
 /// The noise of a run to come, from the mean of those known.
-Eigen::Matrix2d expected_noise(const std::vector<dem::RunResult>& runs, const Fidelity& fidelity) {
+Eigen::Matrix2d expected_noise(const Emulator& emulator, const Fidelity& fidelity) {
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
-    for (const auto& run : runs) {
-        sum += noise_of(run) * run.parameters.beads * run.strain_averaged;
+    for (const auto& run : emulator.runs()) {
+        sum += emulator.noise(run) * run.parameters.beads * run.strain_averaged;
     }
-    return sum / (static_cast<double>(runs.size()) * fidelity.beads * fidelity.strain);
+    return sum / (static_cast<double>(emulator.runs().size()) * fidelity.beads * fidelity.strain);
 }
 
 std::string describe(const FlowState& state) {
@@ -250,7 +242,7 @@ std::vector<FlowState> EmulatedSimulation::most_informative(const std::vector<Fl
     std::vector<FlowState> all = targets;
     all.insert(all.end(), from.begin(), from.end());
     Eigen::MatrixXd covariance = emulator_.covariance(pairs_at(all));
-    const Eigen::Matrix2d noise = expected_noise(runs(), fidelity_);
+    const Eigen::Matrix2d noise = expected_noise(emulator_, fidelity_);
     const auto wanted = 2 * static_cast<Eigen::Index>(targets.size());
     const Eigen::VectorXd weight =
         grave.cwiseInverse().cwiseAbs2().replicate(static_cast<Eigen::Index>(targets.size()), 1);
@@ -397,7 +389,7 @@ double EmulatedSimulation::order(const std::vector<FlowState>& states, const std
         const auto at = 2 * static_cast<Eigen::Index>(k);
         off(at) += Emulator::taught(fresh[k], Observable::stress_ratio).value;
         off(at + 1) += Emulator::taught(fresh[k], Observable::solid_fraction).value;
-        covariance.block<2, 2>(at, at) += noise_of(fresh[k]);
+        covariance.block<2, 2>(at, at) += emulator_.noise(fresh[k]);
     }
     emulator_ = emulator_.with(fresh);
     const double chi2 = off.dot(covariance.llt().solve(off));

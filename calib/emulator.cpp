@@ -2,14 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-
-#include "data/csv.h"
-#include "data/number.h"
-#include "data/text_file.h"
 
 namespace pendular {
 namespace {
@@ -31,6 +26,11 @@ constexpr Observable pair[] = {Observable::stress_ratio, Observable::solid_fract
 
 bool in_pair(Observable which) {
     return which == pair[0] || which == pair[1];
+}
+
+/// The observable under whose name the process stands that answers for this one.
+Observable process_for(Observable which) {
+    return in_pair(which) ? pair[0] : which;
 }
 
 /// What an observable is emulated over, so that what is left changes little: value = offset + size
@@ -180,24 +180,25 @@ std::map<Observable, Share> shares_of(const std::vector<Query>& queries) {
     std::map<Observable, Share> shares;
     std::map<Observable, std::vector<std::vector<Term>>> terms;
     for (std::size_t k = 0; k < queries.size(); ++k) {
-        const Observable process = in_pair(queries[k].which) ? pair[0] : queries[k].which;
+        const Observable process = process_for(queries[k].which);
         shares[process].queries.push_back(static_cast<Eigen::Index>(k));
         terms[process].push_back(terms_of(queries[k]));
     }
     for (auto& [process, share] : shares) {
-        std::vector<Eigen::Triplet<double>> entries;
-        Eigen::Index row = 0;
-        for (const auto& sum : terms[process]) {
-            for (const Term& term : sum) {
-                entries.emplace_back(row, static_cast<Eigen::Index>(share.asked.size()),
-                                     term.factor);
+        std::vector<double> factors;
+        std::vector<Eigen::Index> rows;
+        for (std::size_t row = 0; row < terms[process].size(); ++row) {
+            for (const Term& term : terms[process][row]) {
                 share.asked.push_back(term.asked);
+                factors.push_back(term.factor);
+                rows.push_back(static_cast<Eigen::Index>(row));
             }
-            ++row;
         }
-        share.map = Eigen::MatrixXd::Zero(row, static_cast<Eigen::Index>(share.asked.size()));
-        for (const auto& entry : entries) {
-            share.map(entry.row(), entry.col()) = entry.value();
+        const auto columns = static_cast<Eigen::Index>(factors.size());
+        share.map =
+            Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(terms[process].size()), columns);
+        for (Eigen::Index c = 0; c < columns; ++c) {
+            share.map(rows[static_cast<std::size_t>(c)], c) = factors[static_cast<std::size_t>(c)];
         }
     }
     return shares;
@@ -245,32 +246,28 @@ double Emulator::noise_variance(const dem::RunResult& run, Observable which) con
            std::pow(scales.between * size, 2);
 }
 
+Eigen::Matrix2d Emulator::noise(const dem::RunResult& run) const {
+    Eigen::Matrix2d noise;
+    noise.diagonal() << noise_variance(run, pair[0]), noise_variance(run, pair[1]);
+    noise(0, 1) = noise(1, 0) =
+        run.covariance * std::sqrt(scales_.at(pair[0]).noise * scales_.at(pair[1]).noise);
+    return noise;
+}
+
 const std::vector<Observable>& Emulator::observables() {
-    using enum Observable;
-    static const std::vector<Observable> all = {stress_ratio,
-                                                solid_fraction,
-                                                contact_coordination,
-                                                distant_coordination,
-                                                liquid_content,
-                                                fabric_12_contact,
-                                                fabric_12_distant,
-                                                force_anisotropy_12_contact,
-                                                force_anisotropy_12_distant,
-                                                length_anisotropy_12_distant,
-                                                contact_force,
-                                                distant_force,
-                                                distant_force_gap,
-                                                distant_length,
-                                                effective_coordination,
-                                                capillary_stress_22,
-                                                capillary_pressure,
-                                                capillary_shear_stress,
-                                                capillary_shear_stress_contact,
-                                                capillary_shear_stress_distant,
-                                                first_normal_stress_difference,
-                                                second_normal_stress_difference,
-                                                localization,
-                                                mean_overlap};
+    // But for what a run imposes, what tells that it crystallised, and the parts of the work.
+    static const std::vector<Observable> all = [] {
+        using enum Observable;
+        std::vector<Observable> emulated;
+        for (std::size_t k = 0; k < dem::observable_count; ++k) {
+            const auto which = static_cast<Observable>(k);
+            if (which < dissipation_friction && which != held_normal_stress &&
+                which != bond_order) {
+                emulated.push_back(which);
+            }
+        }
+        return emulated;
+    }();
     return all;
 }
 
@@ -303,7 +300,7 @@ Emulator Emulator::with(const std::vector<dem::RunResult>& more) const {
 }
 
 const GaussianProcess& Emulator::process_of(Observable which) const {
-    auto& process = processes_[which];
+    auto& process = processes_[process_for(which)];
     if (!process) {
         const Observations known = observations_of(runs_, which);
         std::vector<Observable> quantities = {which};
@@ -385,49 +382,6 @@ std::string Emulator::beyond(const FlowState& state) const {
         }
     }
     return text;
-}
-
-EmulatorScales read_scales(const std::filesystem::path& file) {
-    const Table table = read_table(file);
-    if (table.header.cells.size() != Scales::count + 1) {
-        throw InputError(table.at_header(0),
-                         fmt::format("{} columns are needed, there are {}", Scales::count + 1,
-                                     table.header.cells.size()));
-    }
-    EmulatorScales result;
-    for (const Row& row : table.rows) {
-        std::array<double, Scales::count> values{};
-        for (std::size_t k = 0; k < Scales::count; ++k) {
-            const auto number = parse_number(row.cells[k + 1].text);
-            if (!number || *number <= 0) {
-                throw InputError(table.at(row, k + 1),
-                                 fmt::format("'{}' is no positive number", row.cells[k + 1].text));
-            }
-            values[k] = *number;
-        }
-        try {
-            result[dem::observable_named(row.cells[0].text)] = Scales::from_array(values);
-        } catch (const std::invalid_argument& error) {
-            throw InputError(table.at(row, 0), error.what());
-        }
-    }
-    return result;
-}
-
-void write_scales(const std::filesystem::path& file, const EmulatorScales& scales) {
-    std::string text = "observable";
-    for (const auto name : Scales::names) {
-        text += fmt::format(",{}", name);
-    }
-    text += '\n';
-    for (const auto& [which, each] : scales) {
-        text += dem::observable_names[static_cast<std::size_t>(which)];
-        for (const double value : each.as_array()) {
-            text += fmt::format(",{:.6g}", value);
-        }
-        text += '\n';
-    }
-    write_whole(file, text);
 }
 
 }  // namespace pendular

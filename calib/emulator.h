@@ -75,6 +75,9 @@ class Emulator {
     /// scatter between runs beyond that.
     double noise_variance(const dem::RunResult& run, dem::Observable which) const;
 
+    /// The same of stress ratio and solid fraction together.
+    Eigen::Matrix2d noise(const dem::RunResult& run) const;
+
     /// Whether an observable says nothing of dry beads.
     static bool of_bridges(dem::Observable which);
     /// All observables that are emulated.

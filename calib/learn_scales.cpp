@@ -87,8 +87,10 @@ double scales_cost(Domain domain, const Observations& known, double unit, const 
         for (std::size_t k = 0; k < traces.size(); ++k) {
             gradient[k] = slopes[k] + traces[k];
         }
-        gradient[8] = slopes[8] + 0.5 * spread.diagonal().dot(noise);
-        gradient[9] = slopes[9] + spread.trace() * scales.between * scales.between;
+        gradient[Scales::of_processes] =
+            slopes[Scales::of_processes] + 0.5 * spread.diagonal().dot(noise);
+        gradient[Scales::count - 1] =
+            slopes.back() + spread.trace() * scales.between * scales.between;
     }
     return cost;
 }
