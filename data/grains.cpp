@@ -1,7 +1,7 @@
+#include "data/grains.h"
+
 #include <cmath>
 #include <numbers>
-
-#include "data/study.h"
 
 namespace pendular {
 

@@ -5,16 +5,32 @@
 #include <string>
 #include <vector>
 
+#include "data/grains.h"
 #include "data/input_error.h"
 
 namespace pendular {
 
+/// Values of the parameters of an effect.
+struct EffectValues {
+    std::string effect;
+    std::vector<double> values;  ///< in the order of its parameters
+
+    bool operator==(const EffectValues&) const = default;
+};
+
 /// What is imposed on a sample: one measured or simulated state of steady shear.
 struct Condition {
-    double normal_stress = 0;      ///< s22 [Pa]
-    double inertial_number = 0;    ///< I [1]; 0: the quasi-static limit
-    double liquid_content = 0;     ///< Phi_L/Phi_S [1]; 0: dry
-    std::optional<double> height;  ///< of the cell [m], where known
+    double normal_stress = 0;           ///< s22 [Pa]
+    double inertial_number = 0;         ///< I [1]; 0: the quasi-static limit
+    double liquid_content = 0;          ///< Phi_L/Phi_S [1]; 0: dry
+    std::optional<double> height;       ///< of the cell [m], where known
+    std::optional<double> bead_volume;  ///< in the cell [m^3], where known
+    double time = 0;                    ///< since the first recording began [s]
+
+    // What effects make of the study's beads and liquid here.
+    std::optional<Liquid> liquid;             ///< none: the study's
+    double friction_difference = 0;           ///< to the friction of the study
+    std::vector<EffectValues> grain_effects;  ///< on grains, in SI units
 
     bool dry() const { return liquid_content == 0; }
 };

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "data/reading.h"
 #include "data/time_series.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/fields.h"
@@ -126,6 +127,8 @@ struct RunParameters {
     std::uint64_t start = 0;
     /// Standard errors at which averaging may stop before `strain` is reached; none: it goes on.
     std::vector<Precision> precision = {};
+    /// Effects on grains that are on, their values in the units of the run; by name.
+    std::vector<EffectValues> effects = {};
 };
 
 /// Time averages of one run over its steady part, each with a standard error from block averages

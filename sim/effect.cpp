@@ -1,0 +1,96 @@
+#include "sim/effect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "data/nearest.h"
+
+namespace pendular {
+namespace {
+
+/// The place of what is called so; names the nearest where nothing is.
+template <typename Named>
+std::size_t place_of(const std::vector<Named>& all, std::string_view name, const char* kind) {
+    const auto found = std::ranges::find(all, name, &Named::name);
+    if (found == all.end()) {
+        std::vector<std::string> names;
+        std::ranges::transform(all, std::back_inserter(names), &Named::name);
+        throw std::invalid_argument(
+            fmt::format("unknown {} '{}'; {}", kind, name, did_you_mean(name, names)));
+    }
+    return static_cast<std::size_t>(found - all.begin());
+}
+
+/// SI value of the unit of a run for what is measured in this unit.
+double run_unit(const std::string& unit, double normal_stress, const Grains& grains) {
+    const double diameter = grains.diameter;
+    if (unit == "N") {
+        return diameter * diameter * normal_stress;
+    }
+    if (unit == "Pa s") {
+        return std::sqrt(grains.mass() * normal_stress / diameter);
+    }
+    return 1;  // of pure numbers, the only others that effects on grains have
+}
+
+}  // namespace
+
+EffectParameter on_switch(std::string meaning) {
+    return {.name = "on", .unit = "1", .meaning = std::move(meaning)};
+}
+
+double Values::operator[](std::string_view name) const {
+    const auto found = std::ranges::find(parameters_, name, &EffectParameter::name);
+    if (found == parameters_.end()) {
+        fmt::print(stderr, "no parameter '{}' in an effect\n", name);
+        std::abort();
+    }
+    return values_[static_cast<std::size_t>(found - parameters_.begin())];
+}
+
+double CellState::area() const {
+    return std::numbers::pi * (outer_radius * outer_radius - inner_radius * inner_radius);
+}
+
+double CellState::weight() const {
+    return bead_volume * density * gravity;
+}
+
+bool Effect::of_grains() const {
+    return std::holds_alternative<dem::ChangePairs>(change) ||
+           std::holds_alternative<dem::ChangeSample>(change);
+}
+
+bool Effect::is_switch() const {
+    return std::ranges::all_of(parameters, &EffectParameter::is_switch);
+}
+
+std::vector<double> Effect::neutral() const {
+    std::vector<double> values;
+    std::ranges::transform(parameters, std::back_inserter(values), &EffectParameter::neutral);
+    return values;
+}
+
+std::size_t Effect::parameter(std::string_view parameter_name) const {
+    return place_of(parameters, parameter_name, fmt::format("parameter of {}", name).c_str());
+}
+
+const Effect& built_in_effect(std::string_view name) {
+    return built_in_effects()[place_of(built_in_effects(), name, "effect")];
+}
+
+EffectValues in_run_units(const EffectValues& values, double normal_stress, const Grains& grains) {
+    EffectValues result = values;
+    const Effect& effect = built_in_effect(values.effect);
+    for (std::size_t k = 0; k < result.values.size(); ++k) {
+        result.values[k] /= run_unit(effect.parameters[k].unit, normal_stress, grains);
+    }
+    return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,29 @@
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// The drag of bearings and seals does not know the sample: it is there at every normal stress, and
+/// in an empty cell. Over s22 it looks like a cohesion, of dry beads too.
+Effect torque_offset() {
+    return {
+        .summary = "drag of bearings and seals adds a constant torque",
+        .equation = "T_shown = T + torque",
+        .parameters = {{.name = "torque",
+                        .unit = "N m",
+                        .lower = -0.1,
+                        .upper = 0.1,
+                        .neutral = 0,
+                        .matters = 1e-4,
+                        .meaning = "drag torque"}},
+        .change = ChangeInstrument{.show =
+                                       [](CellState shown, const Values& v) {
+                                           shown.torque += v["torque"];
+                                           return shown;
+                                       },
+                                   .where = ChangeInstrument::Where::transducers},
+        .acts_through = {"1/normal_stress"},
+        .references = {"Schulze, Powders and Bulk Solids (2008), section 4.3: tare of the shear "
+                       "force of ring shear testers"}};
+}
+
+}  // namespace pendular
