@@ -11,6 +11,7 @@
 
 #include "data/number.h"
 #include "data/study_table.h"
+#include "sim/effect.h"
 #include "sim/ensemble.h"
 #include "sim/seeds.h"
 #include "sim/store/run_columns.h"
@@ -25,11 +26,44 @@ bool is_count(double value) {
     return value >= 0 && value <= most && value == std::floor(value);
 }
 
+/// A parameter of an effect on grains as a number that determines a run, "EFFECT.PARAMETER".
+RunColumn column_of(const Effect& effect, std::size_t which) {
+    return {.name = fmt::format("{}.{}", effect.name, effect.parameters[which].name),
+            .type = RunColumn::Type::real,
+            .determines = true,
+            .get = {},
+            .set = [&effect, which](dem::RunResult& run, const RunCell& cell) {
+                auto& effects = run.parameters.effects;
+                auto at = std::ranges::find(effects, effect.name, &EffectValues::effect);
+                if (at == effects.end()) {
+                    at = effects.insert(at, {effect.name, effect.neutral()});
+                }
+                at->values[which] = std::get<double>(cell);
+            }};
+}
+
+/// Those of all effects on grains.
+const std::vector<RunColumn>& effect_parameters() {
+    static const std::vector<RunColumn> all = [] {
+        std::vector<RunColumn> columns;
+        for (const Effect& effect : built_in_effects()) {
+            for (std::size_t k = 0; effect.of_grains() && k < effect.parameters.size(); ++k) {
+                columns.push_back(column_of(effect, k));
+            }
+        }
+        return columns;
+    }();
+    return all;
+}
+
 /// What a campaign may set: the columns of numbers that determine a run, but for those it chooses
-/// itself.
+/// itself, and the parameters of effects on grains.
 const std::vector<const RunColumn*>& parameters() {
     static const std::vector<const RunColumn*> all = [] {
         std::vector<const RunColumn*> columns;
+        for (const RunColumn& column : effect_parameters()) {
+            columns.push_back(&column);
+        }
         for (const RunColumn& column : run_columns()) {
             const bool chosen =
                 column.name == "seed" || column.name == "start" || column.name == "threads";
@@ -45,9 +79,25 @@ const std::vector<const RunColumn*>& parameters() {
 std::vector<std::string> keys_and(const std::vector<std::string>& others) {
     std::vector<std::string> keys = others;
     for (const RunColumn* parameter : parameters()) {
-        keys.push_back(parameter->name);
+        const std::string key = parameter->name.substr(0, parameter->name.find('.'));
+        if (std::ranges::find(keys, key) == keys.end()) {
+            keys.push_back(key);
+        }
     }
     return keys;
+}
+
+/// The numbers of a parameter; those of an effect, "EFFECT.PARAMETER", stand in a table of its own.
+std::vector<double> numbers_of(const StudyTable& table, const RunColumn& parameter) {
+    const auto dot = parameter.name.find('.');
+    if (dot == std::string::npos) {
+        return table.numbers(parameter.name);
+    }
+    const Effect& effect = built_in_effect(parameter.name.substr(0, dot));
+    std::vector<std::string> keys;
+    std::ranges::transform(effect.parameters, std::back_inserter(keys), &EffectParameter::name);
+    const auto own = table.table(effect.name, keys);
+    return own ? own->numbers(parameter.name.substr(dot + 1)) : std::vector<double>{};
 }
 
 /// A whole number of a table, `missing` where the key is not there.
@@ -65,7 +115,7 @@ using Columns = std::vector<std::pair<const RunColumn*, std::vector<double>>>;
 Columns columns_of(const StudyTable& table) {
     Columns columns;
     for (const RunColumn* parameter : parameters()) {
-        auto numbers = table.numbers(parameter->name);
+        auto numbers = numbers_of(table, *parameter);
         if (parameter->type == RunColumn::Type::integer &&
             !std::ranges::all_of(numbers, is_count)) {
             table.refuse(parameter->name, fmt::format("must be whole numbers up to {}", most));
@@ -170,6 +220,11 @@ dem::RunParameters run_at(const Point& point) {
         const bool whole = parameter->type == RunColumn::Type::integer;
         parameter->set(run, whole ? RunCell(std::int64_t{std::llround(value)}) : RunCell(value));
     }
+    auto& effects = run.parameters.effects;
+    std::erase_if(effects, [](const EffectValues& e) {
+        return e.values == built_in_effect(e.effect).neutral();
+    });
+    std::ranges::sort(effects, {}, &EffectValues::effect);
     return run.parameters;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -32,6 +34,7 @@ struct Beads {
     std::vector<Load> load;            ///< summed during a step, zero between two
     std::vector<Vector> displacement;  ///< peculiar, since the narrow list was made
     std::vector<std::int32_t> number;  ///< by which a bead was called at first
+    std::vector<double> diameters;     ///< of mean 1; none: all are 1
 
     explicit Beads(std::size_t count = 0)
         : motion(count), load(count), displacement(count), number(count) {
@@ -41,8 +44,39 @@ struct Beads {
 
     template <typename Archive>
     void serialize(Archive& archive) {
-        archive(motion, displacement, number);
+        archive(motion, displacement, number, diameters);
         load.assign(size(), {});
+    }
+
+    double diameter(std::size_t i) const { return diameters.empty() ? 1.0 : diameters[i]; }
+    /// Mass over that of a bead of unit diameter.
+    double mass(std::size_t i) const {
+        const double d = diameter(i);
+        return d * d * d;
+    }
+    /// Distance of the centres at which two beads touch.
+    double contact_distance(std::size_t i, std::size_t j) const {
+        return diameters.empty() ? 1.0 : 0.5 * (diameters[i] + diameters[j]);
+    }
+    /// Mean of the diameters that enters the laws of contact and bridge: 2 d1 d2/(d1 + d2).
+    double mean_diameter(std::size_t i, std::size_t j) const {
+        return diameters.empty() ? 1.0
+                                 : 2 * diameters[i] * diameters[j] / (diameters[i] + diameters[j]);
+    }
+    double largest_diameter() const {
+        return diameters.empty() ? 1.0 : *std::ranges::max_element(diameters);
+    }
+    double smallest_diameter() const {
+        return diameters.empty() ? 1.0 : *std::ranges::min_element(diameters);
+    }
+    /// Volume of all.
+    double volume() const {
+        constexpr double of_unit = std::numbers::pi / 6;
+        double cubes = diameters.empty() ? static_cast<double>(size()) : 0.0;
+        for (const double d : diameters) {
+            cubes += d * d * d;
+        }
+        return cubes * of_unit;
     }
 
     Vector& position(std::size_t i) { return motion[i].position; }
@@ -55,7 +89,8 @@ struct Beads {
     const Vector& torque(std::size_t i) const { return load[i].torque; }
 };
 
-/// Moment of inertia of a bead of unit mass and diameter: (2/5)(1/2)^2.
+/// Moment of inertia of a bead of unit mass and diameter: (2/5)(1/2)^2. That of others grows with
+/// the fifth power of the diameter.
 constexpr double moment_of_inertia = 0.1;
 
 }  // namespace pendular::dem

@@ -42,18 +42,30 @@ struct BridgeLaw {
     double pull_off_force = 0;    ///< F0; 0: dry
     double rupture_distance = 0;  ///< D0
     double curvature = 1;         ///< c
+    double volume = 0;            ///< V0
 
     BridgeLaw() = default;
     explicit BridgeLaw(const Wetting& wetting)
         : pull_off_force(1 / wetting.reduced_pressure),
           rupture_distance(std::cbrt(wetting.bridge_volume)),
           curvature((wetting.bridge_force == Form::as_printed ? 2 : 4) * wetting.bridge_volume /
-                    std::numbers::pi) {}
+                    std::numbers::pi),
+          volume(wetting.bridge_volume) {}
 
     bool wet() const { return pull_off_force > 0; }
 
     /// Force at a gap that is zero or more, over F0 [1].
     double relative_force(double gap) const { return 1 - gap / std::sqrt(gap * gap + curvature); }
+    /// Force at a gap that is zero or more.
+    double attraction(double gap) const { return pull_off_force * relative_force(gap); }
+    /// The law between unequal beads, of the mean diameter d = 2 d1 d2/(d1 + d2) in Derjaguin's
+    /// approximation: F0 = pi d Gamma cos(theta), c = 4 V0/(pi d), the volume being the same.
+    BridgeLaw of(double diameter) const {
+        BridgeLaw law = *this;
+        law.pull_off_force *= diameter;
+        law.curvature /= diameter;
+        return law;
+    }
     /// Energy of a bridge at a gap, zero at rupture.
     double potential(double gap) const {
         const double root = std::sqrt(gap * gap + curvature);

@@ -39,10 +39,10 @@ double angle_of(const Vector& r) {
     return half_turn < 180 ? half_turn : 0;
 }
 
-/// Volume of a sphere of diameter 1 below a plane at this height over its centre.
-double volume_below(double plane) {
-    const double depth = std::clamp(plane + 0.5, 0.0, 1.0);
-    return std::numbers::pi * depth * depth * (0.5 - depth / 3);
+/// Volume of a sphere below a plane at this height over its centre.
+double volume_below(double plane, double diameter) {
+    const double depth = std::clamp(plane / diameter + 0.5, 0.0, 1.0);
+    return diameter * diameter * diameter * std::numbers::pi * depth * depth * (0.5 - depth / 3);
 }
 
 }  // namespace
@@ -114,11 +114,12 @@ void add_solid_fraction(const Beads& beads, const Cell& cell, BinnedSums& sums) 
     const auto count = static_cast<long>(sums.sum.size());
     const double thickness = cell.height / static_cast<double>(count);
     for (std::size_t i = 0; i < beads.size(); ++i) {
-        const double centre = beads.position(i)[1];
-        const auto first = static_cast<long>(std::floor((centre - 0.5) / thickness));
+        const double centre = beads.position(i)[1], diameter = beads.diameter(i);
+        const auto first = static_cast<long>(std::floor((centre - 0.5 * diameter) / thickness));
         double below = 0;
-        for (long slice = first; below < volume_below(0.5); ++slice) {
-            const double up_to = volume_below(static_cast<double>(slice + 1) * thickness - centre);
+        for (long slice = first; below < volume_below(0.5 * diameter, diameter); ++slice) {
+            const double up_to =
+                volume_below(static_cast<double>(slice + 1) * thickness - centre, diameter);
             const long bin = (slice % count + count) % count;  // across a periodic face
             sums.sum[static_cast<std::size_t>(bin)] += up_to - below;
             below = up_to;
@@ -133,23 +134,23 @@ void add_distributions(const Beads& beads, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        FieldSums& sums) {
     std::vector<double> forces, angles, distant_angles, gaps;
-    const auto note_distant = [&](const Vector& r) {
+    const auto note_distant = [&](const Pairs& pairs, std::size_t k, const Vector& r) {
         distant_angles.push_back(angle_of(r));
         // A step after its force was computed a bridge may be a trifle beyond its range.
         gaps.push_back(
-            std::clamp(std::sqrt(dot(r, r)) - 1, 0.0, bridges.rupture_distance * (1 - 1e-12)));
+            std::clamp(gap_of(beads, pairs, k, r), 0.0, bridges.rupture_distance * (1 - 1e-12)));
     };
     for_each_pair(beads, cell, near, [&](std::size_t k, const Vector& r) {
         if (near.root[k] > 0) {
             angles.push_back(angle_of(r));
-            forces.push_back(Hertz::at(near.root[k] * near.root[k], material.modulus).elastic);
+            forces.push_back(contact_of(beads, near, k, material.modulus).elastic);
         } else if (near.bridge[k] > 0) {
-            note_distant(r);
+            note_distant(near, k, r);
         }
     });
     for_each_pair(beads, cell, distant, [&](std::size_t k, const Vector& r) {
         if (distant.bridge[k] > 0) {
-            note_distant(r);
+            note_distant(distant, k, r);
         }
     });
 

@@ -11,9 +11,9 @@ namespace pendular::dem {
 
 /// What one step of a range of beads says of all of them.
 struct MotionSums {
-    Vector squares;              ///< sums of v1^2, v2^2, v3^2 after the step
-    double shear = 0;            ///< sum of v1 v2
-    double spin = 0;             ///< sum of the squared angular velocities
+    Vector squares;              ///< sums of m v1^2, m v2^2, m v3^2 after the step
+    double shear = 0;            ///< sum of m v1 v2
+    double spin = 0;             ///< sum of m d^2 times the squared angular velocities
     double largest_squared = 0;  ///< displacement since the narrow list was made
     MotionSums& operator+=(const MotionSums& other);
     /// Kinetic energy of the peculiar motion, reduced units.

@@ -41,6 +41,8 @@ struct PairSums {
 /// long.
 enum class Books { closed, open };
 
+class GrainEffects;
+
 /// The laws of one force evaluation.
 struct PairLaws {
     Cell cell;
@@ -49,6 +51,7 @@ struct PairLaws {
     BridgeLaw bridges;
     double time_step = 0;
     Books books = Books::closed;
+    const GrainEffects* effects = nullptr;  ///< on grains; where hooked, `hooked_forces` heeds them
 };
 
 /// A stretch of a pair list, in whole batches.
@@ -69,6 +72,12 @@ PairSums near_forces(const Beads& beads, Pairs& near, Stretch stretch, const Pai
 /// the bridges whose gap has passed the rupture distance.
 PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, const PairLaws& laws,
                         std::vector<Beads::Load>& load);
+
+/// The same as `near_forces` and `distant_forces` for pairs of either kind, with effects on grains
+/// and beads of any size. Forces and torques that an effect adds are not in the books of energy,
+/// nor are bridges whose force it changes.
+PairSums hooked_forces(const Beads& beads, Pairs& pairs, Stretch stretch, const PairLaws& laws,
+                       std::vector<Beads::Load>& load);
 
 /// Energy that the viscous forces of one step take out of the near pairs, once the loads of all
 /// beads are known [a^3 s22]: force times the mean of the normal speeds before and after the step.

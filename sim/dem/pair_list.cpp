@@ -29,8 +29,10 @@ struct Neighbour {
 
 /// Beads with a higher number than i within the range, from the 27 bins around it. A neighbour bin
 /// across a face of the cell is the image of one on the other side.
+/// `range_squared(j)` is the square of that range.
+template <typename RangeSquared>
 void neighbours_of(std::int32_t i, const Beads& beads, const Cell& cell, const Bins& bins,
-                   double range_squared, std::vector<Neighbour>& found) {
+                   const RangeSquared& range_squared, std::vector<Neighbour>& found) {
     const Vector& position = beads.position(static_cast<std::size_t>(i));
     const auto home = bins.bin_of(position);
     for (int step = 0; step < 27; ++step) {
@@ -44,7 +46,7 @@ void neighbours_of(std::int32_t i, const Beads& beads, const Cell& cell, const B
         const Vector from = position - image.shift(cell);
         for (const auto* j = bins.begin(bin); j != bins.end(bin); ++j) {
             const Vector r = j->position - from;
-            if (j->bead > i && dot(r, r) < range_squared) {
+            if (j->bead > i && dot(r, r) < range_squared(j->bead)) {
                 found.push_back({j->bead, static_cast<std::uint8_t>(image_code::of(image))});
             }
         }
@@ -60,11 +62,11 @@ double largest_squared(const std::vector<Vector>& vectors) {
     return largest;
 }
 
-/// Whether a pair that was left out of a list, being further apart than 1 + skin, may by now be
+/// Whether a pair that was left out of a list, being further apart than `left_out`, may by now be
 /// closer than `within`.
-bool outdated(double displacement, double strain, double skin, double within) {
+bool outdated(double displacement, double strain, double left_out, double within) {
     const double g = strain + strain * strain;
-    return (1 + skin - 2 * displacement * (1 + g)) * (1 - g) <= within;
+    return (left_out - 2 * displacement * (1 + g)) * (1 - g) <= within;
 }
 
 /// Walks through an ordered list of pairs alongside another.
@@ -104,7 +106,7 @@ Pairs renumbered(const Pairs& pairs, std::size_t live, const std::vector<std::in
     std::ranges::sort(order, {}, [&](std::size_t k) {
         return std::minmax({name(pairs.first[k]), name(pairs.second[k])});
     });
-    Pairs result;
+    Pairs result({}, pairs.memory.size());
     result.reserve(live);
     for (const std::size_t k : order) {
         const std::int32_t i = name(pairs.first[k]), j = name(pairs.second[k]);
@@ -115,6 +117,9 @@ Pairs renumbered(const Pairs& pairs, std::size_t live, const std::vector<std::in
             result.image.back() = static_cast<std::uint8_t>(image_code::of({-n.n1, -n.n2, -n.n3}));
             for (auto* component : {&result.sx, &result.sy, &result.sz}) {
                 component->back() = -component->back();
+            }
+            for (auto& word : result.memory) {
+                word.back() = -word.back();
             }
         }
     }
@@ -137,15 +142,22 @@ void Neighbours::reserve(std::size_t count) {
     first.reserve(count), second.reserve(count), image.reserve(count);
 }
 
-Pairs::Pairs(Neighbours neighbours) : Neighbours(std::move(neighbours)) {
+Pairs::Pairs(Neighbours neighbours, std::size_t words)
+    : Neighbours(std::move(neighbours)), memory(words) {
     for (auto* column : {&sx, &sy, &sz, &root, &bridge}) {
         column->assign(size(), 0.0);
+    }
+    for (auto& word : memory) {
+        word.assign(size(), 0.0);
     }
 }
 
 void Pairs::clear() {
     first.clear(), second.clear(), image.clear();
     sx.clear(), sy.clear(), sz.clear(), root.clear(), bridge.clear();
+    for (auto& word : memory) {
+        word.clear();
+    }
 }
 
 void Pairs::reserve(std::size_t count) {
@@ -158,6 +170,9 @@ void Pairs::reserve(std::size_t count) {
 void Pairs::add(std::int32_t i, std::int32_t j, std::uint8_t code) {
     Neighbours::add(i, j, code);
     sx.push_back(0), sy.push_back(0), sz.push_back(0), root.push_back(0), bridge.push_back(0);
+    for (auto& word : memory) {
+        word.push_back(0);
+    }
 }
 
 void Pairs::fill_up(std::size_t batch) {
@@ -169,14 +184,18 @@ void Pairs::fill_up(std::size_t batch) {
 void Pairs::remember(std::size_t to, const Pairs& other, std::size_t from) {
     sx[to] = other.sx[from], sy[to] = other.sy[from], sz[to] = other.sz[from];
     root[to] = other.root[from], bridge[to] = other.bridge[from];
+    for (std::size_t w = 0; w < memory.size(); ++w) {
+        memory[w][to] = other.memory[w][from];
+    }
 }
 
-Neighbours find_pairs_by_brute_force(const Beads& beads, const Cell& cell, double range) {
+Neighbours find_pairs_by_brute_force(const Beads& beads, const Cell& cell, double gap) {
     Neighbours pairs;
     for (std::size_t i = 0; i < beads.size(); ++i) {
         for (std::size_t j = i + 1; j < beads.size(); ++j) {
             const Image image = nearest_image(beads, cell, i, j);
             const Vector r = beads.position(j) - beads.position(i) + image.shift(cell);
+            const double range = beads.contact_distance(i, j) + gap;
             if (dot(r, r) < range * range) {
                 pairs.add(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j),
                           static_cast<std::uint8_t>(image_code::of(image)));
@@ -186,11 +205,12 @@ Neighbours find_pairs_by_brute_force(const Beads& beads, const Cell& cell, doubl
     return pairs;
 }
 
-Neighbours find_pairs(const Beads& beads, const Cell& cell, double range, int parts) {
-    const Bins bins(beads, cell, range);
+Neighbours find_pairs(const Beads& beads, const Cell& cell, double gap, int parts) {
+    const Bins bins(beads, cell, beads.largest_diameter() + gap);
     if (!bins.enough()) {
-        return find_pairs_by_brute_force(beads, cell, range);
+        return find_pairs_by_brute_force(beads, cell, gap);
     }
+    const double equal = (1 + gap) * (1 + gap);
     std::vector<Neighbours> found(static_cast<std::size_t>(parts));
     in_parts(parts, [&](int part) {
         Neighbours& mine = found[static_cast<std::size_t>(part)];
@@ -199,7 +219,18 @@ Neighbours find_pairs(const Beads& beads, const Cell& cell, double range, int pa
         std::vector<Neighbour> around;
         for (auto i = static_cast<std::int32_t>(begin); i < static_cast<std::int32_t>(end); ++i) {
             around.clear();
-            neighbours_of(i, beads, cell, bins, range * range, around);
+            if (beads.diameters.empty()) {
+                neighbours_of(
+                    i, beads, cell, bins, [&](std::int32_t) { return equal; }, around);
+            } else {
+                const auto squared = [&](std::int32_t j) {
+                    const double range = beads.contact_distance(static_cast<std::size_t>(i),
+                                                                static_cast<std::size_t>(j)) +
+                                         gap;
+                    return range * range;
+                };
+                neighbours_of(i, beads, cell, bins, squared, around);
+            }
             std::ranges::sort(around, {}, &Neighbour::bead);
             for (const auto& neighbour : around) {
                 mine.add(i, neighbour.bead, neighbour.image);
@@ -212,13 +243,27 @@ Neighbours find_pairs(const Beads& beads, const Cell& cell, double range, int pa
     return std::move(found.front());
 }
 
+PairList::PairList(double rupture_distance, int parts, const ListWants& wants)
+    : wide_skin_(std::max(shortest_wide_skin, rupture_distance)),
+      parts_(parts),
+      wants_(wants),
+      narrow_({}, wants.memory),
+      distant_({}, wants.memory),
+      old_narrow_({}, wants.memory),
+      old_distant_({}, wants.memory) {
+    if (wants.all_in_reach) {
+        reach_ = std::max(reach_, rupture_distance);
+        wide_skin_ = std::max(wide_skin_, reach_ + narrow_skin + shortest_wide_skin / 2);
+    }
+}
+
 void PairList::update(Beads& beads, Cell& cell, double affine_strain) {
     update(beads, cell, affine_strain, largest_squared(beads.displacement));
 }
 
 void PairList::update(Beads& beads, Cell& cell, double affine_strain, double squared) {
     narrow_strain_ += affine_strain;
-    if (!outdated(std::sqrt(squared), narrow_strain_, narrow_skin, 1)) {
+    if (!outdated(std::sqrt(squared), narrow_strain_, largest_ + narrow_skin, largest_)) {
         return;
     }
     wide_strain_ += narrow_strain_;
@@ -227,7 +272,10 @@ void PairList::update(Beads& beads, Cell& cell, double affine_strain, double squ
         moved_[i] += beads.displacement[i];
     }
     // The wide list need only hold whatever the narrow list is to be chosen from.
-    if (outdated(std::sqrt(largest_squared(moved_)), wide_strain_, wide_skin_, 1 + narrow_skin)) {
+    // Until the narrow list is chosen again, beads come closer by less than its skin.
+    const double known =
+        wants_.all_in_reach ? largest_ + reach_ + narrow_skin : largest_ + narrow_skin;
+    if (outdated(std::sqrt(largest_squared(moved_)), wide_strain_, largest_ + wide_skin_, known)) {
         rebuild(beads, cell);
     } else {
         select(beads, cell);
@@ -243,7 +291,8 @@ void PairList::rebuild(Beads& beads, Cell& cell) {
         renumber(beads, cell);
     }
     wide_ = {};  // gives its memory back before the search asks for more
-    wide_ = find_pairs(beads, cell, 1 + wide_skin_, parts_);
+    largest_ = beads.largest_diameter();
+    wide_ = find_pairs(beads, cell, wide_skin_, parts_);
     moved_.assign(beads.size(), Vector());
     wide_strain_ = 0;
     ++wide_rebuilds_;
@@ -254,6 +303,9 @@ void PairList::renumber(Beads& beads, const Cell& cell) {
     const auto order = order_in_rows(beads, cell);
     permute(beads.motion, order);
     permute(beads.number, order);
+    if (!beads.diameters.empty()) {
+        permute(beads.diameters, order);
+    }
     std::vector<std::int32_t> renamed(order.size());
     for (std::size_t to = 0; to < order.size(); ++to) {
         renamed[static_cast<std::size_t>(order[to])] = static_cast<std::int32_t>(to);
@@ -268,15 +320,18 @@ void PairList::find_close_ones(const Beads& beads, const Cell& cell) {
     for (int code = 0; code < image_code::count; ++code) {
         shifts[static_cast<std::size_t>(code)] = image_code::image(code).shift(cell);
     }
-    const double range_squared = (1 + narrow_skin) * (1 + narrow_skin);
+    const double equal = (1 + narrow_skin) * (1 + narrow_skin);
+    const bool sized = !beads.diameters.empty();
     close_.resize(wide_.size());
     in_parts(parts_, [&](int part) {
         const auto [begin, end] = range_of(part, parts_, wide_.size());
         for (std::size_t k = begin; k < end; ++k) {
-            const Vector r = beads.motion[static_cast<std::size_t>(wide_.second[k])].position -
-                             beads.motion[static_cast<std::size_t>(wide_.first[k])].position +
-                             shifts[wide_.image[k]];
-            close_[k] = dot(r, r) < range_squared;
+            const auto i = static_cast<std::size_t>(wide_.first[k]),
+                       j = static_cast<std::size_t>(wide_.second[k]);
+            const Vector r =
+                beads.motion[j].position - beads.motion[i].position + shifts[wide_.image[k]];
+            const double range = sized ? beads.contact_distance(i, j) + narrow_skin : 0;
+            close_[k] = dot(r, r) < (sized ? range * range : equal);
         }
     });
 }
@@ -300,9 +355,9 @@ void PairList::select(Beads& beads, const Cell& cell) {
                 narrow_.remember(narrow_.size() - 1, old_narrow_, near);
             }
             narrow_.bridge.back() = joined;
-        } else if (joined) {
+        } else if (joined || wants_.all_in_reach) {
             distant_.add(i, j, wide_.image[k]);
-            distant_.bridge.back() = 1;
+            distant_.bridge.back() = joined;
         }
     }
     live_ = narrow_.size();

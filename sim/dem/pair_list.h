@@ -29,12 +29,13 @@ struct Neighbours {
 
 /// Pairs with what a contact remembers, structure of arrays.
 struct Pairs : Neighbours {
-    std::vector<double> sx, sy, sz;  ///< tangential force on the second bead
-    std::vector<double> root;        ///< sqrt(overlap) of the last step, 0 without contact
-    std::vector<double> bridge;      ///< 1 where a liquid bridge joins the beads, else 0
+    std::vector<double> sx, sy, sz;           ///< tangential force on the second bead
+    std::vector<double> root;                 ///< sqrt(overlap) of the last step, 0 without contact
+    std::vector<double> bridge;               ///< 1 where a liquid bridge joins the beads, else 0
+    std::vector<std::vector<double>> memory;  ///< of effects: words, each of all pairs
 
     Pairs() = default;
-    explicit Pairs(Neighbours neighbours);
+    explicit Pairs(Neighbours neighbours, std::size_t words = 0);
     void clear();
     void reserve(std::size_t count);
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
@@ -46,8 +47,14 @@ struct Pairs : Neighbours {
     template <typename Archive>
     void serialize(Archive& archive) {
         Neighbours::serialize(archive);
-        archive(sx, sy, sz, root, bridge);
+        archive(sx, sy, sz, root, bridge, memory);
     }
+};
+
+/// What effects on grains want of the lists.
+struct ListWants {
+    std::size_t memory = 0;     ///< words that a pair remembers
+    bool all_in_reach = false;  ///< the distant list has all pairs that a bridge could join
 };
 
 /// Neighbours at two ranges. The wide list holds the pairs that may come close and those a bridge
@@ -57,9 +64,9 @@ struct Pairs : Neighbours {
 /// Both stay valid while no missing pair can have come too close. Two beads that were further
 /// apart than 1 + skin remain further apart than a distance d while
 ///     (1 + skin - 2 u (1 + g)) (1 - g) > d,
-/// u the largest peculiar displacement of any bead and g the affine strain (shear plus changes of
-/// the cell's edges) since then: the moving image offset is part of the criterion, not a special
-/// case.
+/// 1 being the largest bead diameter, u the largest peculiar displacement of any bead and g the
+/// affine strain (shear plus changes of the cell's edges) since then: the moving image offset is
+/// part of the criterion, not a special case.
 ///
 /// Beads are renumbered in rows when shear has carried them apart, so that memory is read in order.
 class PairList {
@@ -70,8 +77,7 @@ class PairList {
 
     /// Bridges live up to this gap [diameters], 0 without. Lists are made in `parts` side by side,
     /// which does not change them.
-    explicit PairList(double rupture_distance = 0, int parts = 1)
-        : wide_skin_(std::max(shortest_wide_skin, rupture_distance)), parts_(parts) {}
+    explicit PairList(double rupture_distance = 0, int parts = 1, const ListWants& wants = {});
 
     /// Notes the displacement and affine strain of a step just made, and renews what they make
     /// invalid. Wraps the beads into the cell when the wide list is renewed.
@@ -86,7 +92,8 @@ class PairList {
     const Pairs& narrow() const { return narrow_; }
     /// Pairs of the narrow list that are real; the rest only fills up the last batch.
     std::size_t live() const { return live_; }
-    /// Pairs that a bridge joined when the list was made, none of which can have come to touch.
+    /// Pairs that a bridge joined, or could join, when the list was made; none of them can have
+    /// come to touch.
     Pairs& distant() { return distant_; }
     const Pairs& distant() const { return distant_; }
     std::size_t live_distant() const { return live_distant_; }
@@ -107,7 +114,10 @@ class PairList {
     void find_close_ones(const Beads& beads, const Cell& cell);
 
     double wide_skin_;
+    double reach_ = narrow_skin;  ///< gap within which the wide list must know all pairs
     int parts_;
+    ListWants wants_;
+    double largest_ = 1;  ///< diameter
     Neighbours wide_;
     Pairs narrow_, distant_;
     std::size_t live_ = 0, live_distant_ = 0;
@@ -119,12 +129,12 @@ class PairList {
     Pairs old_narrow_, old_distant_;
 };
 
-/// All pairs closer than `range` of beads inside the cell. Bins are sheared with the lattice, so
-/// that the image offset needs no special case; small samples are searched whole. Done in `parts`
-/// side by side, which does not change the result.
-Neighbours find_pairs(const Beads& beads, const Cell& cell, double range, int parts = 1);
+/// All pairs of beads inside the cell whose surfaces are closer than `gap`. Bins are sheared with
+/// the lattice, so that the image offset needs no special case; small samples are searched whole.
+/// Done in `parts` side by side, which does not change the result.
+Neighbours find_pairs(const Beads& beads, const Cell& cell, double gap, int parts = 1);
 
 /// The same by looking at every pair of beads: slow, and the truth the other is tested against.
-Neighbours find_pairs_by_brute_force(const Beads& beads, const Cell& cell, double range);
+Neighbours find_pairs_by_brute_force(const Beads& beads, const Cell& cell, double gap);
 
 }  // namespace pendular::dem

@@ -68,7 +68,7 @@ constexpr std::pair<Observable, double Structure::*> of_structure[] = {
 
 void average_fields(const Series& series, std::size_t from, RunResult& result) {
     const auto& p = result.parameters;
-    const double rupture_distance = p.wetting ? BridgeLaw(*p.wetting).rupture_distance : 0;
+    const double rupture_distance = p.wetting ? bridges_of(p).rupture_distance : 0;
     for (std::size_t k = 0; k < field_count; ++k) {
         if (p.wetting || !fields[k].needs_bridges) {
             const Bins1d bins = bins_of(fields[k].coordinate, p.beads, rupture_distance);
@@ -187,14 +187,16 @@ ShearCell new_sample(const RunParameters& p, const RunOptions& options) {
                             .friction = p.friction,
                             .damping = p.damping};
     const BridgeLaw bridges = p.wetting ? BridgeLaw(*p.wetting) : BridgeLaw();
+    const GrainEffects effects(p.effects, p.wetting.has_value());
     if (p.start == 0) {
-        return ShearCell(p.beads, material, p.inertial_number, p.seed, bridges, options.threads);
+        return ShearCell(p.beads, material, p.inertial_number, p.seed, bridges, options.threads,
+                         effects);
     }
     if (!options.start || options.start->beads.size() != static_cast<std::size_t>(p.beads)) {
         throw std::invalid_argument("the state to start from has another number of beads");
     }
     return ShearCell(options.start->sample(), material, {.shear_rate = p.inertial_number}, bridges,
-                     options.threads);
+                     options.threads, effects);
 }
 
 /// One run from its random gas, or from its checkpoint, to its averages.

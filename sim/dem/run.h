@@ -166,6 +166,9 @@ struct RunResult {
 /// @throws std::invalid_argument for parameters out of range, naming the parameter
 void check(const RunParameters& parameters);
 
+/// The law of the bridges of a wet run, as its effects change it.
+BridgeLaw bridges_of(const RunParameters& parameters);
+
 /// Changes only when runs of the same parameters come out different beyond rounding.
 constexpr int physics_version = 1;
 

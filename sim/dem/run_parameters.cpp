@@ -6,6 +6,7 @@
 
 #include "data/form.h"
 #include "data/number.h"
+#include "sim/dem/grain_effects.h"
 #include "sim/dem/run.h"
 #include "sim/dem/shear_cell.h"
 
@@ -18,12 +19,11 @@ void demand(bool holds, const std::string& what) {
     }
 }
 
-void check(const Wetting& w, double edge) {
+void check(const Wetting& w, double rupture_distance, double edge) {
     demand(w.reduced_pressure >= 0.05 && w.reduced_pressure <= 1e6,
            fmt::format("reduced pressure {} is not between 0.05 and 1e6", w.reduced_pressure));
     demand(w.bridge_volume >= 1e-6,
            fmt::format("bridge volume {} a^3 is not at least 1e-6", w.bridge_volume));
-    const double rupture_distance = BridgeLaw(w).rupture_distance;
     demand(rupture_distance <= edge / 4,
            fmt::format("the rupture distance of a bridge of volume {} a^3, {:.3g} diameters, is "
                        "beyond a quarter of the box, {:.3g} diameters: use more beads or a smaller "
@@ -62,8 +62,16 @@ void check(const RunParameters& p) {
                fmt::format("precision of {}: it needs liquid bridges", name));
     }
     if (p.wetting) {
-        check(*p.wetting, ShearCell::edge(p.beads));
+        check(*p.wetting, bridges_of(p).rupture_distance, ShearCell::edge(p.beads));
+    } else {
+        GrainEffects(p.effects, false);
     }
+    demand(p.start == 0 || GrainEffects(p.effects, p.wetting.has_value()).diameters(2, 1).empty(),
+           "a run cannot start from the state of another where its beads are to be of other sizes");
+}
+
+BridgeLaw bridges_of(const RunParameters& p) {
+    return GrainEffects(p.effects, true).changed(BridgeLaw(p.wetting.value()));
 }
 
 Observable observable_named(std::string_view name) {
@@ -117,6 +125,9 @@ std::string described(const RunParameters& p, int threads) {
         text += fmt::format("precision of {} = {}\n",
                             observable_names[static_cast<std::size_t>(wanted.which)],
                             wanted.standard_error);
+    }
+    if (!p.effects.empty()) {
+        text += fmt::format("effects = {}\n", effects_text(p.effects));
     }
     text += fmt::format("beads = {}\nstrain = {}\nseed = {}\nthreads = {}\n", p.beads, p.strain,
                         p.seed, threads);

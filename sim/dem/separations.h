@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "sim/dem/beads.h"
 #include "sim/dem/cell.h"
+#include "sim/dem/contact_law.h"
 #include "sim/dem/pair_list.h"
 
 namespace pendular::dem {
@@ -21,6 +23,19 @@ void for_each_pair(const Beads& beads, const Cell& cell, const Pairs& pairs, con
         visit(k, beads.position(j) - beads.position(i) +
                      image_code::image(pairs.image[k]).shift(cell));
     }
+}
+
+/// The contact of pair k, from the overlap it remembers.
+inline Hertz contact_of(const Beads& beads, const Pairs& pairs, std::size_t k, double modulus) {
+    const double diameter = beads.mean_diameter(static_cast<std::size_t>(pairs.first[k]),
+                                                static_cast<std::size_t>(pairs.second[k]));
+    return Hertz::at(pairs.root[k] * pairs.root[k], modulus * std::sqrt(diameter));
+}
+
+/// Gap between the surfaces of pair k at this separation; negative: overlap.
+inline double gap_of(const Beads& beads, const Pairs& pairs, std::size_t k, const Vector& r) {
+    return std::sqrt(dot(r, r)) - beads.contact_distance(static_cast<std::size_t>(pairs.first[k]),
+                                                         static_cast<std::size_t>(pairs.second[k]));
 }
 
 }  // namespace pendular::dem

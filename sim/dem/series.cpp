@@ -63,7 +63,8 @@ void OpenBlock::add_dissipation(const PairEnergy& lost, double volume, double st
 
 void OpenBlock::add_structure(const ShearCell& sample) {
     sums_.structure += structure_of(sample.beads(), sample.cell(), sample.pairs().narrow(),
-                                    sample.pairs().distant(), sample.material(), sample.bridges());
+                                    sample.pairs().distant(), sample.material(), sample.bridges(),
+                                    sample.effects());
     motion_.add(sample.beads(), sample.cell().height);
     ++structures_;
 }

@@ -17,7 +17,7 @@
 namespace pendular::dem {
 namespace {
 
-constexpr double bead_volume = std::numbers::pi / 6;
+constexpr double unit_volume = std::numbers::pi / 6;
 constexpr double initial_solid_fraction = 0.3;
 constexpr double initial_closing_rate = 0.05;
 constexpr double steady_solid_fraction = 0.62;
@@ -29,40 +29,45 @@ constexpr double servo_modulus = 0.05;
 constexpr double contact_viscosity = 0.6;
 constexpr int steps_between_time_steps = 20;
 
+/// Time steps in which damping by an effect may take away a bead's relative velocity, summed over
+/// the dozen of its neighbours: a step must stay well below twice that time.
+constexpr double damped_step = 0.1;
+
 /// Uniform in [0, 1) with 53 bits, the same on every platform.
 double uniform(std::mt19937_64& random) {
     return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Places at random, each no closer than one diameter to those before it, by bins of one diameter.
+/// Places at random, where no bead touches those before it, by bins of the largest diameter.
 class RandomPlacement {
   public:
-    explicit RandomPlacement(const std::array<double, 3>& edge) : edge_(edge) {
+    RandomPlacement(const std::array<double, 3>& edge, double largest_diameter) : edge_(edge) {
         std::size_t bins = 1;
         for (int d = 0; d < 3; ++d) {
-            count_[d] = static_cast<int>(edge[d]);
+            count_[d] = static_cast<int>(edge[d] / largest_diameter);
             bins *= static_cast<std::size_t>(count_[d]);
         }
         bins_.resize(bins);
     }
 
     /// Takes the place where it is free.
-    bool place(const std::array<double, 3>& at) {
+    bool place(const std::array<double, 3>& at, double diameter) {
         for (int step = 0; step < 27; ++step) {
             for (const auto& other :
                  bins_[bin(at, {step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1})]) {
                 double squared = 0;
                 for (int d = 0; d < 3; ++d) {
-                    const double apart = at[d] - other[d];
+                    const double apart = at[d] - other.at[d];
                     const double nearest = apart - edge_[d] * std::round(apart / edge_[d]);
                     squared += nearest * nearest;
                 }
-                if (squared < 1) {
+                const double touching = 0.5 * (diameter + other.diameter);
+                if (squared < touching * touching) {
                     return false;
                 }
             }
         }
-        bins_[bin(at, {0, 0, 0})].push_back(at);
+        bins_[bin(at, {0, 0, 0})].push_back({at, diameter});
         return true;
     }
 
@@ -77,58 +82,69 @@ class RandomPlacement {
     }
     std::array<double, 3> edge_;
     std::array<int, 3> count_{};
-    std::vector<std::vector<std::array<double, 3>>> bins_;
+    struct Placed {
+        std::array<double, 3> at;
+        double diameter;
+    };
+    std::vector<std::vector<Placed>> bins_;
 };
 
 }  // namespace
 
 ShearCell::ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
-                     const BridgeLaw& bridges, int parts)
-    : ShearCell(random_gas(count, seed), material, {.shear_rate = shear_rate}, bridges, parts) {}
+                     const BridgeLaw& bridges, int parts, const GrainEffects& effects)
+    : ShearCell(random_gas(count, seed,
+                           effects.diameters(static_cast<std::size_t>(std::max(count, 0)), seed)),
+                material, {.shear_rate = shear_rate}, bridges, parts, effects) {}
 
 ShearCell::ShearCell(Sample sample, const Material& material, const Flow& flow,
-                     const BridgeLaw& bridges, int parts)
+                     const BridgeLaw& bridges, int parts, const GrainEffects& effects)
     : beads_(std::move(sample.beads)),
       cell_(sample.cell),
-      pairs_(bridges.rupture_distance, parts),
+      pairs_(effects.changed(bridges).rupture_distance, parts,
+             {effects.memory(), effects.bridges_without_contact()}),
       material_(material),
-      bridges_(bridges),
+      effects_(effects),
+      bridges_(effects.changed(bridges)),
       flow_(flow),
       parts_(parts),
       other_loads_(static_cast<std::size_t>(parts) - 1, std::vector<Beads::Load>(beads_.size())) {
+    bead_volume_ = beads_.volume();
     recent_overlap_ = overlap_at(1.0, material_.modulus);
     follow_stiffest_contact();
     pairs_.rebuild(beads_, cell_);
 }
 
 double ShearCell::edge(int count) {
-    return std::cbrt(count * bead_volume / steady_solid_fraction);
+    return std::cbrt(count * unit_volume / steady_solid_fraction);
 }
 
-Sample random_gas(int count, std::uint64_t seed) {
+Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diameters) {
     if (count < ShearCell::fewest_beads) {
         throw std::invalid_argument("a sample needs at least 64 beads");
     }
     // Tall enough that the sample is a cube once it flows.
     Sample sample{Beads(static_cast<std::size_t>(count)), {}};
+    sample.beads.diameters = diameters;
     Cell& cell = sample.cell;
     const double base = ShearCell::edge(count);
-    cell = {base, count * bead_volume / initial_solid_fraction / (base * base), base, 0};
-    RandomPlacement placement({cell.length, cell.height, cell.width});
+    cell = {base, sample.beads.volume() / initial_solid_fraction / (base * base), base, 0};
+    RandomPlacement placement({cell.length, cell.height, cell.width},
+                              sample.beads.largest_diameter());
     std::mt19937_64 random(seed);
     for (std::size_t i = 0; i < sample.beads.size(); ++i) {
         std::array<double, 3> at;
         do {
             at = {cell.length * uniform(random), cell.height * uniform(random),
                   cell.width * uniform(random)};
-        } while (!placement.place(at));
+        } while (!placement.place(at, sample.beads.diameter(i)));
         sample.beads.position(i) = {at[0], at[1], at[2]};
     }
     return sample;
 }
 
 double ShearCell::solid_fraction() const {
-    return static_cast<double>(beads_.size()) * bead_volume / cell_.volume();
+    return bead_volume_ / cell_.volume();
 }
 
 void ShearCell::step(Books books) {
@@ -137,7 +153,7 @@ void ShearCell::step(Books books) {
         shares_made_at_ = pairs_.renewals();
     }
     const PairLaws laws{cell_,      flow_, material_, bridging_ ? bridges_ : BridgeLaw(),
-                        time_step_, books};
+                        time_step_, books, &effects_};
     MotionSums moved;
     if (parts_ == 1 && books == Books::closed) {
         measure(sum_forces(shares_.front(), beads_.load, laws, &moved));
@@ -163,10 +179,12 @@ void ShearCell::step(Books books) {
 PairSums ShearCell::sum_forces(const Share& share, std::vector<Beads::Load>& loads,
                                const PairLaws& laws, MotionSums* moved) {
     PairSums sums;
+    const auto near = effects_.hooked() ? hooked_forces : near_forces;
+    const auto distant = effects_.hooked() ? hooked_forces : distant_forces;
     for (const Section& section : share.sections) {
-        sums += near_forces(beads_, pairs_.narrow(), section.near, laws, loads);
+        sums += near(beads_, pairs_.narrow(), section.near, laws, loads);
         if (laws.bridges.wet()) {
-            sums += distant_forces(beads_, pairs_.distant(), section.distant, laws, loads);
+            sums += distant(beads_, pairs_.distant(), section.distant, laws, loads);
         }
         if (moved) {
             *moved += advance(beads_, section.beads, loads, flow_, time_step_);
@@ -283,7 +301,13 @@ void ShearCell::advance_cell() {
 
 void ShearCell::follow_stiffest_contact() {
     const double stiffness = Hertz::at(recent_overlap_, material_.modulus).normal_stiffness;
-    const double wanted = fraction_ / std::sqrt(stiffness) / std::max(1.0, material_.damping);
+    double wanted = fraction_ / std::sqrt(stiffness) / std::max(1.0, material_.damping);
+    if (effects_.hooked()) {
+        // Smaller beads are lighter; what an effect damps must not overshoot.
+        wanted *= std::pow(beads_.smallest_diameter(), 1.5);
+        const double rate = effects_.damping_rate(bridges_);
+        wanted = rate > 0 ? std::min(wanted, damped_step / rate) : wanted;
+    }
     // It may shrink at once but grows slowly, so that one quiet moment does not lengthen it.
     time_step_ = time_step_ == 0 ? wanted : std::min(wanted, 1.01 * time_step_);
     recent_overlap_ = std::max(largest_overlap_, overlap_at(0.1, material_.modulus));

@@ -6,6 +6,7 @@
 #include "sim/dem/beads.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
+#include "sim/dem/grain_effects.h"
 #include "sim/dem/integrator.h"
 #include "sim/dem/pair_forces.h"
 #include "sim/dem/pair_list.h"
@@ -30,9 +31,9 @@ struct Sample {
 };
 
 /// `count` beads at random, without contact, at solid fraction 0.3 and at rest, in a cell that is a
-/// cube once they flow.
+/// cube once they flow; of these diameters, or all of 1.
 /// @throws std::invalid_argument for fewer than 64 beads
-Sample random_gas(int count, std::uint64_t seed);
+Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diameters = {});
 
 /// A sample in simple shear between Lees-Edwards images at a constant rate, its height free so that
 /// s22 stays at 1. Reduced units: bead diameter, mass and imposed normal stress are 1, so that the
@@ -52,10 +53,10 @@ class ShearCell {
     /// same number of parts.
     /// @throws std::invalid_argument as random_gas
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
-              const BridgeLaw& bridges = {}, int parts = 1);
+              const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
     /// Any sample in any uniform flow, its stress not held and without bridges until asked for.
     ShearCell(Sample sample, const Material& material, const Flow& flow,
-              const BridgeLaw& bridges = {}, int parts = 1);
+              const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
 
     /// Edge of the cube that so many beads fill once they flow [diameters].
     static double edge(int count);
@@ -76,7 +77,9 @@ class ShearCell {
     const Cell& cell() const { return cell_; }
     const PairList& pairs() const { return pairs_; }
     const Material& material() const { return material_; }
+    /// As effects have changed it.
     const BridgeLaw& bridges() const { return bridges_; }
+    const GrainEffects& effects() const { return effects_; }
     /// Of the last step, with the forces at its beginning.
     const Stress& stress() const { return stress_; }
     const Flow& flow() const { return flow_; }
@@ -128,6 +131,7 @@ class ShearCell {
     Cell cell_;
     PairList pairs_;
     Material material_;
+    GrainEffects effects_;
     BridgeLaw bridges_;
     Flow flow_;
     int parts_ = 1;
@@ -139,6 +143,7 @@ class ShearCell {
     MotionSums motion_;
     bool servo_ = false, bridging_ = false;
     double fraction_ = time_step_fraction;
+    double bead_volume_ = 0;
     double time_step_ = 0;
     double strain_ = 0;
     double largest_overlap_ = 0;  ///< of the last step

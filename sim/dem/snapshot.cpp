@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double radius = 0.5;
 constexpr std::string_view units =
     "reduced units: bead diameter, bead mass and imposed normal stress are 1";
 
@@ -40,14 +39,16 @@ void add_pairs(const ShearCell& sample, const Pairs& list, Snapshot& snapshot) {
         auto& second = snapshot.beads[static_cast<std::size_t>(list.second[k])];
         first.contacts += touching;
         second.contacts += touching;
-        const double gap = touching ? 0 : std::max(0.0, std::sqrt(dot(separation, separation)) - 1);
+        const double gap = gap_of(sample.beads(), list, k, separation);
+        const double diameter = sample.beads().mean_diameter(
+            static_cast<std::size_t>(list.first[k]), static_cast<std::size_t>(list.second[k]));
         snapshot.pairs.push_back(
             {.from = first.position,
              .to = first.position + separation,
-             .normal_force =
-                 Hertz::at(list.root[k] * list.root[k], sample.material().modulus).elastic,
+             .normal_force = contact_of(sample.beads(), list, k, sample.material().modulus).elastic,
              .bridge_force =
-                 bridge ? sample.bridges().pull_off_force * sample.bridges().relative_force(gap)
+                 bridge ? sample.effects().attraction(touching ? std::min(gap, 0.0) : gap, diameter,
+                                                      sample.material(), sample.bridges())
                         : 0,
              .touching = touching});
     };
@@ -106,6 +107,7 @@ Snapshot snapshot_of(const ShearCell& sample, double strain) {
     for (std::size_t i = 0; i < beads.size(); ++i) {
         const Vector place = s.cell.wrapped(beads.position(i));
         s.beads.push_back({.id = beads.number[i] + 1,
+                           .radius = 0.5 * beads.diameter(i),
                            .position = place,
                            .velocity = beads.velocity(i) + sample.flow()(place),
                            .spin = beads.spin(i)});
@@ -128,7 +130,7 @@ std::string dump_frame(const Snapshot& s) {
         "ITEM: ATOMS id type radius x y z vx vy vz angular_velocity_x angular_velocity_y "
         "angular_velocity_z coordination\n";
     for (const auto& bead : s.beads) {
-        text += fmt::format("{} 1 {} {} {} {} {}\n", bead.id, radius, text_of(bead.position),
+        text += fmt::format("{} 1 {} {} {} {} {}\n", bead.id, bead.radius, text_of(bead.position),
                             text_of(bead.velocity), text_of(bead.spin), bead.contacts);
     }
     return text;
@@ -148,7 +150,7 @@ std::string beads_vtp(const Snapshot& s) {
         "<PointData>\n" +
             of_beads("Int32", "id", 1, [](const Bead& b) { return fmt::format("{}", b.id); }) +
             of_beads("Float64", "radius", 1,
-                     [](const Bead&) { return fmt::format("{}", radius); }) +
+                     [](const Bead& b) { return fmt::format("{}", b.radius); }) +
             of_beads("Float64", "velocity", 3, [](const Bead& b) { return text_of(b.velocity); }) +
             of_beads("Float64", "angular_velocity", 3,
                      [](const Bead& b) { return text_of(b.spin); }) +

@@ -22,6 +22,7 @@ struct DrawnPair {
 struct Snapshot {
     struct Bead {
         std::int32_t id = 0;  ///< from 1 on, the same throughout a run
+        double radius = 0.5;
         Vector position, velocity, spin;
         int contacts = 0;
     };

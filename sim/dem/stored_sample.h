@@ -10,13 +10,17 @@ namespace pendular::dem {
 
 /// A sample as a run leaves it, in single precision: enough for another run to start from, not to
 /// go on bit for bit (that is a checkpoint). What contacts remember is left out: it builds up again
-/// while they slide by their overlap, a small part of any transient.
+/// while they slide by their overlap, a small part of any transient. Samples of unequal beads are
+/// not stored: it stays empty.
 struct StoredSample {
     Cell cell;
     std::vector<std::array<float, 9>> beads;  ///< position, peculiar velocity, angular velocity
 
     StoredSample() = default;
     explicit StoredSample(const ShearCell& sample) : cell(sample.cell()) {
+        if (!sample.beads().diameters.empty()) {
+            return;
+        }
         beads.reserve(sample.beads().size());
         for (const auto& bead : sample.beads().motion) {
             auto& to = beads.emplace_back();

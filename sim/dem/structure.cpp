@@ -93,7 +93,7 @@ class Network {
 
 Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
                        const Pairs& distant_pairs, const Material& material,
-                       const BridgeLaw& bridges) {
+                       const BridgeLaw& bridges, const GrainEffects& effects) {
     Structure s;
     BondOrder order;
     Network contacts, distant;
@@ -103,30 +103,41 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
         s.capillary_pressure -= moment / 3;
         shear -= moment * n[0] * n[1];
     };
-    const auto note_distant = [&](const Eigen::Vector3d& r) {
-        const double length = r.norm(), gap = std::max(0.0, length - 1);
-        const double force = bridges.relative_force(gap);
+    // Attraction of a pair over F0; `gap` below 0: overlap.
+    const auto attraction = [&](const Pairs& pairs, std::size_t k, double gap) {
+        if (!effects.hooked()) {
+            return bridges.relative_force(std::max(0.0, gap));
+        }
+        const double diameter = beads.mean_diameter(static_cast<std::size_t>(pairs.first[k]),
+                                                    static_cast<std::size_t>(pairs.second[k]));
+        return effects.attraction(gap, diameter, material, bridges) / bridges.pull_off_force;
+    };
+    const auto note_distant = [&](const Pairs& pairs, std::size_t k, const Vector& separation) {
+        const Eigen::Vector3d r(separation[0], separation[1], separation[2]);
+        const double length = r.norm(), gap = std::max(0.0, gap_of(beads, pairs, k, separation));
+        const double force = attraction(pairs, k, gap);
         distant.add(r / length, force, length);
         s.distant_force_gap += force * gap;
         note_capillary(r / length, capillary_unit * force * length,
                        s.capillary_shear_stress_distant);
     };
     for_each_pair(beads, cell, near, [&](std::size_t k, const Vector& separation) {
-        const Eigen::Vector3d r(separation[0], separation[1], separation[2]);
         if (near.root[k] > 0) {
+            const Eigen::Vector3d r(separation[0], separation[1], separation[2]);
             const double length = r.norm(), overlap = near.root[k] * near.root[k];
             const Eigen::Vector3d n = r / length;
-            contacts.add(n, Hertz::at(overlap, material.modulus).elastic, length);
+            contacts.add(n, contact_of(beads, near, k, material.modulus).elastic, length);
             s.mean_overlap += overlap;
             order.add(n[0], n[1], n[2]);
-            note_capillary(n, capillary_unit * length, s.capillary_shear_stress_contact);
+            const double force = bridges.wet() ? attraction(near, k, -overlap) : 0;
+            note_capillary(n, capillary_unit * force * length, s.capillary_shear_stress_contact);
         } else if (near.bridge[k] > 0) {
-            note_distant(r);
+            note_distant(near, k, separation);
         }
     });
     for_each_pair(beads, cell, distant_pairs, [&](std::size_t k, const Vector& r) {
         if (distant_pairs.bridge[k] > 0) {
-            note_distant({r[0], r[1], r[2]});
+            note_distant(distant_pairs, k, r);
         }
     });
     const auto per_bead = 2 / static_cast<double>(beads.size());

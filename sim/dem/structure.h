@@ -6,6 +6,7 @@
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/contact_law.h"
+#include "sim/dem/grain_effects.h"
 #include "sim/dem/pair_list.h"
 
 namespace pendular::dem {
@@ -47,8 +48,8 @@ struct Structure {
     static const std::vector<double Structure::*>& members();
 };
 
-/// Networks of a state from its near and its distant pairs; those with a remembered overlap are
-/// contacts.
+/// Networks of a state, with the bridge forces that effects make of it, from its near and its
+/// distant pairs; those with a remembered overlap are contacts.
 ///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2)
 /// 0 for isotropic directions up to 1/sqrt(contacts); 0.575 for the fcc lattice, 0.485 for hcp.
 /// Source: Steinhardt, Nelson, Ronchetti, Phys. Rev. B 28 (1983) 784.
@@ -57,6 +58,7 @@ struct Structure {
 /// of q(n) n1 n2 over the sphere (Badetti et al., eq:deffl12), from a least-squares fit of
 /// spherical harmonics of order 0 and 2 to the q of all pairs.
 Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
-                       const Pairs& distant, const Material& material, const BridgeLaw& bridges);
+                       const Pairs& distant, const Material& material, const BridgeLaw& bridges,
+                       const GrainEffects& effects = {});
 
 }  // namespace pendular::dem

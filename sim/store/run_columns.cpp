@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "data/form.h"
+#include "sim/dem/grain_effects.h"
 #include "sim/dem/series.h"
 
 namespace pendular {
@@ -125,6 +126,17 @@ void add_parameters(Columns& columns) {
         "start", true, [](RunResult & r) -> auto& { return r.parameters.start; });
     columns.number(
         "threads", true, [](RunResult & r) -> auto& { return r.threads; });
+    columns.add(
+        "effects", RunColumn::Type::text, true,
+        [](const RunResult& r) {
+            const std::string text = dem::effects_text(r.parameters.effects);
+            return text.empty() ? RunCell() : RunCell(text);
+        },
+        [](RunResult& r, const RunCell& cell) {
+            if (!empty(cell)) {
+                r.parameters.effects = dem::effects_from(std::get<std::string>(cell));
+            }
+        });
     columns.add(
         "precision", RunColumn::Type::text, true,
         [](const RunResult& r) {

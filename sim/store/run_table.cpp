@@ -74,7 +74,9 @@ std::vector<Meaning> meanings_of(const Table& table) {
         there.push_back(name);
     }
     for (const RunColumn& column : run_columns()) {
-        if (column.determines && std::ranges::find(there, column.name) == there.end()) {
+        // Tables of versions that knew no effects have none.
+        const bool needed = column.determines && column.name != "effects";
+        if (needed && std::ranges::find(there, column.name) == there.end()) {
             throw InputError(table.at_header(0),
                              fmt::format("the column '{}' is missing; without it a run cannot be "
                                          "told from others",

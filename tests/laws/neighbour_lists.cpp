@@ -186,9 +186,9 @@ TEST(NeighbourLists, AreTheSameInPartsAndWhole) {
         for (auto& bead : wrapped.motion) {
             bead.position = cell.wrapped(bead.position);
         }
-        const Neighbours whole = find_pairs(wrapped, cell, 1.5),
-                         parts = find_pairs(wrapped, cell, 1.5, 3),
-                         truth = find_pairs_by_brute_force(wrapped, cell, 1.5);
+        const Neighbours whole = find_pairs(wrapped, cell, 0.5),
+                         parts = find_pairs(wrapped, cell, 0.5, 3),
+                         truth = find_pairs_by_brute_force(wrapped, cell, 0.5);
         ASSERT_GT(truth.size(), 1000u);
         for (const auto& found : {whole, parts}) {
             EXPECT_EQ(found.first, truth.first);

@@ -35,7 +35,7 @@ struct State {
         find();
     }
     void find() {
-        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 1.0));
+        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 0.0));
         pairs.fill_up(PairList::batch);
     }
     PairSums forces() { return pair_forces(beads, pairs, {cell, flow, material, {}, dt}); }

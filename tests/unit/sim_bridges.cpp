@@ -29,7 +29,7 @@ struct TwoBeads {
     TwoBeads() {
         beads.position(0)[0] = 5, beads.position(1)[0] = 6.5, beads.position(0)[1] = 5,
         beads.position(1)[1] = 5, beads.position(0)[2] = 5, beads.position(1)[2] = 5;
-        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 1.6));
+        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 0.6));
         pairs.fill_up(PairList::batch);
     }
     /// Force that pulls the second bead towards the first at this gap.
@@ -140,15 +140,15 @@ std::pair<int, int> called_at_first(const Beads& beads, const Neighbours& pairs,
                         beads.number[static_cast<std::size_t>(pairs.second[k])]});
 }
 
-/// Pairs closer than the range now, by looking at all of them.
-PairSet closer_than(double range, const ShearCell& sample) {
+/// Pairs whose gap is below this now, by looking at all of them.
+PairSet closer_than(double gap, const ShearCell& sample) {
     Beads wrapped = sample.beads();
     Cell cell = sample.cell();
     cell.reduce_offset();
     for (std::size_t i = 0; i < wrapped.size(); ++i) {
         wrapped.position(i) = cell.wrapped(wrapped.position(i));
     }
-    const Neighbours near = find_pairs_by_brute_force(wrapped, cell, range);
+    const Neighbours near = find_pairs_by_brute_force(wrapped, cell, gap);
     PairSet result;
     for (std::size_t k = 0; k < near.size(); ++k) {
         result.insert(called_at_first(sample.beads(), near, k));
@@ -172,10 +172,10 @@ TEST(Bridges, AreThoseThatAPairByPairHistoryGives) {
     PairSet book;
     std::size_t broken = 0, compared = 0;
     for (int step = 0; step < 4000; ++step) {
-        const PairSet kept = intersection(book, closer_than(1 + rupture, sample));
+        const PairSet kept = intersection(book, closer_than(rupture, sample));
         broken += book.size() - kept.size();
         book = kept;
-        book.merge(closer_than(1, sample));
+        book.merge(closer_than(0, sample));
         sample.step();  // with the forces of the state just looked at
         if (step % 50 != 0) {
             continue;
@@ -189,7 +189,7 @@ TEST(Bridges, AreThoseThatAPairByPairHistoryGives) {
             }
         }
         // A bridge that this step has stretched beyond rupture may already be gone from the lists.
-        const PairSet alive = closer_than(1 + rupture, sample);
+        const PairSet alive = closer_than(rupture, sample);
         ASSERT_EQ(intersection(listed, alive), intersection(book, alive)) << "step " << step;
         compared += listed.size();
     }

@@ -23,7 +23,7 @@ struct Collision {
         beads.position(0)[0] = 9, beads.position(1)[0] = 10.001, beads.position(0)[1] = 10,
         beads.position(1)[1] = 10, beads.position(0)[2] = 10, beads.position(1)[2] = 10;
         beads.velocity(0)[0] = approach / 2, beads.velocity(1)[0] = -approach / 2;
-        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 1.5));
+        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 0.5));
         pairs.fill_up(PairList::batch);
     }
     double separation_speed() const { return beads.velocity(1)[0] - beads.velocity(0)[0]; }

@@ -1,0 +1,33 @@
+#include <algorithm>
+
+#include "sim/effect.h"
+
+namespace pendular {
+namespace {
+
+void net_limit(const dem::PairBatch& batch, const dem::PairContext& context) {
+    for (std::size_t k = 0; k < batch.size; ++k) {
+        batch.coulomb_limit[k] =
+            context.material.friction * std::max(0.0, batch.elastic[k] - batch.capillary[k]);
+    }
+}
+
+}  // namespace
+
+/// In the base law friction is limited by the elastic force of the contact, which the bridge's pull
+/// presses together, as a load from outside would. Where the limit goes with the whole normal force
+/// instead, the bridge's pull included with its sign, contacts that carry little slide, and
+/// capillary forces add no strength through them.
+Effect capillary_coulomb() {
+    return {.summary = "the Coulomb limit goes with the normal force less the bridge's pull",
+            .equation = "|F_T| <= friction max(0, F_N - F_capillary)",
+            .parameters = {on_switch("the limit includes the capillary force")},
+            .change = dem::ChangePairs{.limit = net_limit},
+            .touches = Touches::wet,
+            .acts_through = {"reduced_pressure", "liquid_content"},
+            .references = {
+                "Badetti et al. (2018), section 2.2, for the limit on the elastic force",
+                "Richefeu, El Youssoufi, Radjai, Phys. Rev. E 73 (2006) 051304: both limits"}};
+}
+
+}  // namespace pendular

@@ -1,0 +1,42 @@
+#include "sim/effect.h"
+
+namespace pendular {
+namespace {
+
+void pull(const dem::PairBatch& batch, const dem::PairContext& context) {
+    const double force = context.values["force"];
+    for (std::size_t k = 0; k < batch.size; ++k) {
+        if (batch.gap[k] >= 0 || batch.joined[k] > 0) {
+            continue;
+        }
+        batch.fx[k] -= force * batch.diameter[k] * batch.nx[k];
+        batch.fy[k] -= force * batch.diameter[k] * batch.ny[k];
+        batch.fz[k] -= force * batch.diameter[k] * batch.nz[k];
+    }
+}
+
+}  // namespace
+
+/// Van der Waals or electrostatic attraction of touching beads, which gives dry beads a cohesion.
+/// Derjaguin, Muller and Toporov's limit of stiff beads: the pull is the pull-off force while they
+/// touch, its range of nanometres is nothing beside the bead. It grows with the radius. Where a
+/// liquid fills the contact it is weaker by the ratio of Hamaker constants, about a tenth, and left
+/// out: it acts in contacts that no bridge joins.
+Effect dry_adhesion() {
+    return {.summary = "touching beads attract each other without a liquid",
+            .equation = "F_N -> F_N - force  in contacts without a bridge",
+            .parameters = {{.name = "force",
+                            .unit = "N",
+                            .lower = 0,
+                            .upper = 1e-4,
+                            .neutral = 0,
+                            .matters = 3e-6,
+                            .meaning = "pull-off force of two equal beads"}},
+            .change = dem::ChangePairs{.add = pull},
+            .touches = Touches::dry,
+            .acts_through = {"1/normal_stress"},
+            .references = {"Derjaguin, Muller, Toporov, J. Colloid Interface Sci. 53 (1975) 314",
+                           "Israelachvili, Intermolecular and Surface Forces (2011), chapter 13"}};
+}
+
+}  // namespace pendular

@@ -1,0 +1,22 @@
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// The base law has a hysteresis: a bridge forms on contact and breaks at D0. Where films of liquid
+/// on the beads meet before the beads do, or vapour condenses, bridges form as soon as the gap is
+/// below D0: then there are more distant bridges, they are as many where beads approach as where
+/// they part, and so carry less shear stress.
+Effect reversible_bridges() {
+    return {.summary = "bridges form without contact, as soon as the gap is below D0",
+            .equation = "a bridge joins two beads wherever their gap h <= D0",
+            .parameters = {on_switch("bridges form without contact")},
+            .change = dem::ChangePairs{.bridges_without_contact = true},
+            .touches = Touches::wet,
+            .acts_through = {"liquid_content", "reduced_pressure"},
+            .references = {
+                "Kohonen, Geromichalos, Scheel, Schier, Herminghaus, Physica A 339 (2004) 7: "
+                "formation and rupture of bridges in wet beads",
+                "Badetti et al. (2018), section 2.3, for the hysteretic base"}};
+}
+
+}  // namespace pendular

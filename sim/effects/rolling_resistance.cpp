@@ -1,0 +1,59 @@
+#include <cmath>
+
+#include "sim/effect.h"
+
+namespace pendular {
+namespace {
+
+/// One step of the rolling spring of each contact: a torque M on the second bead that turns with
+/// the pair, grows against the rolling velocity and is limited,
+///     dM = -K_r w_roll dt,  |M| <= coefficient (a/2) F_N,  K_r = K_T (a/2)^2,
+/// w_roll the relative spin across the normal. Twisting about the normal is not resisted.
+void roll(const dem::PairBatch& batch, const dem::PairContext& context) {
+    const double coefficient = context.values["coefficient"];
+    for (std::size_t k = 0; k < batch.size; ++k) {
+        const double nx = batch.nx[k], ny = batch.ny[k], nz = batch.nz[k];
+        const double arm = batch.diameter[k] / 2;
+        double mx = batch.memory[0][k], my = batch.memory[1][k], mz = batch.memory[2][k];
+        const double dt = batch.time_step;
+        const double ox = batch.turn_x[k], oy = batch.turn_y[k], oz = batch.turn_z[k];
+        const double px = mx + dt * (oy * mz - oz * my), py = my + dt * (oz * mx - ox * mz),
+                     pz = mz + dt * (ox * my - oy * mx);
+        const double rx = batch.rolling_x[k], ry = batch.rolling_y[k], rz = batch.rolling_z[k];
+        const double twist = rx * nx + ry * ny + rz * nz, along = px * nx + py * ny + pz * nz;
+        const double stiffness = batch.stiffness[k] * arm * arm;
+        mx = px - along * nx - dt * stiffness * (rx - twist * nx);
+        my = py - along * ny - dt * stiffness * (ry - twist * ny);
+        mz = pz - along * nz - dt * stiffness * (rz - twist * nz);
+        const double limit = coefficient * arm * batch.elastic[k];
+        const double squared = mx * mx + my * my + mz * mz;
+        const double allowed = dem::coulomb_factor(squared, limit);
+        mx *= allowed, my *= allowed, mz *= allowed;
+        batch.memory[0][k] = mx, batch.memory[1][k] = my, batch.memory[2][k] = mz;
+        batch.tx[k] += mx, batch.ty[k] += my, batch.tz[k] += mz;
+    }
+}
+
+}  // namespace
+
+/// Rough or slightly angular beads touch over a patch and resist being rolled. Dry beads then leave
+/// the one curve of stress ratio and solid fraction that friction alone lets them take: stronger at
+/// the same solid fraction.
+Effect rolling_resistance() {
+    return {.summary = "contacts resist rolling, as those of rough beads do",
+            .equation = "|M_rolling| <= coefficient (a/2) F_N",
+            .parameters = {{.name = "coefficient",
+                            .unit = "1",
+                            .lower = 0,
+                            .upper = 0.5,
+                            .neutral = 0,
+                            .matters = 0.02,
+                            .meaning = "largest rolling torque over (a/2) F_N"}},
+            .change = dem::ChangePairs{.memory = 3, .add = roll},
+            .touches = Touches::all,
+            .acts_through = {"stress_ratio", "solid_fraction"},
+            .references = {"Iwashita, Oda, J. Eng. Mech. 124 (1998) 285",
+                           "Ai, Chen, Rotter, Ooi, Powder Technol. 206 (2011) 269, model C"}};
+}
+
+}  // namespace pendular

@@ -1,0 +1,31 @@
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// Maugis' and Willett's bridges break at V0^(1/3), which holds for a small contact angle and slow
+/// motion; a large angle (a factor 1 + angle/2), pinned contact lines or drainage move it. Further
+/// bridges carry force where the base law has none, and more of them are there.
+Effect rupture_distance() {
+    return {.summary = "bridges break at another distance than V0^(1/3)",
+            .equation = "D0 = factor V0^(1/3)",
+            .parameters = {{.name = "factor",
+                            .unit = "1",
+                            .lower = 0.2,
+                            .upper = 2,
+                            .neutral = 1,
+                            .matters = 0.2,
+                            .meaning = "factor on the rupture distance"}},
+            .change = dem::ChangePairs{.bridge_law =
+                                           [](dem::BridgeLaw law, const Values& v) {
+                                               law.rupture_distance *= v["factor"];
+                                               return law;
+                                           }},
+            .touches = Touches::wet,
+            .acts_through = {"liquid_content", "reduced_pressure"},
+            .references = {
+                "Lian, Thornton, Adams, J. Colloid Interface Sci. 161 (1993) 138: rupture at (1 + "
+                "theta/2) V0^(1/3)",
+                "Willett, Adams, Johnson, Seville, Langmuir 16 (2000) 9396"}};
+}
+
+}  // namespace pendular

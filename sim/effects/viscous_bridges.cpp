@@ -1,0 +1,67 @@
+#include <cmath>
+#include <numbers>
+
+#include "sim/effect.h"
+
+namespace pendular {
+namespace {
+
+/// Gap [diameters] below which roughness lets the liquid out: 5 um on beads of 500 um. The force
+/// knows it through how long beads are that close.
+constexpr double roughness = 0.01;
+
+/// Coefficient of the normal lubrication force between spheres of radius R fully immersed,
+/// 3 pi eta R^2/(2 h), R being Derjaguin's, times the part that the bridge wets: the pressure below
+/// it is (1 - h/He)^2 of that of an unbounded film, 1 - h/He being the relative force of the
+/// bridge.
+double coefficient(double viscosity, double radius, double gap, double relative_force) {
+    return 1.5 * std::numbers::pi * viscosity * radius * radius / (gap + roughness) *
+           relative_force * relative_force;
+}
+
+void lubrication(const dem::PairBatch& batch, const dem::PairContext& context) {
+    const double viscosity = context.values["viscosity"];
+    for (std::size_t k = 0; k < batch.size; ++k) {
+        if (batch.joined[k] == 0) {
+            continue;
+        }
+        const double gap = std::max(0.0, batch.gap[k]);
+        const double force = -batch.normal_speed[k] *
+                             coefficient(viscosity, batch.diameter[k] / 2, gap,
+                                         context.bridges.of(batch.diameter[k]).relative_force(gap));
+        batch.fx[k] += force * batch.nx[k];
+        batch.fy[k] += force * batch.ny[k];
+        batch.fz[k] += force * batch.nz[k];
+    }
+}
+
+}  // namespace
+
+/// A liquid bridge resists both approach and parting. The stress it adds grows with the shear rate,
+/// not with the inertial number: at the same I it is larger where the normal stress is.
+Effect viscous_bridges() {
+    return {
+        .summary = "the liquid's viscosity resists the motion of beads that a bridge joins",
+        .equation =
+            "F = -(3/2) pi viscosity R^2 X^2 v/(h + 0.01 a),  X = 1 - h/sqrt(h^2 + 4 V0/(pi a)),\n"
+            "v the speed at which the gap h opens",
+        .parameters = {{.name = "viscosity",
+                        .unit = "Pa s",
+                        .lower = 0,
+                        .upper = 0.5,
+                        .neutral = 0,
+                        .matters = 0.02,
+                        .meaning = "viscosity of the liquid"}},
+        .change = dem::ChangePairs{.add = lubrication,
+                                   .damping_rate =
+                                       [](const dem::BridgeLaw&, const Values& v) {
+                                           return coefficient(v["viscosity"], 0.5, 0, 1);
+                                       }},
+        .touches = Touches::wet,
+        .acts_through = {"shear_rate", "inertial_number", "liquid_content"},
+        .references = {
+            "Pitois, Moucheront, Chateau, J. Colloid Interface Sci. 231 (2000) 26",
+            "Cameron, The Principles of Lubrication (1966), for spheres fully immersed"}};
+}
+
+}  // namespace pendular

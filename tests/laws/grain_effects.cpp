@@ -1,0 +1,284 @@
+// Laws of the force loop with effects on grains in it, for every effect of the registry, on random
+// states with fixed seeds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "sim/dem/grain_effects.h"
+#include "sim/dem/shear_cell.h"
+#include "sim/effect.h"
+
+using namespace pendular;
+using namespace pendular::dem;
+
+namespace {
+
+constexpr Material material{.modulus = 31622.8, .friction = 0.3};  // stiffness number 1000
+const Wetting wetting{.reduced_pressure = 1, .bridge_volume = 4e-3};
+
+/// What a bead feels.
+using Loads = std::vector<Beads::Load>;
+
+/// Beads at random in a sheared cell, some of them overlapping, some joined by bridges, with
+/// velocities, remembered forces and, where an effect has them, remembered words.
+struct State {
+    Beads beads;
+    Cell cell{7, 6, 8, 2.5};
+    Flow flow{0.01, -0.002};
+    GrainEffects effects;
+    BridgeLaw bridges;
+    Pairs pairs;
+
+    explicit State(const std::vector<EffectValues>& on, bool wet, unsigned seed = 1)
+        : beads(400),
+          effects(on, wet),
+          bridges(wet ? effects.changed(BridgeLaw(wetting)) : BridgeLaw()) {
+        beads.diameters = effects.diameters(beads.size(), seed);
+        std::mt19937_64 random(seed);
+        std::mt19937_64 of_memory(seed + 1);  // the rest is the same with and without
+        std::uniform_real_distribution<double> at(0, 1), velocity(-0.1, 0.1);
+        for (std::size_t i = 0; i < beads.size(); ++i) {
+            beads.position(i) = {cell.length * at(random), cell.height * at(random),
+                                 cell.width * at(random)};
+            beads.velocity(i) = {velocity(random), velocity(random), velocity(random)};
+            beads.spin(i) = {velocity(random), velocity(random), velocity(random)};
+        }
+        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 0.3), effects.memory());
+        pairs.fill_up(PairList::batch);
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            pairs.sx[k] = velocity(random), pairs.sy[k] = velocity(random);
+            pairs.sz[k] = velocity(random);
+            pairs.root[k] = 0.1;
+            pairs.bridge[k] = wet && at(random) < 0.5 ? 1 : 0;
+            for (auto& word : pairs.memory) {
+                word[k] = velocity(of_memory);
+            }
+        }
+    }
+    PairSums forces(Books books = Books::closed) {
+        const PairLaws laws{cell, flow, material, bridges, 1e-3, books, &effects};
+        beads.load.assign(beads.size(), {});
+        return hooked_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
+    }
+    PairSums forces_without_hooks(Books books) {
+        const PairLaws laws{cell, flow, material, bridges, 1e-3, books, &effects};
+        beads.load.assign(beads.size(), {});
+        return near_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
+    }
+};
+
+bool same(const Loads& a, const Loads& b) {
+    return std::ranges::equal(a, b, [](const Beads::Load& x, const Beads::Load& y) {
+        return x.force == y.force && x.torque == y.torque;
+    });
+}
+
+/// Values of the size that matters, away from neutral, in the units of a run at 1 kPa.
+std::vector<EffectValues> on(const Effect& effect) {
+    EffectValues values{effect.name, effect.neutral()};
+    for (std::size_t k = 0; k < values.values.size(); ++k) {
+        const EffectParameter& p = effect.parameters[k];
+        values.values[k] = p.is_switch() ? 1 : p.neutral + p.matters;
+    }
+    return {in_run_units(values, 1000, {.diameter = 500e-6, .density = 1050})};
+}
+
+std::vector<const Effect*> effects_on_grains() {
+    std::vector<const Effect*> all;
+    for (const Effect& effect : built_in_effects()) {
+        if (effect.of_grains()) {
+            all.push_back(&effect);
+        }
+    }
+    return all;
+}
+
+bool wet(const Effect& effect) {
+    return effect.touches != Touches::dry;
+}
+
+class OfEveryGrainEffect : public testing::TestWithParam<const Effect*> {};
+
+INSTANTIATE_TEST_SUITE_P(Registry, OfEveryGrainEffect, testing::ValuesIn(effects_on_grains()),
+                         [](const auto& test) {
+                             std::string name = test.param->name;
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
+
+}  // namespace
+
+TEST(HookedForces, WithoutEffectsAreThoseOfThePlainLoopBitwise) {
+    for (const bool is_wet : {false, true}) {
+        for (const Books books : {Books::closed, Books::open}) {
+            State plain({}, is_wet), hooked({}, is_wet);
+            const PairSums a = plain.forces_without_hooks(books), b = hooked.forces(books);
+            EXPECT_TRUE(same(plain.beads.load, hooked.beads.load));
+            EXPECT_EQ(plain.pairs.sx, hooked.pairs.sx);
+            EXPECT_EQ(plain.pairs.bridge, hooked.pairs.bridge);
+            EXPECT_EQ(a.virial_12, b.virial_12);
+            EXPECT_EQ(a.energy.friction, b.energy.friction);
+            EXPECT_EQ(a.energy.bridges, b.energy.bridges);
+        }
+    }
+}
+
+TEST_P(OfEveryGrainEffect, VanishesAtItsNeutralValue) {
+    const Effect& effect = *GetParam();
+    // Dropped, so that the loop has no hook at all.
+    const GrainEffects neutral({{effect.name, effect.neutral()}}, wet(effect));
+    EXPECT_FALSE(neutral.hooked());
+    EXPECT_TRUE(neutral.diameters(100, 1).empty());
+    EXPECT_EQ(neutral.memory(), 0u);
+    // A hair off neutral its stages run and change next to nothing. (Switches have nothing
+    // between.)
+    if (effect.is_switch()) {
+        return;
+    }
+    EffectValues hair{effect.name, effect.neutral()};
+    hair.values[0] += 1e-13;
+    State off({}, wet(effect)), nearly({hair}, wet(effect));
+    off.forces(), nearly.forces();
+    double largest = 0, apart = 0;
+    for (std::size_t i = 0; i < off.beads.size(); ++i) {
+        largest = std::max(largest, std::abs(off.beads.force(i)[0]));
+        apart = std::max(apart, std::abs(off.beads.force(i)[0] - nearly.beads.force(i)[0]));
+    }
+    EXPECT_LT(apart, 1e-8 * largest);
+}
+
+TEST_P(OfEveryGrainEffect, ChangesSomethingAtTheSizeThatMatters) {
+    const Effect& effect = *GetParam();
+    // Dry ones act where there is no bridge.
+    State off({}, wet(effect)), active(on(effect), wet(effect));
+    off.forces(), active.forces();
+    EXPECT_FALSE(same(off.beads.load, active.beads.load));
+}
+
+TEST_P(OfEveryGrainEffect, HasForcesThatAreEqualAndOpposite) {
+    State state(on(*GetParam()), wet(*GetParam()));
+    state.forces();
+    Vector sum;
+    double scale = 0;
+    for (const auto& load : state.beads.load) {
+        sum += load.force;
+        scale = std::max(scale, std::abs(load.force[0]));
+    }
+    for (std::size_t d = 0; d < 3; ++d) {
+        EXPECT_NEAR(sum[d], 0, 1e-11 * scale * 400);
+    }
+}
+
+/// Torques and moments of forces of all pairs add up to nothing where no pair crosses a face: no
+/// angular momentum is made.
+TEST_P(OfEveryGrainEffect, MakesNoAngularMomentum) {
+    State state(on(*GetParam()), wet(*GetParam()));
+    state.cell = {100, 100, 100, 0};
+    state.flow = {};
+    state.pairs =
+        Pairs(find_pairs_by_brute_force(state.beads, state.cell, 0.3), state.effects.memory());
+    state.pairs.fill_up(PairList::batch);
+    std::ranges::fill(state.pairs.bridge, state.bridges.wet() ? 1.0 : 0.0);
+    state.forces();
+    Vector sum;
+    double scale = 0;
+    for (std::size_t i = 0; i < state.beads.size(); ++i) {
+        const Vector r = state.beads.position(i), f = state.beads.force(i);
+        const Vector moment(r[1] * f[2] - r[2] * f[1], r[2] * f[0] - r[0] * f[2],
+                            r[0] * f[1] - r[1] * f[0]);
+        sum += moment + state.beads.torque(i);
+        scale = std::max(scale, std::abs(moment[0]));
+    }
+    for (std::size_t d = 0; d < 3; ++d) {
+        EXPECT_NEAR(sum[d], 0, 1e-10 * scale * 400);
+    }
+}
+
+/// A state turned as a whole by a quarter about the vorticity has its forces turned alike; added a
+/// common velocity, it has the same.
+TEST_P(OfEveryGrainEffect, IsFrameIndependent) {
+    State still(on(*GetParam()), wet(*GetParam()));
+    const auto open = [](State& state) {
+        state.cell = {100, 100, 100, 0};
+        state.flow = {};
+        state.pairs =
+            Pairs(find_pairs_by_brute_force(state.beads, state.cell, 0.3), state.effects.memory());
+        state.pairs.fill_up(PairList::batch);
+        for (auto& word : state.pairs.memory) {
+            std::ranges::fill(word, 0.01);
+        }
+        std::ranges::fill(state.pairs.bridge, state.bridges.wet() ? 1.0 : 0.0);
+    };
+    open(still);
+    State turned = still;
+    const auto turn = [](const Vector& v) { return Vector(-v[1], v[0], v[2]); };
+    for (auto& bead : turned.beads.motion) {
+        bead.position = turn(bead.position) + Vector(50, 0, 0);
+        bead.velocity = turn(bead.velocity) + Vector(0.3, -0.2, 0.1);
+        bead.spin = turn(bead.spin);
+    }
+    for (std::size_t k = 0; k + 2 < turned.pairs.memory.size(); k += 3) {
+        auto& memory = turned.pairs.memory;
+        for (std::size_t p = 0; p < turned.pairs.size(); ++p) {
+            const Vector v = turn({memory[k][p], memory[k + 1][p], memory[k + 2][p]});
+            memory[k][p] = v[0], memory[k + 1][p] = v[1], memory[k + 2][p] = v[2];
+        }
+    }
+    still.forces(), turned.forces();
+    for (std::size_t i = 0; i < still.beads.size(); ++i) {
+        const Vector force = turn(still.beads.force(i)), torque = turn(still.beads.torque(i));
+        for (std::size_t d = 0; d < 3; ++d) {
+            ASSERT_NEAR(turned.beads.force(i)[d], force[d], 1e-6 * (1 + std::abs(force[d])));
+            ASSERT_NEAR(turned.beads.torque(i)[d], torque[d], 1e-6 * (1 + std::abs(torque[d])));
+        }
+    }
+}
+
+TEST_P(OfEveryGrainEffect, IsFiniteAtTheCornersOfItsBounds) {
+    const Effect& effect = *GetParam();
+    for (const bool upper : {false, true}) {
+        EffectValues corner{effect.name, effect.neutral()};
+        for (std::size_t k = 0; k < corner.values.size(); ++k) {
+            corner.values[k] = upper ? effect.parameters[k].upper : effect.parameters[k].lower;
+        }
+        for (const double stress : {300.0, 3000.0}) {
+            const Grains grains{.diameter = 500e-6, .density = 1050};
+            State state({in_run_units(corner, stress, grains)}, wet(effect));
+            state.forces();
+            for (const auto& load : state.beads.load) {
+                for (std::size_t d = 0; d < 3; ++d) {
+                    ASSERT_TRUE(std::isfinite(load.force[d]) && std::isfinite(load.torque[d]));
+                }
+            }
+        }
+    }
+}
+
+TEST_P(OfEveryGrainEffect, LosesNoContactThroughNewLists) {
+    const Effect& effect = *GetParam();
+    const GrainEffects effects(on(effect), wet(effect));
+    const BridgeLaw bridges = wet(effect) ? BridgeLaw(wetting) : BridgeLaw();
+    ShearCell kept(200, material, 0.05, 3, bridges, 1, effects);
+    ASSERT_TRUE(kept.compress());
+    for (int step = 0; step < 300; ++step) {
+        kept.step();
+    }
+    EXPECT_GT(kept.pairs().renewals(), 3u);
+    EXPECT_TRUE(std::isfinite(kept.stress().s12));
+    std::size_t touching = 0;
+    Beads wrapped = kept.beads();
+    Cell cell = kept.cell();
+    cell.reduce_offset();
+    for (auto& bead : wrapped.motion) {
+        bead.position = cell.wrapped(bead.position);
+    }
+    for (std::size_t k = 0; k < kept.pairs().live(); ++k) {
+        touching += kept.pairs().narrow().root[k] > 0;
+    }
+    // One step lies between the forces and the positions: few pairs change their state in it.
+    EXPECT_NEAR(static_cast<double>(touching),
+                static_cast<double>(find_pairs_by_brute_force(wrapped, cell, 0.0).size()),
+                0.02 * static_cast<double>(touching));
+}
