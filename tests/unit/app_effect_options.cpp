@@ -12,9 +12,14 @@ using testing::HasSubstr;
 
 namespace {
 
+/// One fast step, a second of work, also where a test fails and the option is taken.
+const std::string one_step =
+    " --fidelity quick --dry --dry-normal-stresses \"1 kPa\" --inertial-numbers 0.5 --replicates 1 "
+    "--rows 200 --friction 0.4 --quiet ";
+
 void expect_refused_option(const std::string& option, const std::string& why) {
     const TemporaryFolder folder;
-    expect_refused("virtual-lab " + (folder.path() / "lab").string() + " " + option, why);
+    expect_refused("virtual-lab " + (folder.path() / "lab").string() + one_step + option, why);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "lab"));
 }
 
@@ -40,17 +45,15 @@ TEST(EffectOptions, RefuseWhatTheyCannotTake) {
     expect_refused_option("--bead-loss.fraction \"30 %\"", "between 0 and 0.2");
     expect_refused_option("--grain-weight.on 0.5", "a switch is 0 or 1");
     expect_refused_option("--grain-weight.on yes", "--grain-weight.on");
-    expect_refused_option("--dry --wet-friction.difference 0.1", "no wet recordings");
+    expect_refused_option("--wet-friction.difference 0.1", "no wet recordings");
 }
 
 TEST(EffectOptions, TakeNumbersWithAndWithoutTheirUnit) {
     const TemporaryFolder folder;
-    const Outcome made = run_pendular(
-        "virtual-lab " + (folder.path() / "lab").string() +
-        " --fidelity quick --dry --dry-normal-stresses \"1 kPa\" --inertial-numbers 0.5 "
-        "--replicates 1 --rows 200 --friction 0.4 --quiet --json - --torque-offset.torque \"-0.4 "
-        "mN m\" --height-offset.offset 2e-5 --lid-slip.fraction \"10 %\" --grain-weight.on 1 "
-        "--torque-gain.gain 1");
+    const Outcome made =
+        run_pendular("virtual-lab " + (folder.path() / "lab").string() + one_step +
+                     "--json - --torque-offset.torque \"-0.4 mN m\" --height-offset.offset 2e-5 "
+                     "--lid-slip.fraction \"10 %\" --grain-weight.on 1 --torque-gain.gain 1");
     ASSERT_EQ(made.code, 0) << made.errors;
     const auto effects = nlohmann::json::parse(made.output)["effects"];
     // At its neutral value the gain is none.
