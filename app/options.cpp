@@ -75,17 +75,20 @@ Options::Options(std::string usage, std::string about, std::string examples, boo
     : usage_(std::move(usage)),
       about_(std::move(about)),
       examples_(std::move(examples)),
-      takes_study_(takes_study),
-      own_("Options", 100) {}
+      takes_study_(takes_study) {
+    begin_section("Options");
+}
 
 void Options::add_switch(const char* name, bool* value, const std::string& description) {
-    own_.add_options()(name, po::bool_switch(value), description.c_str());
+    sections_.back().add_options()(name, po::bool_switch(value), description.c_str());
 }
 
 void Options::print_help(const po::options_description& common) const {
     std::cout << "Usage: pendular " << usage_ << "\n\n" << about_ << "\n\n";
-    if (!own_.options().empty()) {
-        std::cout << own_ << '\n';
+    for (const auto& section : sections_) {
+        if (!section.options().empty()) {
+            std::cout << section << '\n';
+        }
     }
     std::cout << common << "\nExamples:\n" << examples_;
 }
@@ -114,9 +117,12 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
     po::options_description all, hidden;
     std::vector<std::string> words;
     hidden.add_options()("study", po::value(&study))("words", po::value(&words));
-    all.add(own_).add(common).add(hidden);
     po::options_description visible;
-    visible.add(own_).add(common);
+    for (const auto& section : sections_) {
+        visible.add(section);
+    }
+    visible.add(common);
+    all.add(visible).add(hidden);
     po::positional_options_description positional;
     positional.add(words_ ? "words" : "study", words_ ? -1 : takes_study_ ? 1 : 0);
     try {

@@ -3,6 +3,7 @@
 #include <boost/program_options.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <list>
 #include <optional>
 #include <string>
 #include <utility>
@@ -45,9 +46,11 @@ class Options {
     /// Adds an option of the command's own; the description carries the unit.
     template <typename T>
     void add(const char* name, T* value, const std::string& description) {
-        own_.add_options()(name, boost::program_options::value<T>(value)->value_name("X"),
-                           description.c_str());
+        sections_.back().add_options()(
+            name, boost::program_options::value<T>(value)->value_name("X"), description.c_str());
     }
+    /// Puts the options added from now on under a heading of their own.
+    void begin_section(const std::string& heading) { sections_.emplace_back(heading, 100); }
     /// What --threads means to this command, if not runs side by side on all cores.
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
@@ -76,7 +79,7 @@ class Options {
     int default_threads_ = 0;  ///< 0: as many as there are cores
     std::string threads_meaning_ = "runs carried out side by side";
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";
-    boost::program_options::options_description own_;
+    std::list<boost::program_options::options_description> sections_;  ///< of the command's own
     boost::program_options::variables_map variables_;
 };
 

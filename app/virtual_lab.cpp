@@ -4,6 +4,7 @@
 
 #include "app/command.h"
 #include "app/console.h"
+#include "app/effect_options.h"
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "data/input_error.h"
@@ -68,7 +69,7 @@ void print_wet_step(Console& console, const LabRecording& recording, const LabSt
     console.line(fmt::format("  {:<16} {:>8g} {:>8.3g} {:>8g} {:>10.3e}   {:g}: {}", recording.file,
                              step.condition.normal_stress, wetting.reduced_pressure,
                              step.condition.inertial_number, wetting.bridge_volume,
-                             step.condition.liquid_content,
+                             step.imposed.liquid_content,
                              with_error(found.value, found.standard_error)));
 }
 
@@ -78,10 +79,12 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
     for (const auto& recording : result.recordings) {
         steps += recording.steps.size();
     }
-    console.line(fmt::format(
-        "{}: {} recordings of {} steps in all, at a hidden friction (truth.json has it) and noise "
-        "{:g}",
-        folder.string(), result.recordings.size(), steps, plan.instrument.noise));
+    console.line(
+        fmt::format("{}: {} recordings of {} steps in all, at a hidden friction{} (truth.json has "
+                    "it) and noise "
+                    "{:g}",
+                    folder.string(), result.recordings.size(), steps,
+                    plan.effects.empty() ? "" : " and with hidden effects", plan.instrument.noise));
     console.line(fmt::format(
         "{} beads each, stiffness number {:g}, strain {:g}, a run and a seed for each step; {} "
         "pilot runs",
@@ -89,11 +92,11 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
         plan.fidelity.stiffness_number, plan.fidelity.strain, result.pilots));
     if (!plan.liquid_contents.empty()) {
         console.line(fmt::format("  {:<16} {:>8} {:>8} {:>8} {:>10}   {}", "file", "s22 [Pa]", "P*",
-                                 "I", "V0/a^3", "liquid content asked for: reached"));
+                                 "I", "V0/a^3", "liquid content wanted: reached"));
     }
     for (const auto& recording : result.recordings) {
         for (const auto& step : recording.steps) {
-            if (!step.condition.dry()) print_wet_step(console, recording, step);
+            if (!step.imposed.dry()) print_wet_step(console, recording, step);
         }
     }
     for (const auto& note : result.notes) {
@@ -123,6 +126,16 @@ void declare(Options& options, LabPlan& plan, Words& words) {
                 "of the liquid, with its unit (default \"20.6 mN/m\")");
 }
 
+std::string examples() {
+    return fmt::format(
+        "  pendular virtual-lab my-lab --friction 0.15 --dry --fidelity quick\n"
+        "  pendular virtual-lab wet-lab --wet-normal-stresses \"300 Pa, 1 kPa\" --liquid-contents "
+        "0.02\n"
+        "  pendular virtual-lab odd-lab --dry {} {}\n"
+        "  pendular import wet-lab\n",
+        example_of_instrument(false), example_of_instrument(true));
+}
+
 }  // namespace
 
 int virtual_lab(const std::vector<std::string>& arguments) {
@@ -135,17 +148,19 @@ int virtual_lab(const std::vector<std::string>& arguments) {
         "from simulations that no calibration makes: recordings, study.toml, and truth.json, which "
         "the program\n"
         "never reads. Beads of 500 um and 1050 kg/m^3 in a cell of 21 and 45 mm, contact angle 0, "
-        "no weight.",
-        "  pendular virtual-lab my-lab --friction 0.15 --dry --fidelity quick\n"
-        "  pendular virtual-lab wet-lab --wet-normal-stresses \"300 Pa, 1 kPa\" --liquid-contents "
-        "0.02\n"
-        "  pendular import wet-lab\n",
-        true);
+        "no weight,\n"
+        "unless hidden effects make it otherwise: the study lists none, and its set points are "
+        "what "
+        "the\n"
+        "instrument shows.",
+        examples(), true);
     declare(options, plan, words);
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of simulations and instrument (default 1)");
     bool dry = false;
     options.add_switch("dry", &dry, "no wet recordings");
+    const EffectOptions effects(
+        options, arguments, "Hidden effects (numbers with their unit, or plain in the one named)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -164,6 +179,7 @@ int virtual_lab(const std::vector<std::string>& arguments) {
     plan.seed = checked_seed(seed);
     plan.fidelity = common->fidelity;
     take(words, dry, plan);
+    plan.effects = effects.effects();
     check(plan);
 
     const InterruptGuard guard;

@@ -11,13 +11,13 @@
 namespace pendular {
 namespace {
 
-Measurements read_file(const std::filesystem::path& file, const Source& source,
-                       const Study& study) {
+Measurements read_file(const std::filesystem::path& file, const Source& source, const Study& study,
+                       RunClock& clock) {
     if (source.kind == Source::Kind::readings) return read_points(file, source, study);
     AnnularCell cell = *study.cell;
     cell.bead_volume = source.bead_volume.value_or(cell.bead_volume);
     return reduce_recording(read_recording(file), cell, study.grains,
-                            source.liquid_content.value_or(0));
+                            source.liquid_content.value_or(0), clock);
 }
 
 template <typename T>
@@ -64,9 +64,10 @@ void check_pendular_range(Measurements& all) {
 
 Measurements read_measurements(const Study& study) {
     Measurements all;
+    RunClock clock;
     for (const Source& source : study.sources) {
         for (const std::filesystem::path& file : source.files) {
-            const Measurements part = read_file(file, source, study);
+            const Measurements part = read_file(file, source, study, clock);
             append(all.readings, part.readings);
             append(all.excluded, part.excluded);
             append(all.notes, part.notes);

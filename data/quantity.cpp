@@ -34,6 +34,7 @@ const std::vector<Quantity>& table() {
          "m",
          "height of the sample between base and lid",
          {"gap", "H", "h", "cell height", "sample height", "gap height"}},
+        {"bead_volume", "V_S", "m^3", "volume of the beads in the cell", {"bead volume", "V_S"}},
         {"reduced_pressure", "P*", "1", "a^2 s22 over the pull-off force of a bridge", {"P*"}},
         {"stiffness_number", "κ", "1", "(E/(1 - nu^2)/s22)^(2/3)", {"kappa", "κ"}},
         {"bridge_volume", "V0/a³", "1", "volume of a liquid bridge over a^3"},

@@ -28,6 +28,8 @@ const std::vector<std::string_view> used = {"normal_stress",
                                             "inertial_number",
                                             "liquid_content",
                                             "height",
+                                            "time",
+                                            "bead_volume",
                                             "error_correlation",
                                             "error_assumed",
                                             "sampled_seconds",
@@ -135,18 +137,41 @@ void set_correlation(const Points& points, const Row& row, Reading& reading) {
         correlation * std::sqrt(reading.covariance(0, 0) * reading.covariance(1, 1));
 }
 
+/// Volume of the beads that a row, else the study's entry, else its cell names; none of them:
+/// empty.
+std::optional<double> bead_volume(const Points& points, const Row& row) {
+    if (points.columns.value_if_any(row, "bead_volume"))
+        return positive(points, row, "bead_volume");
+    if (points.source.bead_volume || !points.study.cell) return points.source.bead_volume;
+    const double of_cell = points.study.cell->bead_volume;
+    return of_cell > 0 ? std::optional(of_cell) : std::nullopt;
+}
+
+/// What the cell and its beads were at a reading, as far as it is known.
+void set_cell(const Points& points, const Row& row, Reading& reading) {
+    Condition& condition = reading.condition;
+    condition.time = points.columns.value_if_any(row, "time").value_or(0);
+    condition.bead_volume = bead_volume(points, row);
+    if (points.columns.value_if_any(row, "height")) {
+        condition.height = positive(points, row, "height");
+    } else if (points.study.cell && condition.bead_volume) {
+        AnnularCell cell = *points.study.cell;
+        cell.bead_volume = *condition.bead_volume;
+        condition.height = height(reading.value(1), cell);
+    }
+}
+
 Reading reading_of(const Points& points, const Row& row) {
     Reading reading;
     reading.origin = {points.table.file, row.line, 0};
     reading.step = static_cast<int>(points.columns.value_if_any(row, "interval").value_or(0));
     reading.condition.normal_stress = positive(points, row, "normal_stress");
     reading.condition.liquid_content = liquid_content(points, row);
-    if (points.columns.value_if_any(row, "height"))
-        reading.condition.height = positive(points, row, "height");
     set_rate(points, row, reading);
     set_stress(points, row, reading);
     set_solid_fraction(points, row, reading);
     set_correlation(points, row, reading);
+    set_cell(points, row, reading);
     if (!reading.value.allFinite() || !reading.covariance.allFinite())
         throw InputError(reading.origin, "a value or its deviation is too large to compute with");
     reading.sampled_seconds = points.columns.value_if_any(row, "sampled_seconds").value_or(0);

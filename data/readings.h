@@ -9,8 +9,11 @@ namespace pendular {
 
 /// Reads ready-made points: a table with normal_stress; shear_stress (its magnitude) or
 /// stress_ratio; solid_fraction; shear_rate or inertial_number, 0 being the quasi-static limit;
-/// liquid_content, unless the study's entry gives it; optionally height and `NAME_sd`, the standard
-/// deviations. What write_readings writes can be read.
+/// liquid_content, unless the study's entry gives it; optionally height, bead_volume, time and
+/// `NAME_sd`, the standard deviations. What write_readings writes can be read.
+///
+/// A bead volume that no column gives is that of the study's entry, else of its cell; a height that
+/// no column gives follows from it and the solid fraction where the study has a cell.
 ///
 /// Values become shear stress and solid fraction with their covariance. A deviation of the normal
 /// stress adds to that of a shear stress through the slope shear stress/normal stress; a stress

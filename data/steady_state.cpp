@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "data/step_series.h"
 #include "data/time_series.h"
@@ -18,6 +19,8 @@ struct Setting {
     const AnnularCell& cell;
     const Grains& grains;
     double liquid_content;
+    double time_shift =
+        0;  ///< of the step at hand, to the time since the first recording began [s]
 };
 
 /// Means over the steady part of a step.
@@ -53,6 +56,10 @@ std::string unusable(const Means& means) {
     return "";
 }
 
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 Reading reading_of(const Means& means, const StepSeries& steady, int number,
                    const Setting& setting) {
     Reading reading;
@@ -71,6 +78,8 @@ Reading reading_of(const Means& means, const StepSeries& steady, int number,
     const double stress = normal_stress(means.normal_force.value, setting.cell);
     reading.condition = {stress, inertial_number(reading.shear_rate, stress, setting.grains),
                          setting.liquid_content, height};
+    reading.condition.bead_volume = setting.cell.bead_volume;
+    reading.condition.time = mean(steady.time) + setting.time_shift;
     reading.sampled_seconds = steady.time.back() - steady.time.front();
     return reading;
 }
@@ -130,7 +139,13 @@ void note_weight(const Setting& setting, Measurements& result) {
 
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const Grains& grains, double liquid_content) {
-    const Setting setting{recording, cell, grains, liquid_content};
+    RunClock first;
+    return reduce_recording(recording, cell, grains, liquid_content, first);
+}
+
+Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
+                              const Grains& grains, double liquid_content, RunClock& clock) {
+    Setting setting{recording, cell, grains, liquid_content};
     Measurements result;
     std::vector<int> flipped, interpolated;
     int number = 0;
@@ -139,6 +154,7 @@ Measurements reduce_recording(const Recording& recording, const AnnularCell& cel
         ++number;
         if (series.flipped) flipped.push_back(number);
         if (series.interpolated) interpolated.push_back(number);
+        setting.time_shift = clock.shift(recording.time[step.begin], recording.time[step.end - 1]);
         reduce_step(series, number, setting, result);
     }
     note_steps(flipped, recording.file, "the torque was negative; its sign was flipped", result);

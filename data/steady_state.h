@@ -3,6 +3,7 @@
 #include "data/annular_cell.h"
 #include "data/reading.h"
 #include "data/recording.h"
+#include "data/run_clock.h"
 #include "data/study.h"
 
 namespace pendular {
@@ -21,8 +22,15 @@ namespace pendular {
 /// T - (T/F) F_N, not of T alone. Forces that fluctuate and take the torque along cancel, forces
 /// that only read wrong add up. (T/F is the slope of a cohesionless material; with cohesion it is
 /// smaller, and this error a little too large.)
+///
+/// The time of a reading is the mean time of the steady part, on a clock that has seen the
+/// recordings before this one.
 /// @throws InputError where the torque has both signs within a step, and where the solid fraction
 ///         is impossible
+Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
+                              const Grains& grains, double liquid_content, RunClock& clock);
+
+/// The same of a recording that is the first.
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const Grains& grains, double liquid_content);
 

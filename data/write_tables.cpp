@@ -47,7 +47,9 @@ std::string reading_row(const Reading& reading, const std::filesystem::path& pat
         fmt::format("{}", reading.error_assumed ? 1 : 0),
         file_from(path, reading.origin.file),
         fmt::format("{}", reading.origin.line),
-        known(reading.step)};
+        known(reading.step),
+        known(reading.condition.time),
+        known(reading.condition.bead_volume.value_or(0))};
     return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
@@ -69,7 +71,9 @@ void write_readings(const std::filesystem::path& path, const Measurements& measu
                                               header("error_assumed"),
                                               "file",
                                               header("line"),
-                                              header("interval")};
+                                              header("interval"),
+                                              header("time"),
+                                              header("bead_volume")};
     std::string text = fmt::format("{}\n", fmt::join(headers, ","));
     for (const Reading& reading : measurements.readings)
         text += reading_row(reading, path);

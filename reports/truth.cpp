@@ -29,11 +29,34 @@ Json plan_json(const LabPlan& plan) {
             {"inertial_numbers", plan.inertial_numbers}};
 }
 
-Json step_json(const LabStep& step) {
-    return {{"normal_stress", step.condition.normal_stress},
-            {"inertial_number", step.condition.inertial_number},
-            {"liquid_content", step.condition.liquid_content},
-            {"run", to_json(step.run)}};
+/// As `calibrate` names fitted parameters: "EFFECT.PARAMETER", in SI units.
+Json effects_json(const std::vector<ActiveEffect>& effects) {
+    Json json = Json::object();
+    for (const ActiveEffect& active : effects) {
+        for (std::size_t k = 0; k < active.values.size(); ++k) {
+            json[active.effect->name + "." + active.effect->parameters[k].name] = active.values[k];
+        }
+    }
+    return json;
+}
+
+/// What is truly imposed where effects are on.
+Json imposed_json(const Condition& imposed) {
+    Json json = {{"normal_stress", imposed.normal_stress},
+                 {"inertial_number", imposed.inertial_number},
+                 {"liquid_content", imposed.liquid_content},
+                 {"time", imposed.time}};
+    if (imposed.bead_volume) json["bead_volume"] = *imposed.bead_volume;
+    return json;
+}
+
+Json step_json(const LabStep& step, bool with_effects) {
+    Json json = {{"normal_stress", step.condition.normal_stress},
+                 {"inertial_number", step.condition.inertial_number},
+                 {"liquid_content", step.condition.liquid_content}};
+    if (with_effects) json["imposed"] = imposed_json(step.imposed);
+    json["run"] = to_json(step.run);
+    return json;
 }
 
 }  // namespace
@@ -43,7 +66,7 @@ Json to_json(const LabResult& result) {
     for (const LabRecording& recording : result.recordings) {
         Json steps = Json::array();
         for (const LabStep& step : recording.steps) {
-            steps.push_back(step_json(step));
+            steps.push_back(step_json(step, !result.plan.effects.empty()));
         }
         recordings.push_back({{"file", recording.file},
                               {"liquid_content", recording.liquid_content},
@@ -52,6 +75,7 @@ Json to_json(const LabResult& result) {
                               {"steps", steps}});
     }
     return {{"friction", result.plan.friction},
+            {"effects", effects_json(result.plan.effects)},
             {"plan", plan_json(result.plan)},
             {"recordings", recordings},
             {"notes", result.notes}};

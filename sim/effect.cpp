@@ -80,6 +80,40 @@ std::size_t Effect::parameter(std::string_view parameter_name) const {
     return place_of(parameters, parameter_name, fmt::format("parameter of {}", name).c_str());
 }
 
+std::string to_string(const ActiveEffect& active) {
+    std::string text;
+    for (std::size_t k = 0; k < active.values.size(); ++k) {
+        const EffectParameter& parameter = active.effect->parameters[k];
+        text += fmt::format("{}{} {:.4g}{}{}", k > 0 ? ", " : "", parameter.name, active.values[k],
+                            parameter.unit == "1" ? "" : " ",
+                            parameter.unit == "1" ? "" : parameter.unit);
+    }
+    return fmt::format("{} ({})", active.effect->name, text);
+}
+
+std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects, bool dry) {
+    std::vector<ActiveEffect> result;
+    std::ranges::copy_if(effects, std::back_inserter(result), [&](const ActiveEffect& active) {
+        return active.effect->touches == Touches::all ||
+               (active.effect->touches == Touches::dry) == dry;
+    });
+    return result;
+}
+
+Condition changed_condition(Condition condition, const std::vector<ActiveEffect>& effects,
+                            const std::optional<Liquid>& liquid) {
+    for (const ActiveEffect& active : touching(effects, condition.dry())) {
+        if (const auto* change = std::get_if<ChangeCondition>(&active.effect->change)) {
+            if (!condition.dry() && !condition.liquid) condition.liquid = liquid;
+            condition = change->change(std::move(condition), active.by_name());
+        } else if (active.effect->of_grains()) {
+            condition.grain_effects.push_back({active.effect->name, active.values});
+        }
+    }
+    std::ranges::sort(condition.grain_effects, {}, &EffectValues::effect);
+    return condition;
+}
+
 const Effect& built_in_effect(std::string_view name) {
     return built_in_effects()[place_of(built_in_effects(), name, "effect")];
 }

@@ -7,7 +7,9 @@
 #include <string>
 
 #include "data/input_error.h"
+#include "sim/instrument.h"
 #include "sim/liquid_volume.h"
+#include "sim/seeds.h"
 
 namespace pendular {
 namespace {
@@ -67,15 +69,59 @@ void check_instrument(const LabPlan& plan) {
 
 void check_runs(const LabPlan& plan) {
     try {
-        for (const double content : contents_of(plan)) {
-            const double volume = first_bridge_volume(content);
-            for (const Condition& condition : conditions_of(plan, content)) {
+        for (const PlannedRecording& recording : recordings_of(plan)) {
+            for (const Condition& asked : recording.conditions) {
+                const Condition condition = imposed_condition(plan, asked);
+                const double volume = first_bridge_volume(condition.liquid_content);
                 check(run_at(plan, condition, volume));
                 if (!condition.dry()) check(pilot_at(plan, condition, volume));
             }
         }
     } catch (const std::invalid_argument& error) {
         throw InputError(error.what());
+    }
+}
+
+bool is_simulated(const Effect& effect) {
+    return effect.of_instrument() || effect.of_grains() ||
+           std::holds_alternative<ChangeCondition>(effect.change);
+}
+
+/// Whether an effect on beads or liquid leaves every run as it is, as a contact angle does that is
+/// kept from falling below 0. What is on anyway may be given the value it has.
+bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
+    if (!std::holds_alternative<ChangeCondition>(active.effect->change) ||
+        active.effect->on_with_liquid) {
+        return false;
+    }
+    const Condition asked{.normal_stress = 1000,
+                          .liquid_content = active.effect->touches == Touches::dry ? 0 : 0.01};
+    const auto run = [&](const std::vector<ActiveEffect>& effects) {
+        const Condition condition = changed_condition(asked, effects, plan.liquid);
+        return dem::described(run_at(plan, condition, 1e-3));
+    };
+    return run({active}) == run({});
+}
+
+/// Effects that a laboratory cannot have, or that would change none of its recordings.
+void check_effects(const LabPlan& plan) {
+    for (const ActiveEffect& active : plan.effects) {
+        const std::string what = to_string(active);
+        if (!is_simulated(*active.effect)) {
+            throw InputError(fmt::format(
+                "{} changes how a model predicts, not what beads do, so that a laboratory cannot "
+                "have it; leave it out",
+                what));
+        }
+        if (active.effect->touches == Touches::wet && plan.liquid_contents.empty()) {
+            throw InputError(fmt::format(
+                "{} acts on wet beads only, and there are no wet recordings; leave it out, or "
+                "record wet beads too",
+                what));
+        }
+        if (changes_nothing(plan, active)) {
+            throw InputError(fmt::format("{} changes nothing here; give another value", what));
+        }
     }
 }
 
@@ -101,17 +147,85 @@ std::vector<double> contents_of(const LabPlan& plan) {
     return contents;
 }
 
+std::vector<PlannedRecording> recordings_of(const LabPlan& plan) {
+    std::vector<PlannedRecording> recordings;
+    const auto width = std::to_string(plan.replicates).size();
+    double now = 0;  // recordings follow one another
+    for (const double content : contents_of(plan)) {
+        for (int replicate = 1; replicate <= plan.replicates; ++replicate) {
+            const std::string kind = content > 0 ? fmt::format("wet_{:g}", content) : "dry";
+            PlannedRecording recording{
+                .file = fmt::format("{}_{:0{}}.csv", kind, replicate, width),
+                .liquid_content = content,
+                .replicate = replicate,
+                .seed = seed_of_run(plan.seed, recordings.size(), SeedDomain::instrument),
+                .conditions = conditions_of(plan, content)};
+            now += time_steps(recording.conditions, plan.grains, plan.instrument, now);
+            recordings.push_back(std::move(recording));
+        }
+    }
+    return recordings;
+}
+
+namespace {
+
+/// @throws InputError in place of std::domain_error
+CellState truth_of(const LabPlan& plan, const Condition& asked, const FlowPoint& flow,
+                   const InstrumentMap& map) {
+    try {
+        return truth_at_set_points(asked, flow, map, plan.cell, plan.grains);
+    } catch (const std::domain_error& error) {
+        throw InputError(
+            fmt::format("at a normal stress of {:g} Pa: {}", asked.normal_stress, error.what()));
+    }
+}
+
+InstrumentMap map_of(const LabPlan& plan, const Condition& asked) {
+    return InstrumentMap(touching(plan.effects, asked.dry()));
+}
+
+}  // namespace
+
+Condition imposed_condition(const LabPlan& plan, const Condition& asked) {
+    constexpr FlowPoint typical{.stress_ratio = 0.3, .solid_fraction = 0.6};
+    Condition condition = asked;
+    if (const InstrumentMap map = map_of(plan, asked); !map.empty()) {
+        condition = true_condition(asked, truth_of(plan, asked, typical, map), map);
+    }
+    return changed_condition(std::move(condition), plan.effects, plan.liquid);
+}
+
+CellState shown_at_set_points(const LabPlan& plan, const Condition& asked, const FlowPoint& flow) {
+    const InstrumentMap map = map_of(plan, asked);
+    return map.show(truth_of(plan, asked, flow, map));
+}
+
+namespace {
+
+/// The effects on grains of a condition, in the units of its runs.
+std::vector<EffectValues> run_effects(const LabPlan& plan, const Condition& condition) {
+    std::vector<EffectValues> effects;
+    for (const EffectValues& values : condition.grain_effects) {
+        effects.push_back(in_run_units(values, condition.normal_stress, plan.grains));
+    }
+    return effects;
+}
+
+}  // namespace
+
 dem::RunParameters run_at(const LabPlan& plan, const Condition& condition, double bridge_volume) {
-    dem::RunParameters run{.friction = plan.friction,
+    dem::RunParameters run{.friction = plan.friction + condition.friction_difference,
                            .inertial_number = condition.inertial_number,
                            .stiffness_number = plan.fidelity.stiffness_number,
                            .poisson_ratio = plan.grains.poisson_ratio,
                            .wetting = {},
                            .beads = static_cast<int>(std::lround(size_ratio * plan.fidelity.beads)),
-                           .strain = plan.fidelity.strain};
+                           .strain = plan.fidelity.strain,
+                           .effects = run_effects(plan, condition)};
     if (!condition.dry()) {
+        const Liquid liquid = condition.liquid.value_or(plan.liquid);
         run.wetting = dem::Wetting{
-            .reduced_pressure = reduced_pressure(condition.normal_stress, plan.grains, plan.liquid),
+            .reduced_pressure = reduced_pressure(condition.normal_stress, plan.grains, liquid),
             .bridge_volume = bridge_volume};
     }
     return run;
@@ -134,6 +248,7 @@ void check(const LabPlan& plan) {
     demand_distinct(plan.inertial_numbers, "inertial number");
     check_cell(plan);
     check_instrument(plan);
+    check_effects(plan);
     check_runs(plan);
 }
 

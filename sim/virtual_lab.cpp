@@ -86,38 +86,60 @@ std::string unusable(const dem::RunResult& run) {
 /// Recordings without their runs yet.
 std::vector<LabRecording> planned_recordings(const LabPlan& plan) {
     std::vector<LabRecording> recordings;
-    const auto width = std::to_string(plan.replicates).size();
-    for (const double content : contents_of(plan)) {
-        for (int replicate = 1; replicate <= plan.replicates; ++replicate) {
-            const std::string kind = content > 0 ? fmt::format("wet_{:g}", content) : "dry";
-            LabRecording recording{
-                .file = fmt::format("{}_{:0{}}.csv", kind, replicate, width),
-                .liquid_content = content,
-                .replicate = replicate,
-                .seed = seed_of_run(plan.seed, recordings.size(), SeedDomain::instrument)};
-            for (const Condition& condition : conditions_of(plan, content)) {
-                recording.steps.push_back({condition, {}});
-            }
-            recordings.push_back(std::move(recording));
+    for (const PlannedRecording& planned : recordings_of(plan)) {
+        LabRecording recording{.file = planned.file,
+                               .liquid_content = planned.liquid_content,
+                               .replicate = planned.replicate,
+                               .seed = planned.seed};
+        for (const Condition& condition : planned.conditions) {
+            recording.steps.push_back({condition, imposed_condition(plan, condition), {}});
         }
+        recordings.push_back(std::move(recording));
     }
     return recordings;
 }
 
-/// Bridge volume of every wet condition, contents outermost, found by pilots.
-std::vector<double> find_bridge_volumes(const LabPlan& plan, Runs& runs, LabResult& result,
-                                        const AnnouncePhase& announce) {
-    std::vector<Condition> conditions;
-    std::vector<double> contents;
-    for (const double content : plan.liquid_contents) {
-        for (const Condition& condition : conditions_of(plan, content)) {
-            conditions.push_back(condition);
-            contents.push_back(content);
+/// Wet conditions that take bridges of their own, each once.
+class WetConditions {
+  public:
+    WetConditions(const LabPlan& plan, const std::vector<LabRecording>& recordings) : plan_(plan) {
+        for (const LabRecording& recording : recordings) {
+            for (const LabStep& step : recording.steps) {
+                if (!step.imposed.dry()) add(step.imposed);
+            }
         }
     }
+
+    const std::vector<Condition>& all() const { return conditions_; }
+    /// Place of a condition among them.
+    std::size_t place_of(const Condition& condition) const { return places_.at(key_of(condition)); }
+
+  private:
+    /// Whatever a run and its liquid content depend on.
+    std::string key_of(const Condition& condition) const {
+        return fmt::format("{} {}", condition.liquid_content,
+                           dem::described(run_at(plan_, condition, 0)));
+    }
+    void add(const Condition& condition) {
+        if (places_.emplace(key_of(condition), conditions_.size()).second) {
+            conditions_.push_back(condition);
+        }
+    }
+
+    const LabPlan& plan_;
+    std::vector<Condition> conditions_;
+    std::map<std::string, std::size_t> places_;
+};
+
+/// Bridge volume of every wet condition, found by pilots.
+std::vector<double> find_bridge_volumes(const LabPlan& plan,
+                                        const std::vector<Condition>& conditions, Runs& runs,
+                                        LabResult& result, const AnnouncePhase& announce) {
     if (conditions.empty()) {
         return {};
     }
+    std::vector<double> contents;
+    std::ranges::transform(conditions, std::back_inserter(contents), &Condition::liquid_content);
     return bridge_volumes(contents, [&](std::span<const std::size_t> which,
                                         std::span<const double> volumes) {
         announce(result.pilots == 0 ? "pilot runs for the liquid contents" : "second pilot runs");
@@ -181,19 +203,15 @@ LabResult simulate_lab(const LabPlan& plan, const Workers& workers, const Announ
     const AnnouncePhase tell = announce ? announce : [](const std::string&) {};
     LabResult result{.plan = plan, .recordings = planned_recordings(plan)};
     Runs runs(plan, workers);
-    const std::vector<double> volumes = find_bridge_volumes(plan, runs, result, tell);
+    const WetConditions wet(plan, result.recordings);
+    const std::vector<double> volumes = find_bridge_volumes(plan, wet.all(), runs, result, tell);
 
-    // Each content's conditions have their volumes in a row, the same for every replicate.
     std::vector<dem::RunParameters> wanted;
-    std::size_t first_volume = 0;
     for (const LabRecording& recording : result.recordings) {
-        const bool wet = recording.liquid_content > 0;
-        for (std::size_t k = 0; k < recording.steps.size(); ++k) {
+        for (const LabStep& step : recording.steps) {
+            const Condition& imposed = step.imposed;
             wanted.push_back(
-                run_at(plan, recording.steps[k].condition, wet ? volumes[first_volume + k] : 0));
-        }
-        if (wet && recording.replicate == plan.replicates) {
-            first_volume += recording.steps.size();
+                run_at(plan, imposed, imposed.dry() ? 0 : volumes[wet.place_of(imposed)]));
         }
     }
     tell("recordings");

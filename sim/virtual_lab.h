@@ -13,7 +13,8 @@ namespace pendular {
 
 /// One step of a recording: what was imposed and the run that says what was to be seen.
 struct LabStep {
-    Condition condition;  ///< with the liquid content asked for
+    Condition condition;  ///< asked for: what the instrument shows
+    Condition imposed;    ///< what is truly imposed, as simulated (`imposed_condition`)
     dem::RunResult run;
 };
 

@@ -10,7 +10,7 @@
 namespace pendular {
 namespace {
 
-constexpr double step_strain = 20;
+constexpr double step_strain = 20, transient_strain = 0.5;
 
 // Start-up: the torque rises elastically, overshoots and softens while the sample dilates.
 constexpr double elastic_strain = 0.02, softening_strain = 0.15;
@@ -73,30 +73,47 @@ struct Level {
     double torque, normal_force, height, angular_velocity, shear_rate;
 };
 
+/// What an instrument without effects shows.
+CellState as_it_is(const TrueState& state, const AnnularCell& cell, const Grains& grains) {
+    const Condition& c = state.condition;
+    const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
+    CellState shown;
+    shown.torque = torque(state.stress_ratio.value * c.normal_stress, cell);
+    shown.normal_force = normal_force(c.normal_stress, cell);
+    shown.height = height(state.solid_fraction.value, cell);
+    shown.angular_velocity = angular_velocity(rate, shown.height, cell);
+    return shown;
+}
+
+/// Time between rows of a step [s].
+double spacing_of_rows(const Instrument& instrument, double shear_rate) {
+    return step_strain / instrument.rows / shear_rate;
+}
+
 Level level_of(const TrueState& state, const AnnularCell& cell, const Grains& grains,
                const Instrument& instrument, InstrumentNoise& random) {
     const Condition& c = state.condition;
     const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
-    const double true_height = height(state.solid_fraction.value, cell);
+    const CellState shown = state.shown.value_or(as_it_is(state, cell, grains));
+    // Named one by one, since the order of random numbers is part of a recording.
+    const double of_torque = factor(state.stress_ratio, instrument.noise * torque_scatter, random);
+    const double of_height =
+        factor(state.solid_fraction, instrument.noise * solid_fraction_scatter, random);
     // A solid fraction shown too high is a gap shown too small.
-    return {torque(state.stress_ratio.value * c.normal_stress, cell) *
-                factor(state.stress_ratio, instrument.noise * torque_scatter, random),
-            normal_force(c.normal_stress, cell),
-            true_height /
-                factor(state.solid_fraction, instrument.noise * solid_fraction_scatter, random),
-            angular_velocity(rate, true_height, cell), rate};
+    return {shown.torque * of_torque, shown.normal_force, shown.height / of_height,
+            shown.angular_velocity, rate};
 }
 
 void append_step(Recording& recording, const Level& level, const Instrument& instrument,
                  InstrumentNoise& random) {
     const double rows = instrument.rows, rows_per_strain = rows / step_strain;
-    const double steady_rows = rows * (1 - 0.5 / step_strain);
+    const double steady_rows = rows * (1 - transient_strain / step_strain);
     const double within = share_within * instrument.noise;
     CorrelatedNoise torque_noise(within * torque_scatter,
                                  rows_per_strain * torque_correlation_strain, steady_rows);
     CorrelatedNoise height_noise(within * solid_fraction_scatter,
                                  rows_per_strain * height_correlation_strain, steady_rows);
-    const double spacing = step_strain / rows / level.shear_rate;
+    const double spacing = spacing_of_rows(instrument, level.shear_rate);
     const double start = recording.time.empty() ? 0 : recording.time.back() + spacing;
     const double interval = recording.interval.empty() ? 1 : recording.interval.back() + 1;
     for (int k = 0; k < instrument.rows; ++k) {
@@ -118,6 +135,21 @@ void append_step(Recording& recording, const Level& level, const Instrument& ins
 }
 
 }  // namespace
+
+double time_steps(std::vector<Condition>& steps, const Grains& grains, const Instrument& instrument,
+                  double now) {
+    const int rows = instrument.rows;
+    double start = 0, last = 0;
+    for (Condition& step : steps) {
+        const double rate = shear_rate_at(step.inertial_number, step.normal_stress, grains);
+        const double spacing = spacing_of_rows(instrument, rate);
+        if (&step != &steps.front()) start = last + spacing;
+        last = start + (rows - 1) * spacing;
+        const double steady = start + rows * transient_strain / step_strain * spacing;
+        step.time = now + (steady + last) / 2;
+    }
+    return last;
+}
 
 Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell, const Grains& grains,
                  const Instrument& instrument, std::uint64_t seed) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "data/recording.h"
 #include "data/study.h"
 #include "data/time_series.h"
+#include "sim/cell_state.h"
 
 namespace pendular {
 
@@ -18,9 +20,10 @@ constexpr double solid_fraction_scatter = 0.002;
 
 /// A steady state as it truly is, with the standard errors of the simulation that found it.
 struct TrueState {
-    Condition condition;
+    Condition condition;  ///< asked for
     Mean stress_ratio;
     Mean solid_fraction;
+    std::optional<CellState> shown = {};  ///< where that is not the truth: what effects make of it
 };
 
 /// How well and how often an instrument records.
@@ -29,6 +32,11 @@ struct Instrument {
         1;  ///< scatter: 1 for 1 % in torque and 0.2 % in solid fraction; 0: the simulations' alone
     int rows = 400;  ///< of each step
 };
+
+/// Gives each step of a recording the mean time of its steady part [s], for a recording that begins
+/// at `now`; returns the time of its last row since then [s].
+double time_steps(std::vector<Condition>& steps, const Grains& grains, const Instrument& instrument,
+                  double now);
 
 /// The recording an annular cell shows of steady states, one step each, a start-up first.
 ///

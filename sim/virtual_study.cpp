@@ -41,8 +41,7 @@ std::string study_toml(const LabResult& result) {
         "[cell]\n"
         "inner_radius = \"{:.7g} mm\"\n"
         "outer_radius = \"{:.7g} mm\"\n"
-        "bead_mass = \"{:.7g} g\"           # weightless: normal stress is normal force over "
-        "area\n",
+        "bead_mass = \"{:.7g} g\"           # normal stress is normal force over area\n",
         1e3 * plan.cell.inner_radius, 1e3 * plan.cell.outer_radius,
         1e3 * plan.cell.bead_volume * plan.grains.density);
     for (const double content : contents_of(plan)) {
@@ -58,12 +57,17 @@ std::string study_toml(const LabResult& result) {
 }
 
 /// What a step is to show, with the laboratory's typical errors.
-TrueState true_state(const LabStep& step, double ratio_error, double fraction_error) {
+TrueState true_state(const LabPlan& plan, const LabStep& step, double ratio_error,
+                     double fraction_error) {
     Mean ratio = step.run[dem::Observable::stress_ratio];
     Mean fraction = step.run[dem::Observable::solid_fraction];
     ratio.standard_error = ratio_error * ratio.value;
     fraction.standard_error = fraction_error * fraction.value;
-    return {step.condition, ratio, fraction};
+    TrueState state{step.condition, ratio, fraction};
+    if (!plan.effects.empty()) {
+        state.shown = shown_at_set_points(plan, step.condition, {ratio.value, fraction.value});
+    }
+    return state;
 }
 
 }  // namespace
@@ -75,7 +79,7 @@ std::map<std::string, std::string> study_files(const LabResult& result) {
     for (const LabRecording& recording : result.recordings) {
         std::vector<TrueState> states;
         for (const LabStep& step : recording.steps) {
-            states.push_back(true_state(step, ratio_error, fraction_error));
+            states.push_back(true_state(result.plan, step, ratio_error, fraction_error));
         }
         files[recording.file] = recording_csv(record(states, result.plan.cell, result.plan.grains,
                                                      result.plan.instrument, recording.seed));

@@ -66,6 +66,18 @@ TEST_F(ReadMeasurements, GoesThroughTheSourcesInRunOrder) {
     EXPECT_NEAR(all.readings[0].value(1) / all.readings[1].value(1), 1.1, 1e-3);
 }
 
+TEST_F(ReadMeasurements, LetsRecordingsFollowOneAnotherInTime) {
+    // Each lasts 19.9 s from 0 on; the first two seconds or so may be left out as a transient.
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    for (std::size_t k = 0; k < all.readings.size(); ++k) {
+        const Reading& reading = all.readings[k];
+        const double end = 19.9 * static_cast<double>(k + 1);
+        EXPECT_NEAR(reading.condition.time, end - reading.sampled_seconds / 2, 1e-9);
+    }
+    EXPECT_NEAR(*all.readings[0].condition.bead_volume, 0.011 / 1050, 1e-12);
+    EXPECT_NEAR(*all.readings[1].condition.bead_volume, 0.010 / 1050, 1e-12);
+}
+
 TEST_F(ReadMeasurements, AddsTheScatterBetweenReplicatesToAll) {
     // Two replicates 4 % apart: s_rep = 2.8 %, where the means are known to 0.1 %; one
     // pair knows it poorly, which widens it 6.98 times.
@@ -88,6 +100,8 @@ TEST_F(ReadMeasurements, AreTheSameAfterWritingAndReadingThem) {
         EXPECT_LT((back.readings[i].covariance - all.readings[i].covariance).norm(),
                   1e-9 * all.readings[i].covariance.norm());
         EXPECT_EQ(back.readings[i].replicates, all.readings[i].replicates);
+        EXPECT_EQ(back.readings[i].condition.time, all.readings[i].condition.time);
+        EXPECT_EQ(back.readings[i].condition.bead_volume, all.readings[i].condition.bead_volume);
     }
 }
 

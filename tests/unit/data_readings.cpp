@@ -140,6 +140,29 @@ TEST_F(ReadPoints, RefusesALiquidContentThatDoesNotFitTheStudy) {
     EXPECT_NO_THROW(read(head + "\n1000,0.3,0.6,0\n"));  // a dry study needs none
 }
 
+TEST_F(ReadPoints, KnowsTheCellAsFarAsItIsTold) {
+    const std::string row = "\n1000,0.3,0.6,0.01";
+    const auto condition = [&](const std::string& columns, const std::string& cells) {
+        return read(head + columns + row + cells + "\n").readings.at(0).condition;
+    };
+    EXPECT_EQ(condition("", "").height, std::nullopt);
+    EXPECT_EQ(condition("", "").bead_volume, std::nullopt);
+    EXPECT_EQ(condition("", "").time, 0);
+    EXPECT_EQ(condition(",Time [min]", ",2").time, 120);
+    source_.bead_volume = 2e-5;
+    EXPECT_EQ(condition("", "").bead_volume, 2e-5);
+    EXPECT_EQ(condition("", "").height, std::nullopt);
+    study_.cell = AnnularCell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 3e-5};
+    // The entry goes before the cell, the column before both.
+    EXPECT_EQ(condition("", "").bead_volume, 2e-5);
+    EXPECT_DOUBLE_EQ(*condition("", "").height, 2e-5 / (0.6 * study_.cell->area()));
+    EXPECT_DOUBLE_EQ(*condition(",bead_volume [cm^3]", ",10").bead_volume, 1e-5);
+    EXPECT_DOUBLE_EQ(*condition(",height [mm]", ",7").height, 7e-3);
+    source_.bead_volume.reset();
+    EXPECT_EQ(condition("", "").bead_volume, 3e-5);
+    EXPECT_THAT(error(head + ",bead_volume [cm^3]" + row + ",-1\n"), HasSubstr("positive"));
+}
+
 Measurements some_readings() {
     Measurements some;
     std::mt19937_64 random(9);
@@ -151,6 +174,8 @@ Measurements some_readings() {
         reading.condition = {1000 * uniform(random), i % 4 ? 0.01 * uniform(random) : 0,
                              i % 2 ? 0.03 : 0, std::nullopt};
         if (i % 5) reading.condition.height = 0.01 * uniform(random);
+        if (i % 3) reading.condition.bead_volume = 1e-5 * uniform(random);
+        reading.condition.time = i * 100 * uniform(random);
         reading.value = {300 * uniform(random), 0.6 * std::min(uniform(random), 1.2)};
         const double a = 3 * uniform(random), b = 0.01 * uniform(random);
         reading.covariance << a * a, -0.4 * a * b, -0.4 * a * b, b * b;
@@ -178,6 +203,8 @@ TEST_F(ReadPoints, ReadsWhatWasWritten) {
         EXPECT_EQ(a.condition.inertial_number, b.condition.inertial_number);
         EXPECT_EQ(a.condition.liquid_content, b.condition.liquid_content);
         EXPECT_EQ(a.condition.height, b.condition.height);
+        EXPECT_EQ(a.condition.bead_volume, b.condition.bead_volume);
+        EXPECT_EQ(a.condition.time, b.condition.time);
         EXPECT_EQ(a.sampled_seconds, b.sampled_seconds);
         EXPECT_EQ(a.error_assumed, b.error_assumed);
         EXPECT_EQ(a.step, b.step);

@@ -69,8 +69,43 @@ TEST(ReduceRecording, GivesTheStateOfASteadyRecording) {
     EXPECT_EQ(reading.condition.liquid_content, 0.03);
     EXPECT_NEAR(*reading.condition.height, truth.height, 1e-3 * truth.height);
     EXPECT_NEAR(reading.sampled_seconds, 0.1 * 299, 6);  // less what is cut at the beginning
+    EXPECT_EQ(reading.condition.bead_volume, cell.bead_volume);
+    // The rows left out are the first ones, so that the mean time of the rest is half of what was
+    // sampled before the end.
+    EXPECT_NEAR(reading.condition.time, 0.1 * 299 - reading.sampled_seconds / 2, 1e-9);
     EXPECT_FALSE(reading.error_assumed);
     EXPECT_THAT(found.notes, IsEmpty());
+}
+
+TEST(ReduceRecording, LetsStepsWhoseTimeRestartsFollowOneAnother) {
+    Recording recording = record({}), second = record({}, 2);
+    recording.interval.assign(300, 1);
+    const auto append = [](auto& to, const auto& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    append(recording.time, second.time);
+    append(recording.torque, second.torque);
+    append(recording.normal_force, second.normal_force);
+    append(recording.height, second.height);
+    append(recording.angular_velocity, second.angular_velocity);
+    recording.interval.resize(600, 2);
+    recording.line.resize(600, 1);
+    const Measurements found = reduce(recording);
+    ASSERT_EQ(found.readings.size(), 2u);
+    const double end = 0.1 * 299;
+    for (int k = 0; k < 2; ++k) {
+        const Reading& reading = found.readings[static_cast<std::size_t>(k)];
+        EXPECT_NEAR(reading.condition.time, (k + 1) * end - reading.sampled_seconds / 2, 1e-9);
+    }
+}
+
+TEST(RunClock, AddsUpOnlyWhereTimesRestart) {
+    RunClock clock;
+    EXPECT_EQ(clock.shift(0, 100), 0);
+    EXPECT_EQ(clock.shift(101, 150), 0);  // goes on
+    EXPECT_EQ(clock.shift(0, 20), 150);   // restarts: 150 to 170
+    EXPECT_EQ(clock.shift(21, 30), 150);  // goes on to 180
+    EXPECT_EQ(clock.shift(10, 12), 180);  // restarts, its first 10 s not recorded
 }
 
 TEST(ReduceRecording, HasHonestErrors) {

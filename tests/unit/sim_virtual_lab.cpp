@@ -246,6 +246,171 @@ TEST(VirtualLab, GivesUpOnAConditionThatOnlyCrystallises) {
 
 namespace {
 
+ActiveEffect active(const std::string& name, double value) {
+    return {&built_in_effect(name), {value}};
+}
+
+/// One dry step and, if asked for, one wet one, noise 0.
+LabPlan plan_with(const std::vector<ActiveEffect>& effects, bool wet = false) {
+    LabPlan plan = small_plan();
+    plan.instrument.noise = 0;
+    plan.dry_normal_stresses = {1000};
+    plan.inertial_numbers = {0.2};
+    plan.replicates = 1;
+    if (!wet) plan.liquid_contents.clear();
+    plan.effects = effects;
+    return plan;
+}
+
+struct Imported {
+    LabResult lab;
+    std::vector<Reading> readings;
+};
+
+Imported imported(const LabPlan& plan) {
+    Imported result{simulate_lab(plan, two_workers), {}};
+    const TemporaryFolder folder;
+    const auto study = folder.path() / "study";
+    write_whole_folder(study, files_with_truth(result.lab));
+    result.readings = read_measurements(read_study(study)).readings;
+    return result;
+}
+
+/// Imposed condition of a plan's only dry step, or of its only wet one.
+Condition imposed(const LabPlan& plan, bool wet) {
+    return imposed_condition(plan, recordings_of(plan).at(wet ? 1 : 0).conditions.at(0));
+}
+
+}  // namespace
+
+TEST(LabWithEffects, ShowsADragAsAShearStress) {
+    const Imported without = imported(plan_with({}));
+    const Imported with = imported(plan_with({active("torque-offset", 1e-3)}));
+    ASSERT_EQ(with.readings.size(), 1u);
+    // The beads are the same; 3 T/(2 pi (Re^3 - Ri^3)) is on top. Seven digits are written.
+    const double radii = std::pow(0.045, 3) - std::pow(0.021, 3);
+    EXPECT_NEAR(with.readings[0].value(0) - without.readings[0].value(0),
+                3 * 1e-3 / (2 * 3.14159265358979 * radii), 1e-3);
+    EXPECT_NEAR(with.readings[0].value(1), without.readings[0].value(1), 1e-6);
+    EXPECT_THAT(study_files(with.lab).at("study.toml"), HasSubstr("effects = []"));
+    EXPECT_EQ(study_files(with.lab).at("study.toml"), study_files(without.lab).at("study.toml"));
+    EXPECT_EQ(to_json(with.lab)["effects"].dump(), R"({"torque-offset.torque":0.001})");
+}
+
+TEST(LabWithEffects, ShowsTheTrueStateAtTheSetPointsAskedFor) {
+    const Imported found = imported(
+        plan_with({active("bead-loss", 0.1), active("grain-weight", 1), active("lid-slip", 0.3),
+                   active("height-offset", 5e-4), active("wall-friction", 0.2)}));
+    ASSERT_EQ(found.readings.size(), 1u);
+    const Reading& reading = found.readings[0];
+    const LabStep& step = found.lab.recordings[0].steps[0];
+    EXPECT_NEAR(reading.condition.normal_stress, 1000, 1e-3);
+    EXPECT_NEAR(reading.condition.inertial_number, 0.2, 1e-6);
+    // By hand, from the simulated solid fraction and stress ratio: what the instrument shows.
+    const AnnularCell& cell = found.lab.plan.cell;
+    const double beads = 0.9 * cell.bead_volume;
+    const double gap = beads / (cell.area() * step.run[dem::Observable::solid_fraction].value);
+    const double k = 0.2 * 0.937 * gap / 0.024;
+    const double force = 1000 * cell.area() / std::exp(k) + beads * 1050 * 9.80665 / 2;
+    const double torque_at_middle =
+        step.run[dem::Observable::stress_ratio].value * torque(force / cell.area(), cell);
+    const double lighter = force - beads * 1050 * 9.80665 / 2;
+    const double at_lid =
+        torque_at_middle + k * lighter * (0.021 * 0.021 + 0.045 * 0.045) / (0.021 + 0.045);
+    EXPECT_NEAR(reading.value(0) / shear_stress(at_lid, cell), 1, 1e-6);
+    EXPECT_NEAR(reading.value(1), solid_fraction(gap + 5e-4, cell), 1e-6);
+    // The run was made within 1 % of the true state's stress and inertial number.
+    const double stress = force / cell.area();
+    EXPECT_NEAR(step.imposed.normal_stress / stress, 1, 0.01);
+    const double slower = 0.7 * (gap + 5e-4) / gap * std::sqrt(1000 / stress);
+    EXPECT_NEAR(step.run.parameters.inertial_number / (0.2 * slower), 1, 0.01);
+}
+
+TEST(LabWithEffects, LosesLiquidAsTimeGoesOn) {
+    LabPlan plan = plan_with({active("liquid-loss", 0.05)}, true);
+    plan.replicates = 2;
+    plan.inertial_numbers = {0.02, 0.2};
+    const auto recordings = recordings_of(plan);
+    double last = 1;
+    for (const PlannedRecording& recording : recordings) {
+        for (const Condition& asked : recording.conditions) {
+            const Condition truth = imposed_condition(plan, asked);
+            EXPECT_DOUBLE_EQ(truth.liquid_content,
+                             asked.liquid_content * std::exp(-0.05 * asked.time));
+            if (truth.dry()) continue;
+            EXPECT_LT(truth.liquid_content, last);
+            last = truth.liquid_content;
+        }
+    }
+    EXPECT_LT(last, 0.0195);
+}
+
+TEST(LabWithEffects, PlansTheTimesThatImportFinds) {
+    LabPlan plan = plan_with({active("liquid-loss", 0.05)}, true);
+    plan.replicates = 2;
+    const Imported found = imported(plan);
+    ASSERT_EQ(found.readings.size(), 4u);
+    double duration = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const LabStep& step = found.lab.recordings[k].steps[0];
+        duration = found.readings[k].sampled_seconds;
+        // Up to a transient of a strain of 2, where half of one is planned with.
+        EXPECT_NEAR(found.readings[k].condition.time, step.condition.time, 1.5 / 20 * duration);
+        EXPECT_EQ(found.readings[k].condition.liquid_content, k < 2 ? 0 : 0.02);
+        if (k < 2) continue;
+        // The pilots look for the true content; those of 65 beads know it to some percent.
+        EXPECT_NEAR(step.run[dem::Observable::liquid_content].value / step.imposed.liquid_content,
+                    1, 0.05);
+    }
+    EXPECT_GT(found.readings[3].condition.time, found.readings[0].condition.time + 2 * duration);
+}
+
+TEST(LabWithEffects, GivesWetBeadsWhatTouchesThem) {
+    const LabPlan without = plan_with({}, true);
+    const auto run = [&](const std::string& name, double value, bool wet) {
+        const LabPlan plan = plan_with({active(name, value)}, true);
+        return run_at(plan, imposed(plan, wet), 1e-3);
+    };
+    const auto wet = run_at(without, imposed(without, true), 1e-3);
+    const auto dry = run_at(without, imposed(without, false), 1e-3);
+    EXPECT_EQ(run("wet-friction", 0.05, true).friction, 0.31 + 0.05);
+    EXPECT_EQ(run("wet-friction", 0.05, false).friction, 0.31);
+    EXPECT_NEAR(run("contact-angle", 0.5, true).wetting->reduced_pressure,
+                wet.wetting->reduced_pressure / std::cos(0.5), 1e-12);
+    EXPECT_NEAR(run("capillary-bridges", 41.2e-3, true).wetting->reduced_pressure,
+                wet.wetting->reduced_pressure / 2, 1e-12);
+    EXPECT_FALSE(run("capillary-bridges", 0, true).wetting);
+    for (const char* name : {"contact-angle", "capillary-bridges"}) {
+        EXPECT_EQ(dem::described(run(name, 0.3, false)), dem::described(dry)) << name;
+    }
+}
+
+TEST(LabWithEffects, IsTheSameBitForBitAtNeutral) {
+    LabPlan plan = small_plan();
+    plan.instrument.noise = 0;
+    for (const Effect& effect : built_in_effects()) {
+        if (effect.of_instrument()) plan.effects.push_back({&effect, effect.neutral()});
+    }
+    const auto with = study_files(simulate_lab(plan, two_workers));
+    EXPECT_EQ(with, study_files(quiet_lab()));
+}
+
+TEST(LabWithEffects, RefusesWhatItCannotHave) {
+    const auto refused = [](const ActiveEffect& effect, bool wet) {
+        return input_error([&] { check(plan_with({effect}, wet)); });
+    };
+    EXPECT_THAT(refused(active("wet-friction", 0.1), false), HasSubstr("no wet recordings"));
+    EXPECT_THAT(refused(active("capillary-shear-stress", 1), true), HasSubstr("cannot have it"));
+    EXPECT_THAT(refused(active("normal-force-offset", 9), false),
+                HasSubstr("normal-force-offset (force 9 N)"));
+    EXPECT_THAT(refused(active("wet-friction", -0.5), true), HasSubstr("friction -0.19"));
+    // The laboratory's contact angle is 0 and cannot become smaller.
+    EXPECT_THAT(refused(active("contact-angle", -0.1), true), HasSubstr("changes nothing"));
+    EXPECT_NO_THROW(check(plan_with({active("capillary-bridges", 20.6e-3)}, true)));
+}
+
+namespace {
+
 /// Liquid contents of samples whose coordination is Z = z (V0/a^3)^slope, and how many were asked.
 struct Samples {
     double z = 7.5, slope = 0;

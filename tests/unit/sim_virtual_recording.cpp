@@ -97,6 +97,16 @@ TEST(VirtualRecording, GivesBackTheTruthWhereThereIsNoNoise) {
     }
 }
 
+TEST(VirtualRecording, IsTheTruthBitForBitWithoutNoiseOrEffects) {
+    const Recording recording = record({state(0, 0)}, cell, grains, {.noise = 0}, 1);
+    const double rate = shear_rate_at(0.01, 1000, grains);
+    EXPECT_EQ(recording.normal_force.back(), normal_force(1000, cell));
+    EXPECT_EQ(recording.height.back(), height(0.6, cell));
+    EXPECT_EQ(recording.torque.back(), torque(0.3 * 1000, cell));
+    EXPECT_EQ(recording.angular_velocity.back(), angular_velocity(rate, height(0.6, cell), cell));
+    EXPECT_EQ(recording.time[1], 20.0 / 400.0 / rate);
+}
+
 TEST(VirtualRecording, StartsWithATransientThatImportLeavesOut) {
     const Recording recording = record({state(0, 0)}, cell, grains, {.noise = 1}, 2);
     ASSERT_EQ(recording.size(), 400u);

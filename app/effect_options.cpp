@@ -1,0 +1,118 @@
+#include "app/effect_options.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "data/input_error.h"
+#include "data/number.h"
+#include "data/units.h"
+
+namespace pendular::app {
+namespace {
+
+std::string key(const Effect& effect, const EffectParameter& parameter) {
+    return effect.name + "." + parameter.name;
+}
+
+/// A value with the parameter's unit, for messages.
+std::string with_unit(double value, const EffectParameter& parameter) {
+    return parameter.unit == "1" ? fmt::format("{:.4g}", value)
+                                 : fmt::format("{:.4g} {}", value, parameter.unit);
+}
+
+std::string description(const EffectParameter& parameter) {
+    if (parameter.is_switch()) {
+        return parameter.meaning;
+    }
+    return fmt::format("{} [{}], {:.3g} to {:.3g}; {:g}: none", parameter.meaning, parameter.unit,
+                       parameter.lower, parameter.upper, parameter.neutral);
+}
+
+/// Refuses an argument --EFFECT.PARAMETER that names nothing.
+void check_name(const std::string& argument) {
+    const std::string name = argument.substr(0, argument.find('='));
+    const std::size_t dot = name.find('.');
+    if (!name.starts_with("--") || dot == std::string::npos) {
+        return;
+    }
+    try {
+        built_in_effect(name.substr(2, dot - 2)).parameter(name.substr(dot + 1));
+    } catch (const std::invalid_argument& error) {
+        throw InputError(fmt::format("{}: {}", name, error.what()));
+    }
+}
+
+double value_of(const std::string& words, const EffectParameter& parameter) {
+    if (const auto number = parse_number(words)) {
+        return *number;
+    }
+    return quantity_in_si(words, Unit(parameter.unit));
+}
+
+/// @throws InputError
+double checked_value(const std::string& words, const std::string& option,
+                     const EffectParameter& parameter) {
+    double value = 0;
+    try {
+        value = value_of(words, parameter);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(fmt::format("--{}: {}", option, error.what()));
+    }
+    if (parameter.is_switch() && value != 0 && value != 1) {
+        throw InputError(fmt::format("--{} {}: a switch is 0 or 1", option, words));
+    }
+    if (!(value >= parameter.lower && value <= parameter.upper)) {
+        throw InputError(fmt::format("--{} {}: it must lie between {} and {}", option, words,
+                                     with_unit(parameter.lower, parameter),
+                                     with_unit(parameter.upper, parameter)));
+    }
+    return value;
+}
+
+}  // namespace
+
+EffectOptions::EffectOptions(Options& options, const std::vector<std::string>& arguments,
+                             const std::string& meaning) {
+    std::ranges::for_each(arguments, check_name);
+    options.begin_section(meaning);
+    for (const Effect& effect : built_in_effects()) {
+        for (const EffectParameter& parameter : effect.parameters) {
+            const std::string name = key(effect, parameter);
+            options.add(name.c_str(), &words_[name], description(parameter));
+        }
+    }
+}
+
+std::vector<ActiveEffect> EffectOptions::effects() const {
+    std::vector<ActiveEffect> result;
+    for (const Effect& effect : built_in_effects()) {
+        ActiveEffect active{&effect, effect.neutral()};
+        bool given = false;
+        for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+            const std::string name = key(effect, effect.parameters[k]);
+            if (const std::string& words = words_.at(name); !words.empty()) {
+                active.values[k] = checked_value(words, name, effect.parameters[k]);
+                given = true;
+            }
+        }
+        if (given && (effect.on_with_liquid || !active.is_neutral())) {
+            result.push_back(std::move(active));
+        }
+    }
+    return result;
+}
+
+std::string example_of_instrument(bool a_switch) {
+    const auto found = std::ranges::find_if(built_in_effects(), [&](const Effect& effect) {
+        return effect.of_instrument() && effect.is_switch() == a_switch;
+    });
+    if (found == built_in_effects().end()) {
+        return "";
+    }
+    const EffectParameter& parameter = found->parameters.front();
+    return fmt::format("--{} {:g}", key(*found, parameter), parameter.neutral + parameter.matters);
+}
+
+}  // namespace pendular::app

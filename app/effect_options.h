@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+#include "sim/effect.h"
+
+namespace pendular::app {
+
+/// The options --EFFECT.PARAMETER of a command, one for each parameter of every built-in effect:
+/// a number with its unit, or a plain number in the parameter's SI unit.
+class EffectOptions {
+  public:
+    /// Declares them under a heading of their own, `meaning`.
+    /// @throws InputError where an argument names an effect or parameter that there is not, with
+    ///         the nearest one
+    EffectOptions(Options& options, const std::vector<std::string>& arguments,
+                  const std::string& meaning);
+
+    /// The effects that were given values other than neutral, by name; after parsing. What is on
+    /// without being asked for (`on_with_liquid`) counts at neutral too.
+    /// @throws InputError for what is no number, of the wrong dimension or beyond the bounds
+    std::vector<ActiveEffect> effects() const;
+
+  private:
+    std::map<std::string, std::string> words_;  ///< as given, by "EFFECT.PARAMETER"
+};
+
+/// Words that give an effect on instruments the size that matters, for examples: the first one
+/// that is a switch or that is not.
+std::string example_of_instrument(bool a_switch);
+
+}  // namespace pendular::app

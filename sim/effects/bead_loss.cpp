@@ -1,0 +1,29 @@
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// Beads that left through the clearances of the lid are still counted in the solid fraction, and
+/// in their weight: a balance weighed them before the test. It comes with the transducers, after
+/// what the beads in the cell do.
+Effect bead_loss() {
+    return {.summary = "beads have left the cell since they were weighed",
+            .equation = "V_S shown = V_S/(1 - fraction)",
+            .parameters = {{.name = "fraction",
+                            .unit = "1",
+                            .lower = 0,
+                            .upper = 0.2,
+                            .neutral = 0,
+                            .matters = 0.01,
+                            .meaning = "part of the weighed beads that is no longer in the cell"}},
+            .change = ChangeInstrument{.show =
+                                           [](CellState shown, const Values& v) {
+                                               shown.bead_volume /= 1 - v["fraction"];
+                                               return shown;
+                                           },
+                                       .where = ChangeInstrument::Where::transducers},
+            .acts_through = {"bead_volume"},
+            .references = {"Schulze, Powders and Bulk Solids (2008): loss of bulk solid from the "
+                           "gaps of shear cells"}};
+}
+
+}  // namespace pendular

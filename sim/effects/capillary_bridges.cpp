@@ -1,0 +1,32 @@
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// What a liquid does in the pendular regime: bridges that pull beads together with forces in
+/// proportion to the surface tension. On in every study with a liquid, at the surface tension it
+/// gives; without any, beads are as good as dry.
+Effect capillary_bridges() {
+    return {.summary = "liquid bridges pull beads together",
+            .equation = "F0 = pi a Gamma cos(theta)      Gamma = surface_tension",
+            .parameters = {{.name = "surface_tension",
+                            .unit = "N/m",
+                            .lower = 0,
+                            .upper = 0.5,
+                            .neutral = 0,
+                            .matters = 1e-3,
+                            .meaning = "surface tension of the liquid"}},
+            .change = ChangeCondition{[](Condition condition, const Values& v) {
+                condition.liquid->surface_tension = v["surface_tension"];
+                if (v["surface_tension"] == 0) condition.liquid_content = 0;
+                return condition;
+            }},
+            .touches = Touches::wet,
+            .on_with_liquid = true,
+            .acts_through = {"1/reduced_pressure", "liquid_content"},
+            .references = {"Badetti, Fall, Chevoir and Roux, Shear strength of wet granular "
+                           "materials: macroscopic cohesion and effective stress (2018)",
+                           "Maugis, J. Adhesion Sci. Technol. 1 (1987) 105: adherence of spheres "
+                           "joined by a liquid bridge"}};
+}
+
+}  // namespace pendular

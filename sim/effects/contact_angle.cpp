@@ -1,0 +1,42 @@
+#include "sim/effect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pendular {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+}  // namespace
+
+/// The liquid wets the beads less well than the study says: a bridge pulls with pi a Gamma
+/// cos(theta). The angle in all is kept within 0 and 89 degrees, since beyond 90 there are no
+/// attractive bridges, and a negative one has no meaning: negative values make sense where the
+/// study's own angle is larger.
+Effect contact_angle() {
+    return {.summary = "the contact angle of the liquid is not the study's",
+            .equation = "F0 = pi a Gamma cos(theta + angle)      0 <= theta + angle <= 89 degrees",
+            .parameters = {{.name = "angle",
+                            .unit = "rad",
+                            .lower = -89 * degree,
+                            .upper = 89 * degree,
+                            .neutral = 0,
+                            .matters = 10 * degree,
+                            .meaning = "added to the study's contact angle",
+                            .amplitude = [](double angle) { return 1 - std::cos(angle); }}},
+            .change = ChangeCondition{[](Condition condition, const Values& v) {
+                double& angle = condition.liquid->contact_angle;
+                if (v["angle"] != 0) angle = std::clamp(angle + v["angle"], 0.0, 89 * degree);
+                return condition;
+            }},
+            .touches = Touches::wet,
+            .acts_through = {"1/reduced_pressure"},
+            .references = {
+                "de Gennes, Brochard-Wyart and Quere, Capillarity and Wetting Phenomena (2004)",
+                "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
+                "macroscopic cohesion and effective stress (2018), eq:Maugis"}};
+}
+
+}  // namespace pendular

@@ -1,0 +1,32 @@
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// A gap that was zeroed with beads, dust or liquid between the plates, or in a frame that gives
+/// way under load, is off by a constant. The solid fraction is off by -offset/H, relative, the
+/// shear rate too.
+Effect height_offset() {
+    return {
+        .summary = "a wrong zero of the gap adds a constant height",
+        .equation = "H_shown = H + offset",
+        .parameters = {{.name = "offset",
+                        .unit = "m",
+                        .lower = -2e-3,
+                        .upper = 2e-3,
+                        .neutral = 0,
+                        .matters = 20e-6,
+                        .meaning = "shown height of an empty gap"}},
+        .change = ChangeInstrument{.show =
+                                       [](CellState shown, const Values& v) {
+                                           shown.height += v["offset"];
+                                           return shown;
+                                       },
+                                   .where = ChangeInstrument::Where::transducers},
+        .acts_through = {"1/height"},
+        .references = {
+            "Schulze, Powders and Bulk Solids (2008): height of the sample in ring shear testers",
+            "Davies and Stokes, J. Non-Newtonian Fluid Mech. 148 (2008) 73: errors of the gap of "
+            "rheometers"}};
+}
+
+}  // namespace pendular

@@ -1,0 +1,33 @@
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// Where the lid is too smooth to take the outermost beads along, they lag behind it: the sample is
+/// sheared more slowly than the lid turns. Stresses hardly know, but at small inertial numbers,
+/// where they do not depend on the rate anyway; at large ones the stress ratio is too low.
+Effect lid_slip() {
+    return {
+        .summary = "beads slip along the lid, so that they are sheared more slowly than it turns",
+        .equation =
+            "omega_shown = omega/(1 - fraction)      omega: the lid that would shear the beads so "
+            "without slip",
+        .parameters = {{.name = "fraction",
+                        .unit = "1",
+                        .lower = 0,
+                        .upper = 0.9,
+                        .neutral = 0,
+                        .matters = 0.05,
+                        .meaning = "part of the lid's velocity that is slip"}},
+        .change = ChangeInstrument{.show =
+                                       [](CellState shown, const Values& v) {
+                                           shown.angular_velocity /= 1 - v["fraction"];
+                                           return shown;
+                                       },
+                                   .where = ChangeInstrument::Where::beads},
+        .acts_through = {"inertial_number"},
+        .references = {
+            "GDR MiDi, Eur. Phys. J. E 14 (2004) 341: slip at the walls of dense granular flows",
+            "Barnes, J. Non-Newtonian Fluid Mech. 56 (1995) 221: wall slip"}};
+}
+
+}  // namespace pendular

@@ -1,0 +1,41 @@
+#include "sim/effect.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pendular {
+namespace {
+
+/// Exponent at which nothing is left, e^-100; beyond it numbers would overflow.
+constexpr double gone = 100;
+
+}  // namespace
+
+/// Liquid that evaporates, or drains to the walls, in proportion to what is left: the content known
+/// from mixing is right only when the first recording begins. It comes with the transducers, as
+/// what a balance said.
+Effect liquid_loss() {
+    return {
+        .summary = "the liquid evaporates or drains while recordings go on",
+        .equation =
+            "Phi_L/Phi_S shown = Phi_L/Phi_S exp(rate t)      t since the first recording began",
+        .parameters = {{.name = "rate",
+                        .unit = "1/s",
+                        .lower = 0,
+                        .upper = 1,
+                        .neutral = 0,
+                        .matters = 1e-5,
+                        .meaning = "part of the liquid lost per time"}},
+        .change = ChangeInstrument{.show =
+                                       [](CellState shown, const Values& v) {
+                                           shown.liquid_content *=
+                                               std::exp(std::min(v["rate"] * shown.time, gone));
+                                           return shown;
+                                       },
+                                   .where = ChangeInstrument::Where::transducers},
+        .touches = Touches::wet,
+        .acts_through = {"time"},
+        .references = {"Mitarai and Nori, Adv. Phys. 55 (2006) 1: wet granular materials"}};
+}
+
+}  // namespace pendular

@@ -1,0 +1,29 @@
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// A load cell that was not tared, or the lid's own weight, adds a constant to the normal force.
+/// Stress ratios are off by force/F_N, most at the smallest load, and so, less, are inertial
+/// numbers.
+Effect normal_force_offset() {
+    return {.summary = "a load cell out of tare adds a constant normal force",
+            .equation = "F_shown = F_N + force",
+            .parameters = {{.name = "force",
+                            .unit = "N",
+                            .lower = -10,
+                            .upper = 10,
+                            .neutral = 0,
+                            .matters = 0.05,
+                            .meaning = "reading of the load cell without load"}},
+            .change = ChangeInstrument{.show =
+                                           [](CellState shown, const Values& v) {
+                                               shown.normal_force += v["force"];
+                                               return shown;
+                                           },
+                                       .where = ChangeInstrument::Where::transducers},
+            .acts_through = {"1/normal_stress"},
+            .references = {"Schulze, Powders and Bulk Solids (2008): counterweight and tare of the "
+                           "normal load of ring shear testers"}};
+}
+
+}  // namespace pendular

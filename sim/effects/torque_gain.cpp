@@ -1,0 +1,28 @@
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// A torque transducer whose calibration has drifted reads every torque too high or too low by the
+/// same factor: the ratio of shown to true stress ratios is the same everywhere.
+Effect torque_gain() {
+    return {.summary = "a torque transducer out of calibration scales every torque",
+            .equation = "T_shown = gain T",
+            .parameters = {{.name = "gain",
+                            .unit = "1",
+                            .lower = 0.5,
+                            .upper = 2,
+                            .neutral = 1,
+                            .matters = 0.02,
+                            .meaning = "shown over true torque"}},
+            .change = ChangeInstrument{.show =
+                                           [](CellState shown, const Values& v) {
+                                               shown.torque *= v["gain"];
+                                               return shown;
+                                           },
+                                       .where = ChangeInstrument::Where::transducers},
+            .acts_through = {"shear_stress"},
+            .references = {
+                "Schulze, Powders and Bulk Solids (2008): calibration of ring shear testers"}};
+}
+
+}  // namespace pendular

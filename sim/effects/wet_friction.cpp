@@ -1,0 +1,27 @@
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// A liquid film between surfaces lubricates them, or, where it swells or cleans them, makes them
+/// rougher: the friction of wet beads differs from that of dry ones.
+Effect wet_friction() {
+    return {.summary = "wet beads have another friction coefficient than dry ones",
+            .equation = "mu_wet = mu + difference",
+            .parameters = {{.name = "difference",
+                            .unit = "1",
+                            .lower = -0.5,
+                            .upper = 0.5,
+                            .neutral = 0,
+                            .matters = 0.01,
+                            .meaning = "friction coefficient of wet beads less that of dry ones"}},
+            .change = ChangeCondition{[](Condition condition, const Values& v) {
+                condition.friction_difference += v["difference"];
+                return condition;
+            }},
+            .touches = Touches::wet,
+            .acts_through = {"liquid_content"},
+            .references = {"Bowden and Tabor, The Friction and Lubrication of Solids (1950): "
+                           "boundary lubrication"}};
+}
+
+}  // namespace pendular

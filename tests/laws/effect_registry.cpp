@@ -1,0 +1,80 @@
+// What every effect must say of itself. The names of the tests are the laws.
+#include <cmath>
+#include <filesystem>
+
+#include "data/quantity.h"
+#include "data/units.h"
+#include "registered_effects.h"
+#include "sim/effect.h"
+
+using namespace pendular;
+
+namespace {
+
+class EffectRegistry : public EveryEffect {};
+
+}  // namespace
+
+TEST_P(EffectRegistry, NameIsThatOfItsFile) {
+    std::string file = effect().name;
+    std::ranges::replace(file, '-', '_');
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(PENDULAR_SOURCE_DIR) / "sim" /
+                                        "effects" / (file + ".cpp")));
+}
+
+TEST_P(EffectRegistry, SaysWhatItIsAndWhereItComesFrom) {
+    EXPECT_FALSE(effect().summary.empty());
+    EXPECT_EQ(effect().summary.find('\n'), std::string::npos);
+    EXPECT_FALSE(effect().equation.empty());
+    EXPECT_FALSE(effect().references.empty());
+}
+
+TEST_P(EffectRegistry, ActsThroughKnownQuantities) {
+    EXPECT_FALSE(effect().acts_through.empty());
+    for (std::string covariate : effect().acts_through) {
+        if (covariate.starts_with("1/")) covariate = covariate.substr(2);
+        EXPECT_TRUE(find_quantity(covariate)) << covariate;
+    }
+}
+
+TEST_P(EffectRegistry, HasParametersWithUnits) {
+    ASSERT_FALSE(effect().parameters.empty());
+    for (const EffectParameter& p : effect().parameters) {
+        EXPECT_FALSE(p.name.empty());
+        EXPECT_FALSE(p.meaning.empty()) << p.name;
+        EXPECT_NO_THROW(Unit(p.unit)) << p.unit;
+        // Values are SI: one of the unit is 1.
+        EXPECT_EQ(Unit(p.unit).to_si(1), 1) << p.unit;
+    }
+}
+
+TEST_P(EffectRegistry, IsNeutralWithinItsBounds) {
+    for (const EffectParameter& p : effect().parameters) {
+        EXPECT_LT(p.lower, p.upper) << p.name;
+        EXPECT_LE(p.lower, p.neutral) << p.name;
+        EXPECT_LE(p.neutral, p.upper) << p.name;
+    }
+}
+
+TEST_P(EffectRegistry, HasASizeThatMattersWithinItsBounds) {
+    for (const EffectParameter& p : effect().parameters) {
+        EXPECT_GT(p.matters, 0) << p.name;
+        EXPECT_LE(p.neutral + p.matters, p.upper) << p.name;
+        // An effect of one sign has its lower bound at neutral.
+        if (p.lower < p.neutral) {
+            EXPECT_LE(p.lower, p.neutral - p.matters) << p.name;
+        }
+    }
+}
+
+TEST_P(EffectRegistry, HasAnAmplitudeThatVanishesAtNeutralAndGrows) {
+    for (const EffectParameter& p : effect().parameters) {
+        if (!p.amplitude) continue;
+        EXPECT_EQ(p.amplitude(p.neutral), 0) << p.name;
+        EXPECT_GT(p.amplitude(p.neutral + p.matters), 0) << p.name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Effects, EffectRegistry,
+                         testing::ValuesIn(names_of_effects([](const Effect&) { return true; })),
+                         test_name);
