@@ -80,8 +80,12 @@ std::size_t Effect::parameter(std::string_view parameter_name) const {
     return place_of(parameters, parameter_name, fmt::format("parameter of {}", name).c_str());
 }
 
+const Effect& effect_named(const std::vector<Effect>& effects, std::string_view name) {
+    return effects[place_of(effects, name, "effect")];
+}
+
 const Effect& built_in_effect(std::string_view name) {
-    return built_in_effects()[place_of(built_in_effects(), name, "effect")];
+    return effect_named(built_in_effects(), name);
 }
 
 EffectValues in_run_units(const EffectValues& values, double normal_stress, const Grains& grains) {
