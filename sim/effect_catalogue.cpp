@@ -77,7 +77,7 @@ std::optional<std::string> why_no_closure(const Effect& effect, const Study& stu
 }  // namespace
 
 std::optional<std::string> why_not(const Effect& effect, const Study& study) {
-    if (const auto why = why_no_such_reading(effect, study)) {
+    if (auto why = why_no_such_reading(effect, study)) {
         return why;
     }
     if (effect.of_instrument()) {

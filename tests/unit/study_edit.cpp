@@ -74,6 +74,7 @@ TEST(StudyEdit, KeepsLineEndsMarksAndCharacters) {
         "\"x\",\r\n]\r\n");
     EXPECT_EQ(with("[grains]\r\na = 1\r\n"),
               "[grains]\r\na = 1\r\n\r\n[model]\r\neffects = [\"x\"]\r\n");
+    EXPECT_EQ(with("\xEF\xBB\xBFmodel.effects = []\n"), "\xEF\xBB\xBFmodel.effects = [\"x\"]\n");
     EXPECT_EQ(with("[model]\reffects = []\r"), "[model]\reffects = [\"x\"]\r");
 }
 
