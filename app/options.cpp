@@ -116,7 +116,10 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
                                   "no progress on standard error")("help", "this text");
     po::options_description all, hidden;
     std::vector<std::string> words;
-    hidden.add_options()("study", po::value(&study))("words", po::value(&words));
+    if (takes_study_) {
+        hidden.add_options()("study", po::value(&study));
+    }
+    hidden.add_options()("words", po::value(&words));
     po::options_description visible;
     for (const auto& section : sections_) {
         visible.add(section);

@@ -13,13 +13,14 @@
 namespace pendular::app {
 namespace {
 
-constexpr std::array<Command, 8> commands = {{
+constexpr std::array<Command, 9> commands = {{
     {"import", "recordings to readings: stresses and solid fractions with their errors", import},
     {"simulate", "one discrete-element run of steady shear and its observables", simulate},
     {"predict", "what known runs say of any state, at once, with errors; curves", predict},
     {"calibrate", "fit the intergranular friction to dry readings, predict the wet ones",
      calibrate},
     {"compare", "model beside measurement: misfit by observable and condition, figures", compare},
+    {"effects", "what a model may lack: the catalogue of effects, one entry whole", effects},
     {"virtual-lab", "a study as an instrument with a hidden truth would have recorded it",
      virtual_lab},
     {"campaign", "many runs into the store: grids, lists, Sobol fillings; resumable", campaign},

@@ -11,6 +11,7 @@ struct StudyInput {
     Study study;
     Measurements measurements;
 };
+/// @throws InputError for what is wrong in its files, its effects included
 StudyInput read_input(const std::filesystem::path& study);
 
 }  // namespace pendular::app

@@ -1,5 +1,7 @@
 #include "calib/study_model.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "calib/calibration.h"
@@ -7,9 +9,23 @@
 
 namespace pendular {
 
+namespace {
+
+/// @throws InputError where the study has effects, which no model here knows
+void refuse_effects(const ModelChoice& model) {
+    if (!model.effects.empty()) {
+        throw InputError(model.effects.front().position,
+                         fmt::format("the model cannot take '{}' in yet; write effects = []",
+                                     model.effects.front().name));
+    }
+}
+
+}  // namespace
+
 StudyModel::StudyModel(const Study& study, const std::vector<Condition>& conditions,
                        const Fidelity& fidelity, std::uint64_t seed, Workers workers,
                        const std::optional<KnownRuns>& known) {
+    refuse_effects(study.model);
     if (known) {
         auto emulated = std::make_unique<EmulatedSimulation>(study, conditions, fidelity, seed,
                                                              std::move(workers), *known);

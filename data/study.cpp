@@ -14,7 +14,7 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-const Keys top_keys = {"grains", "liquid", "cell", "recording", "readings", "model"};
+const Keys top_keys = {"grains", "liquid", "cell", "recording", "readings", "model", "effect"};
 const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_ratio"};
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
 const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
@@ -157,6 +157,17 @@ std::vector<Source> read_sources(const StudyTable& root, const Study& study) {
     return sources;
 }
 
+std::vector<ListedEffect> read_listed_effects(const StudyTable& model) {
+    std::vector<ListedEffect> effects;
+    for (const auto& [name, position] : model.placed_words("effects")) {
+        if (std::ranges::find(effects, name, &ListedEffect::name) != effects.end())
+            throw InputError(position,
+                             fmt::format("'effects': \"{}\" is listed twice; remove one", name));
+        effects.push_back({name, position});
+    }
+    return effects;
+}
+
 ModelChoice read_model(const StudyTable& root) {
     ModelChoice model;
     const auto table = root.table("model", model_keys);
@@ -166,11 +177,7 @@ ModelChoice read_model(const StudyTable& root) {
     if (model.calibrate != Keys{"friction"})
         table->refuse("calibrate", "must be [\"friction\"], the one parameter there is so far");
     model.fit_to = table->choice("fit_to", {"dry", "all"});
-    model.effects = table->words("effects", {});
-    if (!model.effects.empty())
-        table->refuse("effects", fmt::format("unknown effect \"{}\"; this version has no effects "
-                                             "yet: write effects = []",
-                                             model.effects.front()));
+    model.effects = read_listed_effects(*table);
     model.bridge_force = form(*table, "bridge_force");
     return model;
 }
@@ -186,6 +193,7 @@ Study read_study(const std::filesystem::path& path) {
     study.liquid = read_liquid(root);
     study.cell = read_cell(root, study.grains);
     study.model = read_model(root);
+    study.written_effects = read_written_effects(root);
     study.sources = read_sources(root, study);
     return study;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "data/annular_cell.h"
+#include "data/effect_tables.h"
 #include "data/grains.h"
 #include "data/input_error.h"
 #include "data/reading.h"
@@ -22,12 +23,18 @@ struct Source {
     Position position;                         ///< of the entry in the study file
 };
 
+/// An effect that a study switches on.
+struct ListedEffect {
+    std::string name;
+    Position position;  ///< in the list
+};
+
 /// What to do with the model.
 struct ModelChoice {
     std::string base = "dem";
     std::vector<std::string> calibrate = {"friction"};
-    std::string fit_to = "dry";  ///< "dry" or "all"
-    std::vector<std::string> effects;
+    std::string fit_to = "dry";         ///< "dry" or "all"
+    std::vector<ListedEffect> effects;  ///< each once; whether they exist is not known here
     Form bridge_force = Form::derived;
 };
 
@@ -40,6 +47,7 @@ struct Study {
     std::optional<AnnularCell> cell;  ///< needed by recordings
     std::vector<Source> sources;      ///< in run order
     ModelChoice model;
+    std::vector<WrittenEffect> written_effects;
 };
 
 /// Reads STUDY/study.toml (or the file itself). Every key is checked; quantities are strings with

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +9,11 @@
 
 #include "data/nearest.h"
 #include "data/text_file.h"
+#include "data/toml_text.h"
 #include "data/units.h"
 
 namespace pendular {
 namespace {
-
-Position position_in(const std::string& file, const toml::source_position& where) {
-    return {file, static_cast<int>(where.line), static_cast<int>(where.column)};
-}
 
 void check_keys(const toml::table& table, const std::string& file, const std::string& name,
                 const std::vector<std::string>& known) {
@@ -35,13 +31,8 @@ void check_keys(const toml::table& table, const std::string& file, const std::st
 
 StudyTable StudyTable::parse(const std::string& file, const std::string& text,
                              const std::vector<std::string>& keys) {
-    try {
-        const auto root = std::make_shared<const toml::table>(toml::parse(text, file));
-        return StudyTable(root, *root, file, "", keys);
-    } catch (const toml::parse_error& error) {
-        throw InputError(position_in(file, error.source().begin),
-                         fmt::format("{}; correct the syntax here", error.description()));
-    }
+    const auto root = std::make_shared<const toml::table>(parse_toml(file, text));
+    return StudyTable(root, *root, file, "", keys);
 }
 
 StudyTable StudyTable::read(const std::filesystem::path& file,
@@ -95,25 +86,40 @@ std::vector<StudyTable> StudyTable::tables(std::string_view key,
     return result;
 }
 
+double StudyTable::finite_number(std::string_view key, const toml::node& node) const {
+    const double value = *node.value<double>();
+    if (!std::isfinite(value)) refuse(key, "must be finite");
+    return value;
+}
+
+double StudyTable::quantity_from_text(std::string_view key, const toml::node& node,
+                                      const Unit& expected) const {
+    if (!node.is_string())
+        refuse(key, fmt::format("must be a quantity; write a string like \"1 {}\"",
+                                expected.spelling()));
+    try {
+        return quantity_in_si(*node.value<std::string>(), expected);
+    } catch (const std::invalid_argument& error) {
+        refuse(key, error.what());
+    }
+}
+
 std::optional<double> StudyTable::quantity(std::string_view key, std::string_view unit) const {
     const toml::node* const node = table_->get(key);
     if (!node) return std::nullopt;
     const Unit expected(unit);
-    if (node->is_number()) {
-        const double value = *node->value<double>();
-        if (!expected.same_dimension(Unit("1")))
-            refuse(key, fmt::format("has no unit; write \"{} {}\" or another unit of the same kind",
-                                    value, unit));
-        if (!std::isfinite(value)) refuse(key, "must be finite");
-        return value;
-    }
-    if (!node->is_string())
-        refuse(key, fmt::format("must be a quantity; write a string like \"1 {}\"", unit));
-    try {
-        return quantity_in_si(*node->value<std::string>(), expected);
-    } catch (const std::invalid_argument& error) {
-        refuse(key, error.what());
-    }
+    if (!node->is_number()) return quantity_from_text(key, *node, expected);
+    if (!expected.same_dimension(Unit("1")))
+        refuse(key, fmt::format("has no unit; write \"{} {}\" or another unit of the same kind",
+                                *node->value<double>(), unit));
+    return finite_number(key, *node);
+}
+
+std::optional<double> StudyTable::quantity_in(std::string_view key, const Unit& unit) const {
+    const toml::node* const node = table_->get(key);
+    if (!node) return std::nullopt;
+    return node->is_number() ? unit.to_si(finite_number(key, *node))
+                             : quantity_from_text(key, *node, unit);
 }
 
 double StudyTable::required_quantity(std::string_view key, std::string_view unit) const {
@@ -165,15 +171,23 @@ std::string StudyTable::choice(std::string_view key, const std::vector<std::stri
 
 std::vector<std::string> StudyTable::words(std::string_view key,
                                            const std::vector<std::string>& missing) const {
+    if (!has(key)) return missing;
+    std::vector<std::string> result;
+    for (Word& word : placed_words(key))
+        result.push_back(std::move(word.text));
+    return result;
+}
+
+std::vector<Word> StudyTable::placed_words(std::string_view key) const {
+    std::vector<Word> result;
     const toml::node* const node = table_->get(key);
-    if (!node) return missing;
+    if (!node) return result;
     if (!node->is_array())
         refuse(key, fmt::format("must be a list of names; write {} = [\"...\"]", key));
-    std::vector<std::string> result;
     for (const toml::node& element : *node->as_array()) {
         if (!element.is_string())
             throw InputError(position_of(element), "must be a name; put it in quotes");
-        result.push_back(*element.value<std::string>());
+        result.push_back({*element.value<std::string>(), position_of(element)});
     }
     return result;
 }

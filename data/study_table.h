@@ -18,6 +18,14 @@ class node;
 
 namespace pendular {
 
+class Unit;
+
+/// A word of a file and where it stands.
+struct Word {
+    std::string text;
+    Position position;
+};
+
 /// A table of a study or campaign file with the keys it may have. Whatever is asked of it is
 /// checked, and what is wrong ends in an InputError at the key's or value's line and column.
 class StudyTable {
@@ -45,7 +53,9 @@ class StudyTable {
 
     /// Value in SI units of a string with its unit, or of a plain number where `unit` is "1".
     std::optional<double> quantity(std::string_view key, std::string_view unit) const;
-    /// The same where the key must be there.
+    /// The same where a plain number counts in `unit`.
+    std::optional<double> quantity_in(std::string_view key, const Unit& unit) const;
+    /// Like `quantity` where the key must be there.
     double required_quantity(std::string_view key, std::string_view unit) const;
     /// The same where the value must be positive too.
     double positive_quantity(std::string_view key, std::string_view unit) const;
@@ -59,6 +69,8 @@ class StudyTable {
     /// An array of words; `missing` where the key is not there.
     std::vector<std::string> words(std::string_view key,
                                    const std::vector<std::string>& missing) const;
+    /// An array of words with their places; empty where the key is not there.
+    std::vector<Word> placed_words(std::string_view key) const;
 
     /// @throws InputError at the key
     [[noreturn]] void refuse(std::string_view key, const std::string& message) const;
@@ -68,6 +80,9 @@ class StudyTable {
                const std::string& file, std::string name, const std::vector<std::string>& keys);
 
     Position position_of(const toml::node& node) const;
+    double finite_number(std::string_view key, const toml::node& node) const;
+    double quantity_from_text(std::string_view key, const toml::node& node,
+                              const Unit& expected) const;
 
     std::shared_ptr<const toml::table> root_;  ///< keeps the nodes alive
     const toml::table* table_;

@@ -65,7 +65,6 @@ std::string decoded(const std::string& bytes, const std::filesystem::path& path)
         convert(bytes, encoding_of(bytes), text) || convert(bytes, "windows-1252", text);
     if (!well_formed || text.find('\0') != std::string::npos)
         throw InputError({path.string()}, "is not text; export it as CSV in UTF-8");
-    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
     return text;
 }
 
@@ -75,12 +74,16 @@ std::string decoded(const std::string& bytes, const std::filesystem::path& path)
 
 }  // namespace
 
-std::vector<std::string> read_lines(const std::filesystem::path& path) {
+std::string read_text(const std::filesystem::path& path) {
     if (std::filesystem::is_directory(path))
         throw InputError({path.string()}, "is a folder where a file is needed");
-    const std::string text = decoded(read_bytes(path), path);
+    return decoded(read_bytes(path), path);
+}
+
+std::vector<std::string> read_lines(const std::filesystem::path& path) {
+    const std::string text = read_text(path);
     std::vector<std::string> lines;
-    for (std::size_t begin = 0; begin < text.size();) {
+    for (std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; begin < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
         lines.push_back(text.substr(begin, end - begin));
         const bool both = text.compare(end, 2, "\r\n") == 0;

@@ -12,6 +12,10 @@ namespace pendular {
 /// @throws InputError if the file cannot be read or is no text (a spreadsheet, say)
 std::vector<std::string> read_lines(const std::filesystem::path& path);
 
+/// The whole text as UTF-8, byte-order mark and line ends included.
+/// @throws InputError as read_lines does
+std::string read_text(const std::filesystem::path& path);
+
 /// Whether what was written must have reached the disk, where it survives a loss of power.
 enum class Kept { by_system, on_disk };
 

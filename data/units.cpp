@@ -181,6 +181,14 @@ Unit::Unit(std::string_view spelling) : spelling_(trimmed(spelling)) {
     factor_ = cv_convert_double(converter.get(), 1) - offset_;
 }
 
+std::string si_spelling(const Unit& unit) {
+    if (unit.dimension().empty()) return "1";
+    for (const char* const spelling : {"N m", "N", "Pa", "Pa s", "N/m", "m", "m^2", "m^3", "m/s",
+                                       "rad", "rad/s", "s", "1/s", "kg", "kg/m^3", "K"})
+        if (unit.same_dimension(Unit(spelling))) return spelling;
+    return unit.dimension();
+}
+
 std::string wrong_dimension(const Unit& unit, const Unit& expected) {
     const auto shown = [](const Unit& u) { return u.dimension().empty() ? "1" : u.dimension(); };
     std::string message = fmt::format("'{}' measures {}, not {} as '{}' does", unit.spelling(),

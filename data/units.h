@@ -35,6 +35,9 @@ class Unit {
 /// "'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?"
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
+/// The SI unit of what a unit measures, spelled as people do: "N m" for "mNm", "1/s" for "rpm".
+std::string si_spelling(const Unit& unit);
+
 /// Value in SI units of a number with its unit, such as "500 um", that measures what `expected`
 /// does. The unit may be left out where `expected` is dimensionless.
 /// @throws std::invalid_argument saying what is wrong and what to do

@@ -114,8 +114,12 @@ Condition changed_condition(Condition condition, const std::vector<ActiveEffect>
     return condition;
 }
 
+const Effect& effect_named(const std::vector<Effect>& effects, std::string_view name) {
+    return effects[place_of(effects, name, "effect")];
+}
+
 const Effect& built_in_effect(std::string_view name) {
-    return built_in_effects()[place_of(built_in_effects(), name, "effect")];
+    return effect_named(built_in_effects(), name);
 }
 
 EffectValues in_run_units(const EffectValues& values, double normal_stress, const Grains& grains) {

@@ -103,6 +103,10 @@ Condition changed_condition(Condition condition, const std::vector<ActiveEffect>
 /// CMake.
 const std::vector<Effect>& built_in_effects();
 
+/// The effect of a name among several.
+/// @throws std::invalid_argument naming the nearest one
+const Effect& effect_named(const std::vector<Effect>& effects, std::string_view name);
+
 /// The built-in effect of a name.
 /// @throws std::invalid_argument naming the nearest one
 const Effect& built_in_effect(std::string_view name);

@@ -227,8 +227,6 @@ TEST_F(ReadStudy, RefusesModelsItDoesNotHave) {
                 AllOf(at(":7:13: 'calibrate': "), HasSubstr("friction")));
     EXPECT_THAT(error(start + "calibrate = \"friction\"\n"),
                 AllOf(at(":7:13: 'calibrate': "), HasSubstr("list")));
-    EXPECT_THAT(error(start + "effects = [\"torque-offset\"]\n"),
-                AllOf(at(":7:11: 'effects': unknown effect \"torque-offset\"")));
     EXPECT_THAT(error(start + "effects = [3]\n"), at(":7:12: must be a name"));
 }
 

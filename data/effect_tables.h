@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "data/input_error.h"
+
+namespace pendular {
+
+class StudyTable;
+
+/// A formula of a written effect: what it gives and its text.
+struct Formula {
+    std::string target;  ///< "torque", ...: a key of [[effect]]
+    std::string text;
+    Position position;
+};
+
+/// An effect that a user states in the study, [[effect]]. What its formulas mean is not known here.
+struct WrittenEffect {
+    std::string name;
+    std::string parameter;        ///< "on": a switch
+    std::string unit = "1";       ///< SI
+    double lower = 0, upper = 1;  ///< [unit]
+    double neutral = 0;           ///< [unit]
+    double matters = 1;           ///< [unit]
+    std::string summary = {};     ///< empty where the user gave none
+    std::vector<Formula> formulas;
+    Position position;  ///< of the table
+    Position name_position = {}, parameter_position = {};
+
+    /// Whether the formulas are of what the instrument shows, not of what the beads show.
+    bool of_instrument() const;
+};
+
+/// What a formula of an [[effect]] can give: of the instrument, and of the beads. An effect has
+/// formulas of one of the two.
+const std::vector<std::string>& instrument_targets();
+const std::vector<std::string>& flow_targets();
+
+/// The [[effect]] tables of a study.
+/// @throws InputError for anything missing, unknown or impossible in itself
+std::vector<WrittenEffect> read_written_effects(const StudyTable& root);
+
+}  // namespace pendular

@@ -1,0 +1,213 @@
+#include "reports/effect_pages.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace pendular {
+namespace {
+
+/// What effects change: groups of the catalogue.
+struct Group {
+    const char* name;                  ///< in JSON
+    const char* heading;               ///< in the table
+    bool in_simulate, in_virtual_lab;  ///< which commands take its parameters as options
+};
+
+constexpr std::array<Group, 5> groups = {{
+    {"instrument", "the instrument", false, true},
+    {"beads-and-liquid", "the beads and the liquid", true, true},
+    {"grains", "the grains, in the simulation", true, true},
+    {"closure", "closures, of base = \"rumpf\"", false, false},
+    {"flow", "what the beads show", false, false},
+}};
+
+std::size_t group_index(const Effect& effect) {
+    if (effect.of_instrument()) {
+        return 0;
+    }
+    if (std::holds_alternative<ChangeCondition>(effect.change)) {
+        return 1;
+    }
+    if (effect.of_grains()) {
+        return 2;
+    }
+    return std::holds_alternative<ChangeClosure>(effect.change) ? 3 : 4;
+}
+
+const char* touched(const Effect& effect) {
+    switch (effect.touches) {
+        case Touches::dry:
+            return "dry";
+        case Touches::wet:
+            return "wet";
+        default:
+            return "all";
+    }
+}
+
+std::string in_study(const EffectEntry& entry) {
+    if (!entry.standing) {
+        return "";
+    }
+    return entry.standing->why_not ? "no" : entry.standing->listed ? "on" : "can be";
+}
+
+std::string unit_of(const EffectParameter& parameter) {
+    return parameter.is_switch() ? "switch" : parameter.unit;
+}
+
+std::string table_line(const std::string& name, const std::string& parameter,
+                       const std::string& unit, const std::string& touches,
+                       const std::string& standing, const std::string& summary) {
+    return fmt::format("  {:<23} {:<16} {:<8} {:<8} {}{}", name, parameter, unit, touches,
+                       standing.empty() ? "" : fmt::format("{:<9}", standing), summary);
+}
+
+/// One line for each parameter; the second and further ones say no more than that.
+void add_effect(std::vector<std::string>& lines, const EffectEntry& entry) {
+    const Effect& effect = *entry.effect;
+    for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
+        const EffectParameter& p = effect.parameters[k];
+        lines.push_back(k == 0 ? table_line(effect.name, p.name, unit_of(p), touched(effect),
+                                            in_study(entry), effect.summary)
+                               : table_line("", p.name, unit_of(p), "", "", p.meaning));
+    }
+}
+
+std::string field(const char* name, const std::string& text) {
+    return fmt::format("  {:<13} {}", name, text);
+}
+
+/// A field of several lines.
+void add_lines(std::vector<std::string>& page, const char* name, const std::string& text) {
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line); name = "") {
+        page.push_back(field(name, line));
+    }
+}
+
+std::string described(const EffectParameter& p) {
+    if (p.is_switch()) {
+        return fmt::format("{}, a switch: 1 on, 0 off: {}", p.name, p.meaning);
+    }
+    return fmt::format("{} [{}], {:g} to {:g}, gone at {:g}, matters from {:g} on: {}", p.name,
+                       p.unit, p.lower, p.upper, p.neutral, p.matters, p.meaning);
+}
+
+/// "--torque-offset.torque 0.0001": a size that would matter.
+std::string options_of(const Effect& effect) {
+    std::vector<std::string> options;
+    for (const EffectParameter& p : effect.parameters) {
+        options.push_back(fmt::format("--{}.{} {:g}", effect.name, p.name,
+                                      p.is_switch() ? 1 : p.neutral + p.matters));
+    }
+    return fmt::format("{}", fmt::join(options, " "));
+}
+
+void add_how_to(std::vector<std::string>& page, const EffectEntry& entry) {
+    const Effect& effect = *entry.effect;
+    const Group& group = groups[group_index(effect)];
+    page.push_back(field("in a study", fmt::format("[model] effects = [\"{0}\"], or 'pendular add "
+                                                   "STUDY {0}'",
+                                                   effect.name)));
+    if (entry.written) {
+        return;
+    }
+    if (group.in_virtual_lab) {
+        page.push_back(
+            field("as a truth", fmt::format("pendular virtual-lab OUT {}", options_of(effect))));
+    }
+    if (group.in_simulate) {
+        page.push_back(
+            field("in one run", fmt::format("pendular simulate {}", options_of(effect))));
+    }
+}
+
+std::string standing_text(const EffectEntry& entry) {
+    if (entry.standing->why_not) {
+        return *entry.standing->why_not;
+    }
+    return entry.standing->listed ? "switched on" : "can be added";
+}
+
+}  // namespace
+
+std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries) {
+    const bool study = std::ranges::any_of(
+        entries, [](const EffectEntry& entry) { return entry.standing.has_value(); });
+    std::vector<std::string> lines = {
+        table_line("effect", "parameter", "unit", "readings", study ? "in study" : "", "meaning")};
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const auto begin = lines.size();
+        for (const EffectEntry& entry : entries) {
+            if (group_index(*entry.effect) == g) {
+                add_effect(lines, entry);
+            }
+        }
+        if (lines.size() > begin) {
+            lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(begin), groups[g].heading);
+        }
+    }
+    return lines;
+}
+
+std::vector<std::string> effect_page(const EffectEntry& entry) {
+    const Effect& effect = *entry.effect;
+    std::vector<std::string> page = {fmt::format("{}: {}", effect.name, effect.summary)};
+    add_lines(page, "equation", effect.equation);
+    page.push_back(field("changes", groups[group_index(effect)].heading));
+    page.push_back(field("touches", fmt::format("{} readings", touched(effect))));
+    for (const EffectParameter& parameter : effect.parameters) {
+        page.push_back(field("parameter", described(parameter)));
+    }
+    if (!effect.acts_through.empty()) {
+        page.push_back(
+            field("acts through", fmt::format("{}", fmt::join(effect.acts_through, ", "))));
+    }
+    for (const std::string& reference : effect.references) {
+        page.push_back(field(entry.written ? "written in" : "source", reference));
+    }
+    add_how_to(page, entry);
+    if (entry.standing) {
+        page.push_back(field("this study", standing_text(entry)));
+    }
+    return page;
+}
+
+nlohmann::ordered_json to_json(const EffectEntry& entry) {
+    const Effect& effect = *entry.effect;
+    nlohmann::ordered_json json = {{"name", effect.name},
+                                   {"summary", effect.summary},
+                                   {"equation", effect.equation},
+                                   {"changes", groups[group_index(effect)].name},
+                                   {"touches", touched(effect)},
+                                   {"parameters", nlohmann::ordered_json::array()},
+                                   {"acts_through", effect.acts_through},
+                                   {"references", effect.references},
+                                   {"written", entry.written}};
+    for (const EffectParameter& p : effect.parameters) {
+        json["parameters"].push_back({{"name", p.name},
+                                      {"unit", p.unit},
+                                      {"lower", p.lower},
+                                      {"upper", p.upper},
+                                      {"neutral", p.neutral},
+                                      {"matters", p.matters},
+                                      {"meaning", p.meaning},
+                                      {"switch", p.is_switch()}});
+    }
+    if (entry.standing) {
+        json["listed"] = entry.standing->listed;
+        json["applies"] = !entry.standing->why_not;
+        if (entry.standing->why_not) {
+            json["why_not"] = *entry.standing->why_not;
+        }
+    }
+    return json;
+}
+
+}  // namespace pendular

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// How an effect stands to a study.
+struct EffectStanding {
+    bool listed = false;                 ///< the study switches it on
+    std::optional<std::string> why_not;  /// why it does not apply; empty where it does
+};
+
+/// An effect as the catalogue shows it.
+struct EffectEntry {
+    const Effect* effect;
+    bool written = false;                         ///< by the user, in the study
+    std::optional<EffectStanding> standing = {};  ///< empty without a study
+};
+
+/// The catalogue, one effect a line, grouped by what they change.
+std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries);
+
+/// Everything that is known of one effect, and how to switch it on.
+std::vector<std::string> effect_page(const EffectEntry& entry);
+
+/// The same for programs.
+nlohmann::ordered_json to_json(const EffectEntry& entry);
+
+}  // namespace pendular
