@@ -3,14 +3,17 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "data/reading.h"
+
 namespace pendular {
 
 /// What determines one simulated state of steady shear.
 struct FlowState {
     double friction = 0;
     double inertial_number = 0;
-    double inverse_pressure = 0;  ///< 1/P*; 0: dry
-    double bridge_volume = 0;     ///< V0/a^3; of no consequence where dry
+    double inverse_pressure = 0;             ///< 1/P*; 0: dry
+    double bridge_volume = 0;                ///< V0/a^3; of no consequence where dry
+    std::vector<EffectValues> effects = {};  ///< on grains, in the units of a run
 
     bool dry() const { return inverse_pressure == 0; }
 };

@@ -5,7 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "calib/effect_model.h"
 #include "data/input_error.h"
+#include "sim/effect_catalogue.h"
 
 namespace pendular {
 namespace {
@@ -163,7 +165,9 @@ std::vector<Condition> conditions_of(const std::vector<Reading>& readings) {
 }
 
 std::size_t fitted_count(const Study& study, const std::vector<Reading>& readings) {
-    return study.model.fit_to == "all" ? readings.size() : dry_count(readings);
+    const EffectCatalogue catalogue(study);
+    const bool all = study.model.fit_to == "all" || needs_joint_fit(catalogue.active(study));
+    return all ? readings.size() : dry_count(readings);
 }
 
 std::vector<Reading> dry_first(const Measurements& measurements) {
@@ -231,6 +235,7 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
                   .grains = study.grains,
                   .liquid = study.liquid,
                   .model = study.model,
+                  .written_effects = study.written_effects,
                   .fidelity = request.fidelity,
                   .seed = request.seed};
     c.fitted = fitted_count(study, c.readings);
@@ -247,8 +252,9 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
     };
     CalibrationOptions options = request.options;
     const auto dry = part(c.readings, 0, dry_count(c.readings));
-    if (c.fitted > dry.size() && !dry.empty()) {
-        // Joint fits begin where the dry readings alone lead, so that wet runs are made there.
+    if (c.fitted > dry.size() && !dry.empty() && model.parameters().size() == 1) {
+        // Joint fits begin where the dry readings alone lead, so that wet runs are made there;
+        // those of effects need not show in dry readings at all.
         options.start = fit_to(dry, model, request.options, counting).parameters;
     }
     const auto fitted = part(c.readings, 0, c.fitted);

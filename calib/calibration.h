@@ -24,9 +24,10 @@ struct Calibration {
     /// only predicted.
     std::vector<Reading> readings;
     std::size_t fitted = 0;
-    Grains grains;                 ///< those of the study when it was fitted
-    std::optional<Liquid> liquid;  ///< likewise
-    ModelChoice model;             ///< likewise
+    Grains grains;                               ///< those of the study when it was fitted
+    std::optional<Liquid> liquid;                ///< likewise
+    ModelChoice model;                           ///< likewise
+    std::vector<WrittenEffect> written_effects;  ///< likewise
     Fidelity fidelity;
     std::uint64_t seed = 1;
     std::vector<Parameter> parameters;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "data/input_error.h"
 #include "sim/seeds.h"
 
 namespace pendular {
@@ -195,10 +196,14 @@ void DirectSimulation::add(const dem::RunResult& run) {
 }
 
 FlowState DirectSimulation::state_of(double friction, const Condition& condition) const {
-    FlowState state{friction, condition.inertial_number};
+    if (!condition.grain_effects.empty()) {
+        throw InputError(
+            fmt::format("direct simulation has no effects on grains, such as {}: leave out --cold",
+                        condition.grain_effects.front().effect));
+    }
+    FlowState state{friction + condition.friction_difference, condition.inertial_number};
     if (!condition.dry()) {
-        state.inverse_pressure =
-            1 / reduced_pressure(condition.normal_stress, study_.grains, *study_.liquid);
+        state.inverse_pressure = inverse_pressure_of(condition, study_);
         state.bridge_volume = network_.volume_of(condition.liquid_content, state);
     }
     return state;

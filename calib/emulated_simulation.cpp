@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "calib/emulated_structure.h"
+#include "sim/effect.h"
 #include "sim/seeds.h"
 
 namespace pendular {
@@ -51,6 +52,16 @@ Eigen::Matrix2d expected_noise(const Emulator& emulator, const Fidelity& fidelit
     return sum / (static_cast<double>(emulator.runs().size()) * fidelity.beads * fidelity.strain);
 }
 
+/// Whether two states need no two runs.
+bool near(const FlowState& a, const FlowState& b) {
+    constexpr double same = 0.05;
+    const auto alike = [&](double x, double y) {
+        return std::abs(x - y) <= same * std::max(std::abs(x), std::abs(y));
+    };
+    return alike(a.inertial_number, b.inertial_number) &&
+           alike(a.inverse_pressure, b.inverse_pressure) && alike(a.bridge_volume, b.bridge_volume);
+}
+
 std::string describe(const FlowState& state) {
     std::string text = fmt::format("friction {:.3g}, inertial number {:.3g}", state.friction,
                                    state.inertial_number);
@@ -74,7 +85,11 @@ std::vector<dem::RunResult> EmulatedSimulation::serving(const Study& study,
         return Emulator::usable(run) && p.beads >= std::min(fidelity.beads, enough_beads) &&
                std::abs(p.poisson_ratio - study.grains.poisson_ratio) <=
                    largest_poisson_difference &&
-               (!p.wetting || p.wetting->bridge_force == study.model.bridge_force);
+               (!p.wetting || p.wetting->bridge_force == study.model.bridge_force) &&
+               std::ranges::all_of(p.effects, [&](const EffectValues& effect) {
+                   return std::ranges::find(study.model.effects, effect.effect,
+                                            &ListedEffect::name) != study.model.effects.end();
+               });
     });
     return result;
 }
@@ -100,12 +115,15 @@ FlowState EmulatedSimulation::wet_state(double friction, const WetSetting& setti
 }
 
 FlowState EmulatedSimulation::state_of(double friction, const Condition& condition) const {
-    if (condition.dry()) {
-        return {friction, condition.inertial_number};
+    FlowState state{allowed(friction + condition.friction_difference), condition.inertial_number};
+    for (const EffectValues& effect : condition.grain_effects) {
+        state.effects.push_back(in_run_units(effect, condition.normal_stress, study_.grains));
     }
-    return wet_state(friction,
-                     {1 / reduced_pressure(condition.normal_stress, study_.grains, *study_.liquid),
-                      condition.liquid_content, condition.inertial_number});
+    if (!condition.dry()) {
+        state.inverse_pressure = inverse_pressure_of(condition, study_);
+        state.bridge_volume = bridge_volume_of(emulator_, condition.liquid_content, state);
+    }
+    return state;
 }
 
 StructureResponse EmulatedSimulation::at_constant_content(StructureResponse response,
@@ -133,13 +151,16 @@ StructureResponse EmulatedSimulation::capillary_shear_stress(double friction,
     return stress;
 }
 
-Prediction EmulatedSimulation::predict_conditions(const Eigen::VectorXd& parameters,
-                                                  const std::vector<Condition>& conditions) const {
+struct EmulatedSimulation::Errors {
+    std::vector<Query> coordinations;  ///< two a wet condition
+    Eigen::MatrixXd by_coordination;   ///< derivatives of all predictions by those
+    Eigen::VectorXd stiffness;         ///< standard error of the correction, common to all
+};
+
+Prediction EmulatedSimulation::predict_states(const std::vector<FlowState>& states,
+                                              const std::vector<Condition>& conditions,
+                                              Errors* errors) const {
     const auto n = static_cast<Eigen::Index>(conditions.size());
-    std::vector<FlowState> states;
-    for (const Condition& condition : conditions) {
-        states.push_back(state_of(parameters(0), condition));
-    }
     // Stress ratio, solid fraction and overlap; by friction; by bridge volume.
     std::vector<Query> queries;
     for (const FlowState& state : states) {
@@ -153,19 +174,14 @@ Prediction EmulatedSimulation::predict_conditions(const Eigen::VectorXd& paramet
         }
     }
     const Eigen::VectorXd said = emulator_.mean(queries);
-    const Eigen::MatrixXd noise = emulator_.covariance(pairs_at(states));
-
     Prediction prediction{.value = Eigen::VectorXd(2 * n),
                           .jacobian = Eigen::MatrixXd(2 * n, 1),
                           .covariance = {},
                           .run_noise = {}};
-    Eigen::VectorXd unit(2 * n), stiffness_error = Eigen::VectorXd::Zero(2 * n);
-    std::vector<Query> coordinations;  // two a wet condition
-    Eigen::MatrixXd by_coordination = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     for (Eigen::Index k = 0; k < n; ++k) {
         const Condition& condition = conditions[static_cast<std::size_t>(k)];
         const FlowState& state = states[static_cast<std::size_t>(k)];
-        Eigen::Vector3d value = said.segment<3>(9 * k), slope = said.segment<3>(9 * k + 3);
+        const Eigen::Vector3d value = said.segment<3>(9 * k), slope = said.segment<3>(9 * k + 3);
         const Eigen::Vector3d by_log_volume =
             state.dry() ? Eigen::Vector3d::Zero()
                         : Eigen::Vector3d(state.bridge_volume * said.segment<3>(9 * k + 6));
@@ -181,33 +197,64 @@ Prediction EmulatedSimulation::predict_conditions(const Eigen::VectorXd& paramet
         };
         const Eigen::Vector2d volume_slope = with_stiffness(by_log_volume);
         Eigen::Vector2d total = with_stiffness(slope);
+        const Eigen::Vector2d unit(condition.normal_stress, 1);
         if (!state.dry()) {
             const StructureResponse z = coordination(emulator_, state);
             const double log_volume_by_coordination = -1 / (z.value + z.by_log_volume);
             total += volume_slope * log_volume_by_coordination * z.by_friction;
-            const auto column = static_cast<Eigen::Index>(coordinations.size());
-            by_coordination.block<2, 1>(2 * k, column) = volume_slope * log_volume_by_coordination;
-            by_coordination.col(column + 1) = by_coordination.col(column);
-            coordinations.push_back({state, Observable::contact_coordination});
-            coordinations.push_back({state, Observable::distant_coordination});
+            if (errors != nullptr) {
+                const auto column = static_cast<Eigen::Index>(errors->coordinations.size());
+                errors->by_coordination.block<2, 1>(2 * k, column) =
+                    unit.cwiseProduct(volume_slope) * log_volume_by_coordination;
+                errors->by_coordination.col(column + 1) = errors->by_coordination.col(column);
+                errors->coordinations.push_back({state, Observable::contact_coordination});
+                errors->coordinations.push_back({state, Observable::distant_coordination});
+            }
         }
-        unit.segment<2>(2 * k) << condition.normal_stress, 1;
-        prediction.value.segment<2>(2 * k) << value(0), value(1) + (1 - share) * shift;
-        prediction.jacobian.block<2, 1>(2 * k, 0) = total;
-        stiffness_error(2 * k + 1) =
-            share * shift * dem::rigidity_factor_error / dem::rigidity_factor;
-    }
-    const auto columns = static_cast<Eigen::Index>(coordinations.size());
-    const auto through_volume = by_coordination.leftCols(columns);
-    prediction.run_noise =
-        noise + through_volume * emulator_.covariance(coordinations) * through_volume.transpose();
-    prediction.covariance = prediction.run_noise + stiffness_error * stiffness_error.transpose();
-    prediction.value = unit.cwiseProduct(prediction.value);
-    prediction.jacobian = unit.asDiagonal() * prediction.jacobian;
-    for (Eigen::MatrixXd* matrix : {&prediction.run_noise, &prediction.covariance}) {
-        *matrix = unit.asDiagonal() * *matrix * unit.asDiagonal();
+        prediction.value.segment<2>(2 * k) << unit(0) * value(0), value(1) + (1 - share) * shift;
+        prediction.jacobian.block<2, 1>(2 * k, 0) = unit.cwiseProduct(total);
+        if (errors != nullptr) {
+            errors->stiffness(2 * k + 1) =
+                share * shift * dem::rigidity_factor_error / dem::rigidity_factor;
+        }
     }
     return prediction;
+}
+
+Prediction EmulatedSimulation::predict_mean_conditions(
+    const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions) const {
+    return predict_states(states_of(parameters(0), conditions), conditions, nullptr);
+}
+
+Prediction EmulatedSimulation::predict_conditions(const Eigen::VectorXd& parameters,
+                                                  const std::vector<Condition>& conditions) const {
+    const auto n = static_cast<Eigen::Index>(conditions.size());
+    const std::vector<FlowState> states = states_of(parameters(0), conditions);
+    Errors errors{.coordinations = {},
+                  .by_coordination = Eigen::MatrixXd::Zero(2 * n, 2 * n),
+                  .stiffness = Eigen::VectorXd::Zero(2 * n)};
+    Prediction prediction = predict_states(states, conditions, &errors);
+    Eigen::VectorXd unit = Eigen::VectorXd::Ones(2 * n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        unit(2 * k) = conditions[static_cast<std::size_t>(k)].normal_stress;
+    }
+    const auto through_volume =
+        errors.by_coordination.leftCols(static_cast<Eigen::Index>(errors.coordinations.size()));
+    prediction.run_noise =
+        unit.asDiagonal() * emulator_.covariance(pairs_at(states)) * unit.asDiagonal();
+    prediction.run_noise +=
+        through_volume * emulator_.covariance(errors.coordinations) * through_volume.transpose();
+    prediction.covariance = prediction.run_noise + errors.stiffness * errors.stiffness.transpose();
+    return prediction;
+}
+
+std::vector<FlowState> EmulatedSimulation::states_of(
+    double friction, const std::vector<Condition>& conditions) const {
+    std::vector<FlowState> states;
+    for (const Condition& condition : conditions) {
+        states.push_back(state_of(friction, condition));
+    }
+    return states;
 }
 
 Supported EmulatedSimulation::supported() const {
@@ -220,7 +267,19 @@ Supported EmulatedSimulation::supported() const {
 EmulatedSimulation::Candidates EmulatedSimulation::candidates(double friction, bool wet) const {
     const auto states_at = [&](double at) {
         std::vector<FlowState> states;
-        if (wet) {
+        if (has_grain_effects()) {
+            // Their size goes with the reading: its own state, once.
+            for (const Condition& condition : conditions()) {
+                Condition simulated = condition;
+                simulated.inertial_number =
+                    std::max(condition.inertial_number, fidelity_.lowest_inertial_number);
+                const FlowState state = state_of(at, simulated);
+                if (condition.dry() != wet &&
+                    std::ranges::none_of(states, [&](const auto& s) { return near(s, state); })) {
+                    states.push_back(state);
+                }
+            }
+        } else if (wet) {
             for (const WetSetting& setting : wet_settings_) {
                 states.push_back(wet_state(at, setting));
             }
@@ -234,6 +293,11 @@ EmulatedSimulation::Candidates EmulatedSimulation::candidates(double friction, b
     return {.at_friction = states_at(friction),
             .below = states_at(allowed(friction_at(-spread, friction))),
             .above = states_at(allowed(friction_at(spread, friction)))};
+}
+
+bool EmulatedSimulation::has_grain_effects() const {
+    const auto all = conditions();
+    return std::ranges::any_of(all, [](const Condition& c) { return !c.grain_effects.empty(); });
 }
 
 std::vector<FlowState> EmulatedSimulation::most_informative(const std::vector<FlowState>& targets,

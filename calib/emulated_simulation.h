@@ -43,6 +43,8 @@ class EmulatedSimulation : public SimulationModel {
 
     Prediction predict_conditions(const Eigen::VectorXd& parameters,
                                   const std::vector<Condition>& conditions) const override;
+    Prediction predict_mean_conditions(const Eigen::VectorXd& parameters,
+                                       const std::vector<Condition>& conditions) const override;
     /// The first time it orders what lies beyond the known runs, later what confirms.
     void improve(const Eigen::VectorXd& parameters, double excess) override;
     void learn_wet(const Eigen::VectorXd& parameters, int turns) override;
@@ -63,13 +65,20 @@ class EmulatedSimulation : public SimulationModel {
     /// All that was ordered so far.
     const std::vector<Order>& orders() const { return orders_; }
 
-    /// Runs that can serve a study: of its bridge force, of as many beads as the fidelity has or
-    /// 1000, and of a Poisson ratio within 0.1 of its beads', which changes the ratio of tangential
-    /// to normal stiffness by less than a tenth.
+    /// Runs that can serve a study: of its bridge force, of no effects but those it lists, of as
+    /// many beads as the fidelity has or 1000, and of a Poisson ratio within 0.1 of its beads',
+    /// which changes the ratio of tangential to normal stiffness by less than a tenth.
     static std::vector<dem::RunResult> serving(const Study& study, const Fidelity& fidelity,
                                                const std::vector<dem::RunResult>& runs);
 
   private:
+    /// What the errors of predictions are made of.
+    struct Errors;
+    Prediction predict_states(const std::vector<FlowState>& states,
+                              const std::vector<Condition>& conditions, Errors* errors) const;
+    std::vector<FlowState> states_of(double friction,
+                                     const std::vector<Condition>& conditions) const;
+    bool has_grain_effects() const;
     StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;
     FlowState wet_state(double friction, const WetSetting& setting) const;
 

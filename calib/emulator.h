@@ -6,9 +6,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "calib/basis.h"
+#include "calib/effect_response.h"
 #include "calib/gaussian_process.h"
 #include "sim/dem/run.h"
 
@@ -34,6 +36,9 @@ using EmulatorScales = std::map<dem::Observable, Scales>;
 /// of any stiffness serve: the solid fraction is that of rigid beads and the overlap is that at the
 /// stiffness number `reference_stiffness`. What else is told of structure is that of the runs it
 /// was learned from, since it depends on stiffness weakly.
+///
+/// Effects on grains are learned apart, each from the runs that have it alone (EffectResponse), and
+/// their changes add up; derivatives are those without effects.
 class Emulator {
   public:
     static constexpr double reference_stiffness = 1000;
@@ -54,7 +59,7 @@ class Emulator {
 
     /// An entry for each query.
     /// @throws std::invalid_argument for an observable of bridges where no run was wet, or of a dry
-    ///         state
+    ///         state, and for an effect that no run has alone
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
     /// Covariance of the errors of that, a row and a column for each query.
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
@@ -91,10 +96,17 @@ class Emulator {
 
   private:
     const GaussianProcess& process_of(dem::Observable which) const;
+    const EffectResponse& response_to(const std::string& effect, dem::Observable which) const;
+    EffectResponse learn_response(const std::string& effect, dem::Observable which) const;
+    Eigen::VectorXd plain_mean(const std::vector<Query>& queries) const;
+    Eigen::MatrixXd plain_covariance(const std::vector<Query>& queries) const;
+    struct Affected;
+    std::vector<Affected> affected(const std::vector<Query>& queries) const;
 
     std::vector<dem::RunResult> runs_;
     mutable EmulatorScales scales_;
     mutable std::map<dem::Observable, std::unique_ptr<GaussianProcess>> processes_;
+    mutable std::map<std::pair<std::string, dem::Observable>, EffectResponse> responses_;
 };
 
 /// Name of the file beside an atlas that keeps the scales learned from it.

@@ -42,7 +42,7 @@ class WhitenedResiduals : public ceres::CostFunction {
                   double** jacobians) const override {
         const auto n = static_cast<Eigen::Index>(model_.parameters().size());
         const Prediction prediction =
-            model_.predict(Eigen::Map<const Eigen::VectorXd>(parameters[0], n));
+            model_.predict_mean(Eigen::Map<const Eigen::VectorXd>(parameters[0], n));
         Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) =
             whitening_.apply(measured_.value - prediction.value);
         if (jacobians != nullptr && jacobians[0] != nullptr) {

@@ -44,6 +44,11 @@ class Model {
     /// Predictions at `parameters` (in the order of parameters()).
     virtual Prediction predict(const Eigen::VectorXd& parameters) const = 0;
 
+    /// The same without covariances, which a fit does not ask for at every step.
+    virtual Prediction predict_mean(const Eigen::VectorXd& parameters) const {
+        return predict(parameters);
+    }
+
     /// Learns more about the neighbourhood of `parameters`, where a fit has arrived; the next
     /// predictions are centred there. `excess` is the factor by which the variance that simulation
     /// causes in the fit is too large: above 1, about so many times the work done so far is wanted.
@@ -64,9 +69,19 @@ class FlowModel : public Model {
         return predict_conditions(parameters, conditions_);
     }
 
+    Prediction predict_mean(const Eigen::VectorXd& parameters) const final {
+        return predict_mean_conditions(parameters, conditions_);
+    }
+
     /// Predictions at `parameters` of readings at these conditions.
     virtual Prediction predict_conditions(const Eigen::VectorXd& parameters,
                                           const std::vector<Condition>& conditions) const = 0;
+
+    /// The same without covariances.
+    virtual Prediction predict_mean_conditions(const Eigen::VectorXd& parameters,
+                                               const std::vector<Condition>& conditions) const {
+        return predict_conditions(parameters, conditions);
+    }
 
     /// Makes wet runs around `parameters`, `turns` more for each wet setting; predictions of dry
     /// readings stay as they are.

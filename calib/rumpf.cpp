@@ -1,6 +1,7 @@
 #include "calib/rumpf.h"
 
 #include "sim/closures/strength.h"
+#include "sim/effect.h"
 
 namespace pendular {
 
@@ -17,6 +18,9 @@ Prediction RumpfModel::predict_conditions(const Eigen::VectorXd& parameters,
         if (!condition.dry()) {
             with_twins.push_back(condition);
             with_twins.back().liquid_content = 0;
+            std::erase_if(with_twins.back().grain_effects, [](const EffectValues& values) {
+                return built_in_effect(values.effect).touches != Touches::all;
+            });
         }
     }
     const Prediction simulated = simulation_.predict_conditions(parameters, with_twins);
@@ -32,9 +36,12 @@ Prediction RumpfModel::predict_conditions(const Eigen::VectorXd& parameters,
         if (condition.dry()) {
             continue;
         }
-        const double pressure =
-            reduced_pressure(condition.normal_stress, study_.grains, *study_.liquid);
+        const double pressure = 1 / inverse_pressure_of(condition, study_);
         const auto z = simulation_.effective_coordination(parameters(0), condition);
+        const StructureResponse shear =
+            terms_.capillary_shear_stress
+                ? simulation_.capillary_shear_stress(parameters(0), condition)
+                : StructureResponse{};
         const double dry = simulated.value(twin), fraction = simulated.value(2 * k + 1);
         const double dry_ratio = dry / condition.normal_stress;
         // mu* is linear in each of mu*_dry, Phi_S and Z*: its slopes are ratios.
@@ -42,14 +49,15 @@ Prediction RumpfModel::predict_conditions(const Eigen::VectorXd& parameters,
             condition.normal_stress *
             closures::stress_ratio_from_cohesion(
                 dry_ratio, closures::reduced_cohesion(dry_ratio, fraction, z.value), pressure);
+        const double lost = condition.normal_stress / pressure;  // by a unit of shear stress
         const double by_fraction = (wet - dry) / fraction, by_z = (wet - dry) / z.value;
         map(2 * k, 2 * k) = 0;
         map(2 * k, twin) = wet / dry;
         map(2 * k, 2 * k + 1) = by_fraction;
-        result.value(2 * k) = wet;
+        result.value(2 * k) = wet - lost * shear.value;
         result.jacobian.row(2 * k) = wet / dry * simulated.jacobian.row(twin) +
                                      by_fraction * simulated.jacobian.row(2 * k + 1);
-        result.jacobian(2 * k, 0) += by_z * z.by_friction;
+        result.jacobian(2 * k, 0) += by_z * z.by_friction - lost * shear.by_friction;
         twin += 2;
     }
     result.covariance = map * simulated.covariance * map.transpose();

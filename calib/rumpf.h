@@ -1,21 +1,23 @@
 #pragma once
 
 #include "calib/simulation_model.h"
+#include "sim/closures/strength.h"
 
 namespace pendular {
 
 /// Base `rumpf`: the simulated dry law with the cohesion of Rumpf's formula, its solid fraction and
 /// coordination simulated,
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)]                          (eq:strength3)
+/// or, with the capillary shear stress, that less a^2 s12cap/(F0 P*) (eq:strength2).
 /// Dry readings and all solid fractions are those of the simulation. It neglects the shear stress
-/// that capillary forces carry, and so is too high where there is little liquid. The error of Z*, a
-/// few per mille, is not in its covariance.
-/// Source: Badetti et al. (2018), eq:strength3 and eq:cohesion3, after Rumpf.
+/// that capillary forces carry where it is left out, and is then too high at little liquid. The
+/// error of Z*, a few per mille, is not in its covariance. Source: Badetti et al. (2018),
+/// eq:strength3 and eq:cohesion3, after Rumpf.
 class RumpfModel : public FlowModel {
   public:
     /// `simulation` must outlive it.
-    RumpfModel(SimulationModel& simulation, const Study& study)
-        : simulation_(simulation), study_(study) {}
+    RumpfModel(SimulationModel& simulation, const Study& study, const closures::Terms& terms = {})
+        : simulation_(simulation), study_(study), terms_(terms) {}
 
     const std::vector<Parameter>& parameters() const override { return simulation_.parameters(); }
     Prediction predict_conditions(const Eigen::VectorXd& parameters,
@@ -30,6 +32,7 @@ class RumpfModel : public FlowModel {
   private:
     SimulationModel& simulation_;
     Study study_;
+    closures::Terms terms_;
 };
 
 }  // namespace pendular

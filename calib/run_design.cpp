@@ -78,8 +78,9 @@ std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& condition
     }
     std::vector<WetSetting> pairs;
     for (const auto& c : wet) {
-        pairs.push_back({1 / reduced_pressure(c.normal_stress, study.grains, *study.liquid),
-                         c.liquid_content, 0});
+        const Liquid& liquid = c.liquid ? *c.liquid : *study.liquid;
+        pairs.push_back(
+            {1 / reduced_pressure(c.normal_stress, study.grains, liquid), c.liquid_content, 0});
     }
     const auto levels = inertial_numbers_for(wet, lowest);
     std::vector<WetSetting> settings;

@@ -44,6 +44,9 @@ class SimulationModel : public FlowModel {
     std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
 };
 
+/// 1/P* of a wet condition, with the liquid that effects make of the study's.
+double inverse_pressure_of(const Condition& condition, const Study& study);
+
 /// A run of the beads of a study at a state, without a seed; over the fidelity's strain.
 dem::RunParameters run_at(const FlowState& state, const Study& study, const Fidelity& fidelity);
 

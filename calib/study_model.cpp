@@ -1,23 +1,24 @@
 #include "calib/study_model.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "calib/calibration.h"
+#include "calib/effect_model.h"
 #include "calib/rumpf.h"
 
 namespace pendular {
 
 namespace {
 
-/// @throws InputError where the study has effects, which no model here knows
-void refuse_effects(const ModelChoice& model) {
-    if (!model.effects.empty()) {
-        throw InputError(model.effects.front().position,
-                         fmt::format("the model cannot take '{}' in yet; write effects = []",
-                                     model.effects.front().name));
+closures::Terms terms_of(const std::vector<const Effect*>& effects) {
+    closures::Terms terms;
+    for (const Effect* effect : effects) {
+        if (const auto* change = std::get_if<ChangeClosure>(&effect->change)) {
+            const std::vector<double> on(effect->parameters.size(), 1.0);
+            terms = change->change(terms, Values(effect->parameters, on));
+        }
     }
+    return terms;
 }
 
 }  // namespace
@@ -25,7 +26,8 @@ void refuse_effects(const ModelChoice& model) {
 StudyModel::StudyModel(const Study& study, const std::vector<Condition>& conditions,
                        const Fidelity& fidelity, std::uint64_t seed, Workers workers,
                        const std::optional<KnownRuns>& known) {
-    refuse_effects(study.model);
+    catalogue_ = std::make_unique<EffectCatalogue>(study);
+    const std::vector<const Effect*> effects = catalogue_->active(study);
     if (known) {
         auto emulated = std::make_unique<EmulatedSimulation>(study, conditions, fidelity, seed,
                                                              std::move(workers), *known);
@@ -39,8 +41,12 @@ StudyModel::StudyModel(const Study& study, const std::vector<Condition>& conditi
     }
     model_ = simulation_.get();
     if (study.model.base == "rumpf") {
-        closure_ = std::make_unique<RumpfModel>(*simulation_, study);
+        closure_ = std::make_unique<RumpfModel>(*simulation_, study, terms_of(effects));
         model_ = closure_.get();
+    }
+    if (!effects.empty()) {
+        with_effects_ = std::make_unique<EffectModel>(*model_, study, effects);
+        model_ = with_effects_.get();
     }
     model_->predict_for(conditions);
 }

@@ -8,13 +8,14 @@
 #include "calib/direct_simulation.h"
 #include "calib/emulated_simulation.h"
 #include "data/study.h"
+#include "sim/effect_catalogue.h"
 
 namespace pendular {
 
 struct Calibration;
 
-/// The simulation behind a study, emulated or direct, and, on top of it, the model that the study's
-/// base names.
+/// The simulation behind a study, emulated or direct, on top of it the model that the study's base
+/// names, and on top of that the study's effects.
 class StudyModel {
   public:
     /// Emulated where there are known runs that can serve the study.
@@ -36,6 +37,8 @@ class StudyModel {
     DirectSimulation* direct_ = nullptr;      ///< the simulation, if it is this
     EmulatedSimulation* emulated_ = nullptr;  ///< or this
     std::unique_ptr<FlowModel> closure_;      ///< none for base "dem"
+    std::unique_ptr<EffectCatalogue> catalogue_;
+    std::unique_ptr<FlowModel> with_effects_;  ///< none for a study without
     FlowModel* model_ = nullptr;
 };
 

@@ -21,6 +21,8 @@ struct Liquid {
     double surface_tension = 0;  ///< Gamma [N/m]
     double contact_angle = 0;    ///< theta [rad]
     double viscosity = 0;        ///< [Pa s]
+
+    bool operator==(const Liquid&) const = default;
 };
 
 /// I = rate sqrt(m/(a s22)) [1], from a shear rate [1/s] and a normal stress [Pa].

@@ -33,6 +33,7 @@ struct Condition {
     std::vector<EffectValues> grain_effects;  ///< on grains, in SI units
 
     bool dry() const { return liquid_content == 0; }
+    bool operator==(const Condition&) const = default;
 };
 
 /// One measured steady state: (shear stress [Pa], solid fraction [1]) at a condition.

@@ -62,15 +62,36 @@ Json liquid_json(const std::optional<Liquid>& l) {
 }
 
 Json model_json(const ModelChoice& m) {
-    return {{"base", m.base}, {"fit_to", m.fit_to}, {"bridge_force", to_string(m.bridge_force)}};
+    Json json = {{"base", m.base},
+                 {"fit_to", m.fit_to},
+                 {"bridge_force", to_string(m.bridge_force)},
+                 {"effects", Json::array()}};
+    for (const ListedEffect& effect : m.effects) {
+        json["effects"].push_back(effect.name);
+    }
+    return json;
+}
+
+/// The formulas of the study's own effects.
+Json formulas_json(const std::vector<WrittenEffect>& effects) {
+    Json json = Json::object();
+    for (const WrittenEffect& effect : effects) {
+        Json& own = json[effect.name];
+        own = {{"lower", effect.lower}, {"upper", effect.upper}, {"neutral", effect.neutral}};
+        for (const Formula& formula : effect.formulas) {
+            own[formula.target] = formula.text;
+        }
+    }
+    return json;
 }
 
 /// What of a study, besides its readings, a calibration rests on.
-Json basis_json(const Grains& grains, const std::optional<Liquid>& liquid,
-                const ModelChoice& model) {
+Json basis_json(const Grains& grains, const std::optional<Liquid>& liquid, const ModelChoice& model,
+                const std::vector<WrittenEffect>& written) {
     return {{"grains", grains_json(grains)},
             {"liquid", liquid_json(liquid)},
-            {"model", model_json(model)}};
+            {"model", model_json(model)},
+            {"formulas", formulas_json(written)}};
 }
 
 Json fidelity_json(const Fidelity& f) {
@@ -173,6 +194,7 @@ dem::RunResult run_from_json(const Json& json) {
     p.strain = json.at("strain");
     p.seed = json.at("seed");
     p.start = std::stoull(json.value("start", "0"), nullptr, 16);
+    p.effects = dem::effects_from(json.value("effects_in_run_units", ""));
     for (const auto& [name, error] : json.at("precision").items()) {
         p.precision.push_back({dem::observable_named(name), error});
     }
@@ -222,6 +244,17 @@ Json to_json(const Measurements& measurements) {
 namespace {
 
 /// Null for a calibration by direct simulation.
+Json matrix_json(const Eigen::MatrixXd& matrix) {
+    Json rows = Json::array();
+    for (Eigen::Index r = 0; r < matrix.rows(); ++r) {
+        rows.push_back(std::vector<double>());
+        for (Eigen::Index k = 0; k < matrix.cols(); ++k) {
+            rows.back().push_back(matrix(r, k));
+        }
+    }
+    return rows;
+}
+
 Json emulator_json(const Calibration& c) {
     if (!c.scales) {
         return nullptr;
@@ -267,6 +300,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
             parameter["profile_68_percent"] = {c.profile->first, c.profile->second};
         }
     }
+    json["parameter_covariance"] = matrix_json(c.fit.covariance);
     json["chi2"] = comparison.fitted.chi2;
     json["dof"] = comparison.fitted.dof;
     json["predicted_only"] = misfit_json(comparison.predicted);
@@ -279,7 +313,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
         json["predictions"].push_back(prediction_json(comparison.readings[k]));
         json["predictions"].back()["fitted"] = k < c.fitted;
     }
-    json.update(basis_json(c.grains, c.liquid, c.model));
+    json.update(basis_json(c.grains, c.liquid, c.model, c.written_effects));
     json["fidelity"] = fidelity_json(c.fidelity);
     json["seed"] = c.seed;
     json["rounds"] = c.rounds;
@@ -310,6 +344,32 @@ bool made_from(const Json& entry, const Reading& reading) {
            same(measured.at("solid_fraction").at("stderr"), std::sqrt(reading.covariance(1, 1)));
 }
 
+Eigen::MatrixXd matrix_from(const Json& rows, Eigen::Index n) {
+    Eigen::MatrixXd matrix(n, n);
+    for (Eigen::Index r = 0; r < n; ++r) {
+        for (Eigen::Index k = 0; k < n; ++k) {
+            matrix(r, k) = rows.at(static_cast<std::size_t>(r)).at(static_cast<std::size_t>(k));
+        }
+    }
+    return matrix;
+}
+
+/// The fitted parameters with their errors, in their order.
+void read_parameters(const Json& json, Calibration& c) {
+    const auto n = static_cast<Eigen::Index>(json.at("parameters").size());
+    c.fit.parameters.resize(n);
+    c.fit.measurement_part = Eigen::MatrixXd::Zero(n, n);
+    for (const auto& [name, parameter] : json.at("parameters").items()) {
+        const auto k = static_cast<Eigen::Index>(c.parameters.size());
+        const double measurement = parameter.at("stderr_measurement");
+        c.parameters.push_back({.name = name, .unit = parameter.at("unit")});
+        c.fit.parameters(k) = parameter.at("value");
+        c.fit.measurement_part(k, k) = measurement * measurement;
+        c.fit.at_bound.push_back(parameter.at("at_bound"));
+    }
+    c.fit.covariance = matrix_from(json.at("parameter_covariance"), n);
+}
+
 Calibration parse_calibration(const Json& json, const Study& study,
                               const std::vector<Reading>& readings, const Position& where) {
     const Json& entries = json.at("predictions");
@@ -317,7 +377,7 @@ Calibration parse_calibration(const Json& json, const Study& study,
         entries.size() == readings.size() &&
         std::ranges::equal(entries, readings,
                            [](const Json& e, const Reading& r) { return made_from(e, r); });
-    const Json basis = basis_json(study.grains, study.liquid, study.model);
+    const Json basis = basis_json(study.grains, study.liquid, study.model, study.written_effects);
     const bool same_basis = std::ranges::all_of(
         basis.items(), [&](const auto& item) { return json.at(item.key()) == item.value(); });
     if (!same_readings || !same_basis) {
@@ -330,6 +390,7 @@ Calibration parse_calibration(const Json& json, const Study& study,
     c.grains = study.grains;
     c.liquid = study.liquid;
     c.model = study.model;
+    c.written_effects = study.written_effects;
     c.fitted = fitted_count(study, readings);
     c.readings = readings;
     const Json& f = json.at("fidelity");
@@ -341,16 +402,10 @@ Calibration parse_calibration(const Json& json, const Study& study,
     c.surface_centre = json.at("surface_centre");
     read_emulator(json.at("emulator"), c);
     c.notes = json.at("notes").get<std::vector<std::string>>();
-    const Json& friction = json.at("parameters").at("friction");
-    c.parameters = {{.name = "friction"}};
-    c.fit.parameters = Eigen::VectorXd::Constant(1, friction.at("value").get<double>());
-    const double error = friction.at("stderr"), measurement = friction.at("stderr_measurement");
-    c.fit.covariance = Eigen::MatrixXd::Constant(1, 1, error * error);
-    c.fit.measurement_part = Eigen::MatrixXd::Constant(1, 1, measurement * measurement);
+    read_parameters(json, c);
     c.fit.chi2 = json.at("chi2");
     c.fit.dof = json.at("dof");
     c.fit.converged = json.at("converged");
-    c.fit.at_bound = {friction.at("at_bound").get<bool>()};
     for (const auto& run : json.at("runs")) {
         c.runs.push_back(run_from_json(run));
     }

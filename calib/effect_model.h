@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calib/model.h"
+#include "data/study.h"
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// A flow model with effects on top: its parameters are those of the model inside, then those of
+/// the effects, "EFFECT.PARAMETER". Switches are on.
+///
+/// A reading's condition is what the instrument shows. The instrument map is inverted there to find
+/// the condition that is truly imposed, effects on beads, liquid and grains change it, the model
+/// inside predicts, and the map makes of that what is shown. Where no effect touches a reading it
+/// is predicted bit for bit as by the model inside. Derivatives by effects are central differences
+/// over a thousandth of the size that matters: those of smooth functions, not of noise.
+class EffectModel : public FlowModel {
+  public:
+    /// `inside` and the effects must outlive it. The closure effects among them are the caller's.
+    EffectModel(FlowModel& inside, const Study& study, std::vector<const Effect*> effects);
+
+    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    Prediction predict_conditions(const Eigen::VectorXd& parameters,
+                                  const std::vector<Condition>& conditions) const override;
+    Prediction predict_mean_conditions(const Eigen::VectorXd& parameters,
+                                       const std::vector<Condition>& conditions) const override;
+    void improve(const Eigen::VectorXd& parameters, double excess) override;
+    void learn_wet(const Eigen::VectorXd& parameters, int turns) override;
+    Supported supported() const override;
+    bool confirmed() const override { return inside_.confirmed(); }
+
+    /// The effects at these parameters.
+    std::vector<ActiveEffect> effects_at(const Eigen::VectorXd& parameters) const;
+
+  private:
+    struct Truths;
+    /// Of readings at these conditions at these parameters.
+    Truths truths_at(const Eigen::VectorXd& parameters,
+                     const std::vector<Condition>& conditions) const;
+    Eigen::VectorXd inside_parameters(const Eigen::VectorXd& parameters) const {
+        return parameters.head(static_cast<Eigen::Index>(inside_.parameters().size()));
+    }
+    /// Shown values of true ones.
+    Eigen::VectorXd shown(const Truths& truths, const Eigen::VectorXd& predicted) const;
+    Eigen::MatrixXd shown_by_predicted(const Truths& truths,
+                                       const Eigen::VectorXd& predicted) const;
+    void add_slopes(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
+                    const Truths& truths, const Eigen::VectorXd& predicted,
+                    Prediction& result) const;
+
+    FlowModel& inside_;
+    Study study_;
+    std::vector<const Effect*> effects_;
+    std::vector<Parameter> parameters_;
+};
+
+/// Whether an effect needs a joint fit of all readings: it touches dry ones, or has something that
+/// only wet ones tell.
+bool needs_joint_fit(const std::vector<const Effect*>& effects);
+
+}  // namespace pendular
