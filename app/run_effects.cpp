@@ -40,9 +40,10 @@ RunEffects::RunEffects(Options& options, const std::vector<std::string>& argumen
                       "Gamma/a");
           options.add("surface-tension", &surface_tension_,
                       "Gamma of the liquid of wet beads, with its unit (default 20.6 mN/m)");
-          return {options, arguments,
-                  "Effects on beads and liquid (numbers with their unit, or plain in the one named)",
-                  why_no_run_has};
+          return {
+              options, arguments,
+              "Effects on beads and liquid (numbers with their unit, or plain in the one named)",
+              why_no_run_has};
       }()) {}
 
 void RunEffects::read_scale(const dem::RunParameters& run, const Options& options) {
@@ -84,7 +85,8 @@ void RunEffects::print(Console& console, const dem::RunParameters& changed) cons
         text += (text.empty() ? "with " : ", ") + to_string(active);
     }
     if (changed.friction != without_.friction) {
-        text += fmt::format("; friction {:g} in place of {:g}", changed.friction, without_.friction);
+        text +=
+            fmt::format("; friction {:g} in place of {:g}", changed.friction, without_.friction);
     }
     if (!changed.wetting && without_.wetting) {
         text += "; dry";
@@ -97,13 +99,13 @@ void RunEffects::print(Console& console, const dem::RunParameters& changed) cons
         console.line(text);
     }
     if (scaled_) {
-        console.line(fmt::format("at a normal stress of {:.4g} Pa on beads of {:.4g} um and {:g} "
-                                 "kg/m^3{}",
-                                 scale_.normal_stress, 1e6 * scale_.grains.diameter,
-                                 scale_.grains.density,
-                                 without_.wetting ? fmt::format(", surface tension {:.4g} mN/m",
-                                                                1e3 * scale_.liquid.surface_tension)
-                                                  : ""));
+        console.line(fmt::format(
+            "at a normal stress of {:.4g} Pa on beads of {:.4g} um and {:g} "
+            "kg/m^3{}",
+            scale_.normal_stress, 1e6 * scale_.grains.diameter, scale_.grains.density,
+            without_.wetting
+                ? fmt::format(", surface tension {:.4g} mN/m", 1e3 * scale_.liquid.surface_tension)
+                : ""));
     } else if (scale_given_) {
         console.note(
             "no effect of this run has a parameter in SI units: --diameter, --density, "

@@ -36,7 +36,7 @@ class RunEffects {
     EffectOptions options_;
     std::vector<ActiveEffect> effects_;
     RunScale scale_;
-    bool scaled_ = false;      ///< whether an effect depends on the scale
+    bool scaled_ = false;  ///< whether an effect depends on the scale
     bool scale_given_ = false;
     dem::RunParameters without_;
 };

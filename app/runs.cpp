@@ -103,8 +103,8 @@ int list(const Request& request, Console& console) {
         const Mean &ratio = run[dem::Observable::stress_ratio],
                    &solid = run[dem::Observable::solid_fraction];
         console.line(fmt::format(
-            "{:>5} {:>8.4g} {:>6.3g} {} {:>6.4g} {:>5} {:>6.3g}  {:<18}  {:<18} {}{}", id, p.friction,
-            p.inertial_number, wetness(p), p.stiffness_number, p.beads, p.strain,
+            "{:>5} {:>8.4g} {:>6.3g} {} {:>6.4g} {:>5} {:>6.3g}  {:<18}  {:<18} {}{}", id,
+            p.friction, p.inertial_number, wetness(p), p.stiffness_number, p.beads, p.strain,
             run.failure.empty() ? with_error(ratio.value, ratio.standard_error) : "",
             run.failure.empty() ? with_error(solid.value, solid.standard_error) : "", flags(run),
             with_effects(p, flags(run).empty() ? "" : "; ")));

@@ -78,8 +78,8 @@ std::vector<Curve> curves_of_groups() {
     std::vector<Curve> curves;
     for (const bool effects : {false, true}) {
         for (std::size_t k = 0; k < labels.size(); ++k) {
-            curves.push_back({.label = labels[k] + (effects ? ", effects" : ""),
-                              .colour = colours[k]});
+            curves.push_back(
+                {.label = labels[k] + (effects ? ", effects" : ""), .colour = colours[k]});
             if (effects) {
                 curves.back().symbol = {Shape::square, Filling::hollow};
             }

@@ -72,8 +72,7 @@ dem::RunParameters changed_run(dem::RunParameters run, const std::vector<ActiveE
         demand_possible(*active.effect, run.wetting.has_value());
     }
     const RunScale own = scale.of(run);
-    const Condition condition =
-        changed_condition(condition_of(run, own), effects, own.liquid);
+    const Condition condition = changed_condition(condition_of(run, own), effects, own.liquid);
     run.friction += condition.friction_difference;
     for (const EffectValues& values : condition.grain_effects) {
         run.effects.push_back(in_run_units(values, own.normal_stress, own.grains));
@@ -82,8 +81,8 @@ dem::RunParameters changed_run(dem::RunParameters run, const std::vector<ActiveE
         run.wetting.reset();
     } else {
         // At the same normal stress; the ratio is 1 to the last bit where no effect changes it.
-        run.wetting->reduced_pressure *= pull_off_force(own.grains, own.liquid) /
-                                         pull_off_force(own.grains, *condition.liquid);
+        run.wetting->reduced_pressure *=
+            pull_off_force(own.grains, own.liquid) / pull_off_force(own.grains, *condition.liquid);
     }
     return run;
 }

@@ -114,7 +114,7 @@ TEST(Polydispersity, MakesFlowDenser) {
 }
 
 /// At friction 0.4 a coefficient of 0.2 leads far off the curve of stress ratio and solid fraction
-/// that sliding friction alone allows: 0.56 and 0.547, in which it would need a friction above any.
+/// that sliding friction alone allows: 0.56 and 0.547.
 /// Measured here over strain 5 with 1000 beads: 0.558 +- 0.008 and 0.5472 +- 0.0014 at I = 0.003
 /// (a minute), 0.550 +- 0.011 and 0.545 +- 0.003 at I = 0.01. The tolerance is 3 standard errors
 /// and what lies between the two inertial numbers, 0.008 and 0.003.
@@ -126,7 +126,8 @@ TEST(RollingResistance, GivesAStrongerAndLooserFlow) {
                     .strain = 3,
                     .effects = {{"rolling-resistance", {0.2}}}};
     const RunResult rolling = run(p);
-    const Mean ratio = rolling[Observable::stress_ratio], solid = rolling[Observable::solid_fraction];
+    const Mean ratio = rolling[Observable::stress_ratio],
+               solid = rolling[Observable::solid_fraction];
     std::printf("stress ratio %.4f +- %.4f, solid fraction %.4f +- %.4f in %.1f s\n", ratio.value,
                 ratio.standard_error, solid.value, solid.standard_error, rolling.wall_seconds);
     EXPECT_NEAR(ratio.value, 0.56, 3 * ratio.standard_error + 0.008);

@@ -63,7 +63,8 @@ TEST(RunEffects, AreToldInSIWithTheScaleWhereItMatters) {
     EXPECT_FALSE(sticky["scale"].contains("surface_tension"));
 
     const std::string wet =
-        "--reduced-pressure 2 --wet-friction.difference 0.1 --viscous-bridges.viscosity \"5 mPa.s\"";
+        "--reduced-pressure 2 --wet-friction.difference 0.1 --viscous-bridges.viscosity \"5 "
+        "mPa.s\"";
     const json viscous = run_json(wet);
     EXPECT_DOUBLE_EQ(viscous["friction"], 0.3);
     EXPECT_NEAR(viscous["scale"]["normal_stress"], 258.9, 0.1);  // 2 pi 20.6 mN/m/500 um
@@ -104,8 +105,9 @@ TEST(RunEffects, RefuseWhatContradictsTheRun) {
 TEST(RunEffects, GoWithStartsThreadsAndCheckpoints) {
     const TemporaryFolder folder;
     const std::string store = " --store " + (folder.path() / "runs.sqlite").string() + " ",
-                      rolling = "--rolling-resistance.coefficient 0.2 --reversible-bridges.on 1 "
-                                "--reduced-pressure 4 ";
+                      rolling =
+                          "--rolling-resistance.coefficient 0.2 --reversible-bridges.on 1 "
+                          "--reduced-pressure 4 ";
     const json cold = run_json(rolling + store);
     EXPECT_EQ(run_json(rolling + "--checkpoint " + (folder.path() / "kept").string() +
                        " --checkpoint-every 0.0001"),

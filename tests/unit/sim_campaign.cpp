@@ -130,13 +130,14 @@ TEST(Campaign, HasEffectsOnGrains) {
     EXPECT_EQ(std::ranges::count_if(grid, [&](const auto& run) { return with(run, 0.2); }), 2);
 
     const auto list = runs_of(
-        "[[list]]\nreduced_pressure = 2\nbridge_volume = 0.002\nviscous-bridges.viscosity = [0.1, 0.3]\n"
+        "[[list]]\nreduced_pressure = 2\nbridge_volume = 0.002\nviscous-bridges.viscosity = [0.1, "
+        "0.3]\n"
         "willett-bridges.on = [0, 1]\n");
     ASSERT_EQ(list.size(), 2u);
     // In the units of a run, as they stand; by name.
     EXPECT_EQ(list[0].effects, (std::vector<EffectValues>{{"viscous-bridges", {0.1}}}));
-    EXPECT_EQ(list[1].effects, (std::vector<EffectValues>{{"viscous-bridges", {0.3}},
-                                                          {"willett-bridges", {1}}}));
+    EXPECT_EQ(list[1].effects,
+              (std::vector<EffectValues>{{"viscous-bridges", {0.3}}, {"willett-bridges", {1}}}));
 
     const auto sobol = runs_of(
         "[[sobol]]\npoints = 16\npolydispersity.deviation = [0.05, 0.25]\n"
@@ -166,7 +167,8 @@ TEST(Campaign, PointsToWhatIsWrongWithItsEffects) {
                 HasSubstr("runs.toml:3:"));
     EXPECT_THAT(refused("willett-bridges.on = 1", "these beads are dry"),
                 HasSubstr("runs.toml:3:"));
-    refused("reduced_pressure = 2\nbridge_volume = 0.002\nwillett-bridges.on = 0.5", "a switch is 0 or 1");
+    refused("reduced_pressure = 2\nbridge_volume = 0.002\nwillett-bridges.on = 0.5",
+            "a switch is 0 or 1");
     refused("torque-offset.torque = 0.1", "torque-offset");
 }
 

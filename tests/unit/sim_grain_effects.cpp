@@ -86,8 +86,8 @@ TEST(RollingResistance, StopsSpinsThatRollAtItsPlasticLimit) {
     EXPECT_NEAR(two.beads.spin(0)[2], -two.beads.spin(1)[2], 1e-9);
     EXPECT_NEAR(two.beads.force(1)[1], 0, 1e-9);  // no sliding force
     turn_for(start * moment_of_inertia / torque - 3 + 0.2);
-    const double stiffness = tangential_ratio(0.3) *
-                             Hertz::at(overlap, two.material.modulus).normal_stiffness / 4;
+    const double stiffness =
+        tangential_ratio(0.3) * Hertz::at(overlap, two.material.modulus).normal_stiffness / 4;
     EXPECT_LE(turn_for(1), 1.01 * torque / std::sqrt(2 * stiffness * moment_of_inertia));
     // Twisting about the normal goes on as it was.
     two.beads.spin(0)[0] = 1;
@@ -104,9 +104,9 @@ TEST(WillettBridges, PullAsThePublishedFitSays) {
     // At contact, in F0 (the effect's own comment); an overlap of nothing.
     EXPECT_NEAR(relative(0, 5e-4), 0.89, 0.01);
     EXPECT_NEAR(relative(0, 8e-3), 0.80, 0.01);
-    // The same authors' short form, for small volumes (eq. 12, in which S is the whole gap):
-    // F = F0/(1 + 1.05 s + 2.5 s^2), s = h sqrt(R/V); it is good to some per cent. Half the gap in
-    // it would be off by a factor of 2 at s = 1.
+    // The short form in use for small volumes, F = F0/(1 + 1.05 s + 2.5 s^2), s = h sqrt(R/V), h
+    // the whole gap; it is good to some per cent. Half the gap in it would be off by a factor of 2
+    // at s = 1.
     const double volume = 1e-4 / 8, unit = std::sqrt(volume / 0.5);
     for (const double s : {0.0, 0.3, 1.0}) {
         const double expected = 1 / (1 + 1.05 * s + 2.5 * s * s);

@@ -382,10 +382,9 @@ TEST(RunTable, IsReadWithoutTheColumnOfEffects) {
     std::getline(stream, header);
     std::getline(stream, row);
     // As an older program wrote it.
-    const auto before = std::count(header.begin(),
-                                   header.begin() + static_cast<std::ptrdiff_t>(
-                                                        header.find(",effects,") + 1),
-                                   ',');
+    const auto before =
+        std::count(header.begin(),
+                   header.begin() + static_cast<std::ptrdiff_t>(header.find(",effects,") + 1), ',');
     header.replace(header.find(",effects,"), 9, ",");
     std::size_t at = 0;
     for (auto k = before; k > 0; --k) {
