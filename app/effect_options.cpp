@@ -30,17 +30,23 @@ std::string description(const EffectParameter& parameter) {
                        parameter.lower, parameter.upper, parameter.neutral);
 }
 
-/// Refuses an argument --EFFECT.PARAMETER that names nothing.
-void check_name(const std::string& argument) {
+/// Refuses an argument --EFFECT.PARAMETER that names nothing, or what the command cannot have.
+void check_name(const std::string& argument, const WhyNot& why_not) {
     const std::string name = argument.substr(0, argument.find('='));
     const std::size_t dot = name.find('.');
     if (!name.starts_with("--") || dot == std::string::npos) {
         return;
     }
+    std::string reason;
     try {
-        built_in_effect(name.substr(2, dot - 2)).parameter(name.substr(dot + 1));
+        const Effect& effect = built_in_effect(name.substr(2, dot - 2));
+        effect.parameter(name.substr(dot + 1));
+        reason = why_not ? why_not(effect) : "";
     } catch (const std::invalid_argument& error) {
-        throw InputError(fmt::format("{}: {}", name, error.what()));
+        reason = error.what();
+    }
+    if (!reason.empty()) {
+        throw InputError(fmt::format("{}: {}", name, reason));
     }
 }
 
@@ -74,10 +80,15 @@ double checked_value(const std::string& words, const std::string& option,
 }  // namespace
 
 EffectOptions::EffectOptions(Options& options, const std::vector<std::string>& arguments,
-                             const std::string& meaning) {
-    std::ranges::for_each(arguments, check_name);
+                             const std::string& meaning, const WhyNot& why_not) {
+    for (const std::string& argument : arguments) {
+        check_name(argument, why_not);
+    }
     options.begin_section(meaning);
     for (const Effect& effect : built_in_effects()) {
+        if (why_not && !why_not(effect).empty()) {
+            continue;
+        }
         for (const EffectParameter& parameter : effect.parameters) {
             const std::string name = key(effect, parameter);
             options.add(name.c_str(), &words_[name], description(parameter));
@@ -92,8 +103,9 @@ std::vector<ActiveEffect> EffectOptions::effects() const {
         bool given = false;
         for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
             const std::string name = key(effect, effect.parameters[k]);
-            if (const std::string& words = words_.at(name); !words.empty()) {
-                active.values[k] = checked_value(words, name, effect.parameters[k]);
+            if (const auto words = words_.find(name);
+                words != words_.end() && !words->second.empty()) {
+                active.values[k] = checked_value(words->second, name, effect.parameters[k]);
                 given = true;
             }
         }
@@ -104,10 +116,8 @@ std::vector<ActiveEffect> EffectOptions::effects() const {
     return result;
 }
 
-std::string example_of_instrument(bool a_switch) {
-    const auto found = std::ranges::find_if(built_in_effects(), [&](const Effect& effect) {
-        return effect.of_instrument() && effect.is_switch() == a_switch;
-    });
+std::string example_of(const std::function<bool(const Effect&)>& wanted) {
+    const auto found = std::ranges::find_if(built_in_effects(), wanted);
     if (found == built_in_effects().end()) {
         return "";
     }

@@ -16,6 +16,7 @@
 #include "data/nearest.h"
 #include "reports/json.h"
 #include "reports/run_plots.h"
+#include "sim/dem/grain_effects.h"
 #include "sim/store/run_table.h"
 
 namespace pendular::app {
@@ -75,6 +76,11 @@ std::string flags(const dem::RunResult& run) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
+/// Its effects after what stands before them, or nothing.
+std::string with_effects(const dem::RunParameters& p, const std::string& before) {
+    return p.effects.empty() ? "" : before + dem::effects_text(p.effects);
+}
+
 ordered_json to_json(const StoredRun& stored) {
     ordered_json json = {{"id", stored.id}, {"physics_version", stored.physics_version}};
     json.update(pendular::to_json(stored.run));
@@ -86,18 +92,22 @@ ordered_json to_json(const StoredRun& stored) {
 
 int list(const Request& request, Console& console) {
     const auto runs = request.selected();
+    const bool effects = std::ranges::any_of(
+        runs, [](const StoredRun& stored) { return !stored.run.parameters.effects.empty(); });
     console.line(
-        "   id friction     I      P*  V0/a^3  kappa beads strain  stress ratio        "
-        "solid fraction");
+        fmt::format("   id friction     I      P*  V0/a^3  kappa beads strain  stress ratio        "
+                    "solid fraction{}",
+                    effects ? "      remarks, effects (in the units of the run)" : ""));
     for (const auto& [id, version, run] : runs) {
         const auto& p = run.parameters;
         const Mean &ratio = run[dem::Observable::stress_ratio],
                    &solid = run[dem::Observable::solid_fraction];
         console.line(fmt::format(
-            "{:>5} {:>8.4g} {:>6.3g} {} {:>6.4g} {:>5} {:>6.3g}  {:<18}  {:<18} {}", id, p.friction,
-            p.inertial_number, wetness(p), p.stiffness_number, p.beads, p.strain,
+            "{:>5} {:>8.4g} {:>6.3g} {} {:>6.4g} {:>5} {:>6.3g}  {:<18}  {:<18} {}{}", id,
+            p.friction, p.inertial_number, wetness(p), p.stiffness_number, p.beads, p.strain,
             run.failure.empty() ? with_error(ratio.value, ratio.standard_error) : "",
-            run.failure.empty() ? with_error(solid.value, solid.standard_error) : "", flags(run)));
+            run.failure.empty() ? with_error(solid.value, solid.standard_error) : "", flags(run),
+            with_effects(p, flags(run).empty() ? "" : "; ")));
     }
     console.line(fmt::format("{} runs", runs.size()));
     ordered_json json = ordered_json::array();
@@ -143,6 +153,12 @@ int compare_two(const Request& request, Console& console) {
                     second = store.get(run_number(request.words[1]));
     console.line(fmt::format("{:<32} {:>20} {:>20} {:>26}", "", fmt::format("run {}", first.id),
                              fmt::format("run {}", second.id), "difference / standard error"));
+    for (const StoredRun* stored : {&first, &second}) {
+        if (!stored->run.parameters.effects.empty()) {
+            console.line(with_effects(stored->run.parameters,
+                                      fmt::format("run {} has the effects ", stored->id)));
+        }
+    }
     ordered_json json = {{"first", first.id}, {"second", second.id}};
     for (std::size_t k = 0; k < dem::observable_count; ++k) {
         const auto which = static_cast<dem::Observable>(k);
@@ -288,6 +304,7 @@ int runs(const std::vector<std::string>& arguments) {
         "                    beside an atlas",
         "  pendular runs list --where \"friction = 0.09 AND reduced_pressure IS NULL\"\n"
         "  pendular runs list --atlas\n"
+        "  pendular runs list --where \"effects IS NULL\"\n"
         "  pendular runs learn --atlas sim/atlas/emulator.csv\n"
         "  pendular runs plot --x inertial_number --y solid_fraction --out figures\n"
         "  pendular runs prune --where \"crystallised\" --yes\n",

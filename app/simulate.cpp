@@ -12,6 +12,7 @@
 #include "app/console.h"
 #include "app/interrupt.h"
 #include "app/options.h"
+#include "app/run_effects.h"
 #include "app/stored_runs.h"
 #include "data/input_error.h"
 #include "data/quantity.h"
@@ -27,7 +28,7 @@
 namespace pendular::app {
 namespace {
 
-void print_result(Console& console, const dem::RunResult& run) {
+void print_result(Console& console, const dem::RunResult& run, const RunEffects& effects) {
     const auto& p = run.parameters;
     console.line(
         fmt::format("stress ratio {}, solid fraction {} at friction {:g}, inertial number {:g}, "
@@ -37,6 +38,7 @@ void print_result(Console& console, const dem::RunResult& run) {
                     with_error(run[dem::Observable::solid_fraction].value,
                                run[dem::Observable::solid_fraction].standard_error),
                     p.friction, p.inertial_number, p.stiffness_number));
+    effects.print(console, p);
     if (p.wetting) {
         console.line(fmt::format(
             "reduced pressure {:g}, bridge volume {:g} a^3: liquid content {}, {} of it in bridges "
@@ -96,6 +98,15 @@ dem::Precision precision_from(const std::string& text) {
         return dem::precision_named(text);
     } catch (const std::invalid_argument& error) {
         throw InputError(fmt::format("--precision {}: {}", text, error.what()));
+    }
+}
+
+/// @throws InputError for what cannot be simulated
+void refuse_impossible(const dem::RunParameters& run) {
+    try {
+        dem::check(run);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(error.what());
     }
 }
 
@@ -187,7 +198,14 @@ std::string what_remains(const dem::Checkpoint* checkpoint, const dem::Snapshots
 /// The stored run to start from: the one of that number, or the nearest.
 StoredRun start_of(const dem::RunParameters& run, const std::string& word, const RunStore& store) {
     if (word != "nearest") {
-        return store.get(run_number(word));
+        StoredRun stored = store.get(run_number(word));
+        if (stored.run.final_state.beads.empty()) {
+            throw InputError(fmt::format(
+                "--start {}: that run has no final state to start from, as one that failed or has "
+                "beads of several sizes",
+                word));
+        }
+        return stored;
     }
     if (auto nearest = store.nearest(run)) {
         return *nearest;
@@ -228,8 +246,8 @@ dem::RunResult shear(const dem::RunParameters& run, const dem::StoredSample* sta
     }
 }
 
-void carry_out(dem::RunParameters run, const Extras& extras, const CommonOptions& common,
-               Console& console) {
+void carry_out(dem::RunParameters run, const RunEffects& effects, const Extras& extras,
+               const CommonOptions& common, Console& console) {
     std::optional<dem::Checkpoint> checkpoint;
     if (!extras.checkpoint.empty()) {
         checkpoint.emplace(extras.checkpoint,
@@ -254,13 +272,14 @@ void carry_out(dem::RunParameters run, const Extras& extras, const CommonOptions
     if (store) {
         store->add(result);
     }
-    print_result(console, result);
+    print_result(console, result, effects);
     if (start) {
         console.line(fmt::format("started from run {}: friction {:.4g}, inertial number {:.4g}",
                                  start->id, start->run.parameters.friction,
                                  start->run.parameters.inertial_number));
     }
     nlohmann::ordered_json json = to_json(result);
+    effects.add_to(json);
     json["threads"] = common.threads;
     json.update(fields_json(result));
     console.json(json);
@@ -282,13 +301,15 @@ int simulate(const std::vector<std::string>& arguments) {
         "constant normal\n"
         "stress until it is steady, and prints time averages with standard errors. "
         "Numbers are raw: at the\n"
-        "stiffness number simulated.",
+        "stiffness number simulated. Physical effects make the beads or the liquid others.",
         "  pendular simulate --friction 0.09 --inertial-number 0.003\n"
         "  pendular simulate --reduced-pressure 3 --bridge-volume 0.002\n"
         "  pendular simulate --fidelity quick --friction 0.3 --json run.json\n"
         "  pendular simulate --strain 40 --precision stress_ratio=0.003\n"
         "  pendular simulate --fidelity quick --out run --snapshot-every 0.1\n"
-        "  pendular simulate --fidelity paper --checkpoint run.checkpoint --threads 4\n",
+        "  pendular simulate --fidelity paper --checkpoint run.checkpoint --threads 4\n"
+        "  pendular simulate --normal-stress \"3 kPa\" " +
+            example_of_run() + "\n",
         false);
     options.set_threads(1,
                         "threads of this one run; it is the same for the same number of threads");
@@ -333,6 +354,7 @@ int simulate(const std::vector<std::string>& arguments) {
                 "file in which the run is kept while it goes on; the same command resumes it");
     options.add("checkpoint-every", &extras.checkpoint_minutes,
                 "time between checkpoints [min] (default 10)");
+    RunEffects effects(options, arguments);
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -357,15 +379,13 @@ int simulate(const std::vector<std::string>& arguments) {
         run.precision.push_back(precision_from(text));
     }
 
-    try {
-        dem::check(run);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(error.what());
-    }
+    refuse_impossible(run);
+    run = effects.changed(run, options);
+    refuse_impossible(run);
     extras.check(options, *common);
 
     Console console(*common);
-    carry_out(run, extras, *common, console);
+    carry_out(run, effects, extras, *common, console);
     return done;
 }
 

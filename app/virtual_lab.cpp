@@ -127,13 +127,18 @@ void declare(Options& options, LabPlan& plan, Words& words) {
 }
 
 std::string examples() {
+    const auto of_instrument = [](bool a_switch) {
+        return example_of([=](const Effect& effect) {
+            return effect.of_instrument() && effect.is_switch() == a_switch;
+        });
+    };
     return fmt::format(
         "  pendular virtual-lab my-lab --friction 0.15 --dry --fidelity quick\n"
         "  pendular virtual-lab wet-lab --wet-normal-stresses \"300 Pa, 1 kPa\" --liquid-contents "
         "0.02\n"
         "  pendular virtual-lab odd-lab --dry {} {}\n"
         "  pendular import wet-lab\n",
-        example_of_instrument(false), example_of_instrument(true));
+        of_instrument(false), of_instrument(true));
 }
 
 }  // namespace

@@ -129,6 +129,42 @@ Json cohesion_lines_json(const std::vector<CohesionLine>& lines) {
 
 }  // namespace
 
+Json effects_json(const std::vector<ActiveEffect>& effects) {
+    Json json = Json::object();
+    for (const ActiveEffect& active : effects) {
+        for (std::size_t k = 0; k < active.values.size(); ++k) {
+            json[active.effect->name + "." + active.effect->parameters[k].name] = active.values[k];
+        }
+    }
+    return json;
+}
+
+namespace {
+
+/// Effects on grains, their values in the units of the run.
+Json run_effects_json(const std::vector<EffectValues>& effects) {
+    std::vector<ActiveEffect> active;
+    for (const EffectValues& values : effects) {
+        active.push_back({&built_in_effect(values.effect), values.values});
+    }
+    return effects_json(active);
+}
+
+/// The same back, by name as a run has them.
+std::vector<EffectValues> read_run_effects(const Json& json) {
+    std::vector<EffectValues> effects;
+    for (const auto& [key, value] : json.items()) {
+        const Effect& effect = built_in_effect(key.substr(0, key.find('.')));
+        if (effects.empty() || effects.back().effect != effect.name) {
+            effects.push_back({effect.name, effect.neutral()});
+        }
+        effects.back().values[effect.parameter(key.substr(key.find('.') + 1))] = value;
+    }
+    return effects;
+}
+
+}  // namespace
+
 Json to_json(const dem::RunResult& run) {
     Json json;
     for (std::size_t k = 0; k < dem::observable_count; ++k) {
@@ -147,6 +183,9 @@ Json to_json(const dem::RunResult& run) {
         json["reduced_pressure"] = p.wetting->reduced_pressure;
         json["bridge_volume"] = p.wetting->bridge_volume;
         json["bridge_force"] = to_string(p.wetting->bridge_force);
+    }
+    if (!p.effects.empty()) {
+        json["effects_in_run_units"] = run_effects_json(p.effects);
     }
     json["beads"] = p.beads;
     json["strain"] = p.strain;
@@ -190,6 +229,7 @@ dem::RunResult run_from_json(const Json& json) {
         p.wetting = {json.at("reduced_pressure"), json.at("bridge_volume"),
                      form_named(json.at("bridge_force").get<std::string>())};
     }
+    p.effects = read_run_effects(json.value("effects_in_run_units", Json::object()));
     p.beads = json.at("beads");
     p.strain = json.at("strain");
     p.seed = json.at("seed");

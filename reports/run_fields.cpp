@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "reports/shown.h"
+#include "sim/dem/grain_effects.h"
 
 namespace pendular {
 namespace {
@@ -101,6 +102,9 @@ std::string title(const std::string& what, const dem::RunResult& run) {
     if (p.wetting) {
         text += fmt::format(", P* = {:g}, V_0 = {:g} a³", p.wetting->reduced_pressure,
                             p.wetting->bridge_volume);
+    }
+    if (!p.effects.empty()) {
+        text += ", " + dem::effects_text(p.effects);
     }
     return text;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "data/input_error.h"
@@ -60,13 +61,31 @@ std::optional<double> number_of(const RunColumn& column, const dem::RunResult& r
     return number && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
 }
 
-/// 0: dry; then reduced pressures below 1, from 1 to 10 and above.
+/// 0: dry; then reduced pressures below 1, from 1 to 10 and above; the same again with effects on
+/// grains.
 std::size_t group_of(const dem::RunResult& run) {
     const auto& wetting = run.parameters.wetting;
-    return !wetting                            ? 0
-           : wetting->reduced_pressure < 1     ? 1
-           : wetting->reduced_pressure <= 10.0 ? 2
-                                               : 3;
+    const std::size_t wetness = !wetting                            ? 0
+                                : wetting->reduced_pressure < 1     ? 1
+                                : wetting->reduced_pressure <= 10.0 ? 2
+                                                                    : 3;
+    return run.parameters.effects.empty() ? wetness : wetness + std::size(colours);
+}
+
+/// The curves of those groups, without points.
+std::vector<Curve> curves_of_groups() {
+    const std::vector<std::string> labels = {"dry", "P* < 1", "P* 1 to 10", "P* > 10"};
+    std::vector<Curve> curves;
+    for (const bool effects : {false, true}) {
+        for (std::size_t k = 0; k < labels.size(); ++k) {
+            curves.push_back(
+                {.label = labels[k] + (effects ? ", effects" : ""), .colour = colours[k]});
+            if (effects) {
+                curves.back().symbol = {Shape::square, Filling::hollow};
+            }
+        }
+    }
+    return curves;
 }
 
 std::string label_of(const std::string& column) {
@@ -111,11 +130,7 @@ Figure runs_figure(const std::vector<StoredRun>& runs, const std::string& x, con
     }
     const RunColumn *along = column_named(x), *up = column_named(y),
                     *error = column_named(y + "_stderr");
-    std::vector<Curve> curves = {
-        {.label = "dry"}, {.label = "P* < 1"}, {.label = "P* 1 to 10"}, {.label = "P* > 10"}};
-    for (std::size_t k = 0; k < curves.size(); ++k) {
-        curves[k].colour = colours[k];
-    }
+    std::vector<Curve> curves = curves_of_groups();
     for (const StoredRun& stored : runs) {
         const auto at = number_of(*along, stored.run), value = number_of(*up, stored.run);
         if (!stored.run.failure.empty() || !at || !value) {

@@ -13,7 +13,7 @@ namespace pendular {
 Figure trace_figure(const StoredRun& run);
 
 /// One column of `run_columns()` against another, with standard errors where there are any: dry
-/// runs, and wet ones by decade of reduced pressure.
+/// runs, and wet ones by decade of reduced pressure; those with effects on grains apart.
 /// @throws InputError for a column that is not there or holds no numbers
 Figure runs_figure(const std::vector<StoredRun>& runs, const std::string& x, const std::string& y);
 

@@ -29,17 +29,6 @@ Json plan_json(const LabPlan& plan) {
             {"inertial_numbers", plan.inertial_numbers}};
 }
 
-/// As `calibrate` names fitted parameters: "EFFECT.PARAMETER", in SI units.
-Json effects_json(const std::vector<ActiveEffect>& effects) {
-    Json json = Json::object();
-    for (const ActiveEffect& active : effects) {
-        for (std::size_t k = 0; k < active.values.size(); ++k) {
-            json[active.effect->name + "." + active.effect->parameters[k].name] = active.values[k];
-        }
-    }
-    return json;
-}
-
 /// What is truly imposed where effects are on.
 Json imposed_json(const Condition& imposed) {
     Json json = {{"normal_stress", imposed.normal_stress},

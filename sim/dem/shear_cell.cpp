@@ -27,6 +27,9 @@ constexpr double servo_modulus = 0.05;
 /// 0.6 to 0.8 in a flowing sample. The servo is stable while the true gain is below twice this one
 /// plus 1.
 constexpr double contact_viscosity = 0.6;
+/// The same of a damping that an effect brings in, over its coefficient: 0.2 (6 Phi/pi) (Z/2) with
+/// the 7 bridges of a bead. More than the true gain makes the servo slower, never unstable.
+constexpr double effect_viscosity = 0.8;
 constexpr int steps_between_time_steps = 20;
 
 /// Time steps in which damping by an effect may take away a bead's relative velocity, summed over
@@ -256,8 +259,10 @@ void ShearCell::adjust_height_rate() {
     // Viscous contacts answer the rate within the step: d(s22)/d(rate) is about -zeta sqrt(kappa).
     // Solved for implicitly, as an explicit servo would flip between two rates where that gain over
     // B is near 1, for soft or strongly damped beads.
-    const double gain =
-        contact_viscosity * material_.damping / (servo_modulus * std::sqrt(stiffness));
+    double gain = contact_viscosity * material_.damping / (servo_modulus * std::sqrt(stiffness));
+    if (effects_.hooked()) {
+        gain += effect_viscosity * effects_.damping_rate(bridges_) / (servo_modulus * stiffness);
+    }
     flow_.height_rate += (wanted - flow_.height_rate) / (1 + gain);
 }
 

@@ -42,6 +42,13 @@ FlowState moved(FlowState state, Input input, double by) {
 
 }  // namespace
 
+TEST(Emulator, LearnsNothingOfPlainBeadsFromRunsWithEffects) {
+    dem::RunResult run = shipped_runs().front();
+    EXPECT_TRUE(Emulator::usable(run));
+    run.parameters.effects = {{"rolling-resistance", {0.2}}};
+    EXPECT_FALSE(Emulator::usable(run));
+}
+
 TEST(Kernel, HasTheGradientOfItsLikelihood) {
     const auto runs = invented_runs(60, 1);
     Observations known;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "data_support.h"
@@ -106,6 +107,69 @@ TEST(Campaign, PointsToWhatIsWrong) {
     EXPECT_THAT(refusal("seed = 3\n"), HasSubstr("asks for no run"));
     EXPECT_THAT(refusal("[[grid]]\nfriction = \n"), HasSubstr("correct the syntax"));
     EXPECT_THAT(refusal("[[grid]]\nrepeats = 1.5\n"), HasSubstr("whole number"));
+}
+
+TEST(Campaign, HasEffectsOnGrains) {
+    const auto grid = runs_of(
+        "[[grid]]\nfriction = [0.1, 0.2]\nrolling-resistance.coefficient = [0, 0.05, 0.2]\n");
+    ASSERT_EQ(grid.size(), 6u);
+    std::set<std::string> keys;
+    std::set<std::uint64_t> seeds;
+    for (const auto& run : grid) {
+        EXPECT_TRUE(keys.insert(dem::described(run)).second);
+        EXPECT_TRUE(seeds.insert(run.seed).second);
+    }
+    const auto with = [](const dem::RunParameters& run, double coefficient) {
+        return run.effects == std::vector<EffectValues>{{"rolling-resistance", {coefficient}}};
+    };
+    // A neutral one is none: the same run as in a file that knows no effects.
+    const auto none = std::ranges::find_if(
+        grid, [](const auto& run) { return run.effects.empty() && run.friction == 0.1; });
+    ASSERT_NE(none, grid.end());
+    EXPECT_EQ(dem::described(*none), dem::described(runs_of("[[grid]]\nfriction = 0.1\n")[0]));
+    EXPECT_EQ(std::ranges::count_if(grid, [&](const auto& run) { return with(run, 0.2); }), 2);
+
+    const auto list = runs_of(
+        "[[list]]\nreduced_pressure = 2\nbridge_volume = 0.002\nviscous-bridges.viscosity = [0.1, "
+        "0.3]\n"
+        "willett-bridges.on = [0, 1]\n");
+    ASSERT_EQ(list.size(), 2u);
+    // In the units of a run, as they stand; by name.
+    EXPECT_EQ(list[0].effects, (std::vector<EffectValues>{{"viscous-bridges", {0.1}}}));
+    EXPECT_EQ(list[1].effects,
+              (std::vector<EffectValues>{{"viscous-bridges", {0.3}}, {"willett-bridges", {1}}}));
+
+    const auto sobol = runs_of(
+        "[[sobol]]\npoints = 16\npolydispersity.deviation = [0.05, 0.25]\n"
+        "dry-adhesion.force = [0.001, 0.1]\nlogarithmic = [\"dry-adhesion.force\"]\n");
+    ASSERT_EQ(sobol.size(), 16u);
+    int weak = 0;
+    for (const auto& run : sobol) {
+        ASSERT_EQ(run.effects.size(), 2u);
+        const double force = run.effects[0].values[0], deviation = run.effects[1].values[0];
+        EXPECT_TRUE(force >= 0.001 && force <= 0.1 && deviation >= 0.05 && deviation <= 0.25);
+        weak += force < 0.01;
+    }
+    EXPECT_NEAR(weak, 8, 1);  // the middle of a logarithmic range
+}
+
+TEST(Campaign, PointsToWhatIsWrongWithItsEffects) {
+    const auto refused = [](const std::string& line, const std::string& why) {
+        const std::string text = refusal("seed = 1\n\n[[grid]]\nfriction = 0.1\n" + line + "\n");
+        EXPECT_THAT(text, HasSubstr(why));
+        return text;
+    };
+    EXPECT_THAT(refused("rolling-resistance.coeficient = 0.1", "did you mean 'coefficient'"),
+                HasSubstr("runs.toml:5:"));
+    EXPECT_THAT(refused("rolling-resistence.coefficient = 0.1", "'rolling-resistance'"),
+                HasSubstr("runs.toml:5:"));
+    EXPECT_THAT(refused("rolling-resistance.coefficient = [0.1, 0.9]", "beyond its bounds"),
+                HasSubstr("runs.toml:3:"));
+    EXPECT_THAT(refused("willett-bridges.on = 1", "these beads are dry"),
+                HasSubstr("runs.toml:3:"));
+    refused("reduced_pressure = 2\nbridge_volume = 0.002\nwillett-bridges.on = 0.5",
+            "a switch is 0 or 1");
+    refused("torque-offset.torque = 0.1", "torque-offset");
 }
 
 }  // namespace pendular

@@ -198,6 +198,22 @@ TEST(ShearCell, FollowsItsDampingWithTheTimeStep) {
     EXPECT_TRUE(std::isfinite(of(run(p), Observable::stress_ratio)));
 }
 
+TEST(ShearCell, HoldsBeadsWithAViscousLiquid) {
+    // So much viscosity that a servo which took the contacts alone for damped would flip between
+    // two rates, ever wider, until the sample blows up.
+    RunParameters p = small_run();
+    p.stiffness_number = 300;
+    p.beads = 100;
+    p.strain = 1;
+    p.inertial_number = 0.1;
+    p.wetting = {.reduced_pressure = 2, .bridge_volume = 2e-3};
+    for (const double viscosity : {0.3, 2.5}) {
+        p.effects = {{"viscous-bridges", {viscosity}}};
+        const Mean held = run(p)[Observable::held_normal_stress];
+        EXPECT_NEAR(held.value, 1, 0.05 + 4 * held.standard_error) << viscosity;
+    }
+}
+
 TEST(ShearCell, KeepsItsMomentum) {
     ShearCell sample(150, {.modulus = 5e3, .friction = 0.3}, 0.05, 9);
     ASSERT_TRUE(sample.compress());

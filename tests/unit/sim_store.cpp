@@ -6,7 +6,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <random>
@@ -125,6 +127,7 @@ TEST(RunStore, TellsRunsApartByAllThatDeterminesThem) {
     EXPECT_TRUE(without([](auto& p) { p.seed = 2; }));
     EXPECT_TRUE(without([](auto& p) { p.start = 2; }));
     EXPECT_TRUE(without([](auto& p) { p.wetting.emplace(); }));
+    EXPECT_TRUE(without([](auto& p) { p.effects = {{"polydispersity", {0.1}}}; }));
     EXPECT_TRUE(without([](auto& p) { p.precision = {{dem::Observable::stress_ratio, 0.01}}; }));
     EXPECT_FALSE(store.find(small(1), 2));  // two threads round otherwise
     // A version of the physics of its own.
@@ -338,6 +341,61 @@ TEST(RunTable, IsReadBackAsItWasWritten) {
         expect_same(back[k].run, runs[k].run);
         EXPECT_EQ(dem::described(back[k].run.parameters), dem::described(runs[k].run.parameters));
     }
+}
+
+TEST(RunStore, KeepsEffectsToTheLastBit) {
+    const TemporaryFolder folder;
+    dem::RunResult run = invented(1, true);
+    run.parameters.effects = {{"rolling-resistance", {0.1 + 1e-17}},
+                              {"viscous-bridges", {std::nextafter(1.0 / 3, 1)}},
+                              {"willett-bridges", {1}}};
+    {
+        RunStore store(folder.path() / "runs.sqlite");
+        store.add(run);
+        store.add(invented(1, true));
+        EXPECT_EQ(store.size(), 2u);
+    }
+    const RunStore store(folder.path() / "runs.sqlite", true);
+    const auto found = store.find(run.parameters);
+    ASSERT_TRUE(found);
+    expect_same(*found, run);
+    EXPECT_EQ(found->parameters.effects, run.parameters.effects);
+    auto other = run.parameters;
+    other.effects[1].values[0] = 1.0 / 3;
+    EXPECT_FALSE(store.find(other));
+    EXPECT_EQ(store.select("effects IS NULL").size(), 1u);
+    EXPECT_EQ(store.select("effects LIKE '%willett%'").size(), 1u);
+    // The same through a table.
+    write_runs(folder.path() / "runs.csv", store.select());
+    const auto back = read_runs(folder.path() / "runs.csv");
+    ASSERT_EQ(back.size(), 2u);
+    EXPECT_EQ(back[0].run.parameters.effects, run.parameters.effects);
+    expect_same(back[0].run, run);
+}
+
+TEST(RunTable, IsReadWithoutTheColumnOfEffects) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "runs.csv";
+    write_runs(file, {{1, dem::physics_version, invented(1)}});
+    std::ifstream stream(file);
+    std::string header, row;
+    std::getline(stream, header);
+    std::getline(stream, row);
+    // As an older program wrote it.
+    const auto before =
+        std::count(header.begin(),
+                   header.begin() + static_cast<std::ptrdiff_t>(header.find(",effects,") + 1), ',');
+    header.replace(header.find(",effects,"), 9, ",");
+    std::size_t at = 0;
+    for (auto k = before; k > 0; --k) {
+        at = row.find(',', at) + 1;
+    }
+    row.erase(at, row.find(',', at) + 1 - at);
+    folder.write("runs.csv", header + "\n" + row + "\n");
+    const auto back = read_runs(file);
+    ASSERT_EQ(back.size(), 1u);
+    EXPECT_TRUE(back[0].run.parameters.effects.empty());
+    expect_same(back[0].run, invented(1));
 }
 
 TEST(RunTable, PointsToWhatIsWrong) {

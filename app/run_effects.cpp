@@ -1,0 +1,136 @@
+#include "app/run_effects.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "data/input_error.h"
+#include "data/units.h"
+#include "reports/json.h"
+
+namespace pendular::app {
+namespace {
+
+/// A value above 0 with its unit.
+/// @throws InputError
+double positive(const std::string& words, const char* unit, const std::string& option) {
+    double value = 0;
+    try {
+        value = quantity_in_si(words, Unit(unit));
+    } catch (const std::invalid_argument& error) {
+        throw InputError(fmt::format("--{}: {}", option, error.what()));
+    }
+    if (!(value > 0)) {
+        throw InputError(fmt::format("--{} \"{}\": a value above 0 is needed", option, words));
+    }
+    return value;
+}
+
+}  // namespace
+
+RunEffects::RunEffects(Options& options, const std::vector<std::string>& arguments)
+    : options_([&]() -> EffectOptions {
+          options.begin_section("Scale of effects that have parameters in SI units");
+          options.add("diameter", &diameter_, "of the beads, with its unit (default 500 um)");
+          options.add("density", &density_, "of the beads, with its unit (default 1050 kg/m^3)");
+          options.add("normal-stress", &normal_stress_,
+                      "of dry beads, with its unit (default 1 kPa); that of wet ones is P* pi "
+                      "Gamma/a");
+          options.add("surface-tension", &surface_tension_,
+                      "Gamma of the liquid of wet beads, with its unit (default 20.6 mN/m)");
+          return {
+              options, arguments,
+              "Effects on beads and liquid (numbers with their unit, or plain in the one named)",
+              why_no_run_has};
+      }()) {}
+
+void RunEffects::read_scale(const dem::RunParameters& run, const Options& options) {
+    if (run.wetting && options.given("normal-stress")) {
+        throw InputError(
+            "--normal-stress and --reduced-pressure contradict each other: P* and the surface "
+            "tension give the normal stress, P* pi Gamma/a; remove one of them");
+    }
+    if (!run.wetting && options.given("surface-tension")) {
+        throw InputError(
+            "--surface-tension needs --reduced-pressure: without it the beads are dry");
+    }
+    scale_.grains.diameter = positive(diameter_, "m", "diameter");
+    scale_.grains.density = positive(density_, "kg/m^3", "density");
+    scale_.normal_stress = positive(normal_stress_, "Pa", "normal-stress");
+    scale_.liquid.surface_tension = positive(surface_tension_, "N/m", "surface-tension");
+    scale_ = scale_.of(run);
+    scale_given_ = std::ranges::any_of(
+        std::vector<std::string>{"diameter", "density", "normal-stress", "surface-tension"},
+        [&](const std::string& name) { return options.given(name); });
+}
+
+dem::RunParameters RunEffects::changed(const dem::RunParameters& run, const Options& options) {
+    read_scale(run, options);
+    effects_ = options_.effects();
+    scaled_ = std::ranges::any_of(
+        effects_, [](const ActiveEffect& active) { return needs_scale(*active.effect); });
+    without_ = run;
+    try {
+        return changed_run(run, effects_, scale_);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(error.what());
+    }
+}
+
+void RunEffects::print(Console& console, const dem::RunParameters& changed) const {
+    std::string text;
+    for (const ActiveEffect& active : effects_) {
+        text += (text.empty() ? "with " : ", ") + to_string(active);
+    }
+    if (changed.friction != without_.friction) {
+        text +=
+            fmt::format("; friction {:g} in place of {:g}", changed.friction, without_.friction);
+    }
+    if (!changed.wetting && without_.wetting) {
+        text += "; dry";
+    } else if (changed.wetting &&
+               changed.wetting->reduced_pressure != without_.wetting->reduced_pressure) {
+        text += fmt::format("; reduced pressure {:.4g} in place of {:g}",
+                            changed.wetting->reduced_pressure, without_.wetting->reduced_pressure);
+    }
+    if (!text.empty()) {
+        console.line(text);
+    }
+    if (scaled_) {
+        console.line(fmt::format(
+            "at a normal stress of {:.4g} Pa on beads of {:.4g} um and {:g} "
+            "kg/m^3{}",
+            scale_.normal_stress, 1e6 * scale_.grains.diameter, scale_.grains.density,
+            without_.wetting
+                ? fmt::format(", surface tension {:.4g} mN/m", 1e3 * scale_.liquid.surface_tension)
+                : ""));
+    } else if (scale_given_) {
+        console.note(
+            "no effect of this run has a parameter in SI units: --diameter, --density, "
+            "--normal-stress and --surface-tension change nothing");
+    }
+}
+
+void RunEffects::add_to(nlohmann::ordered_json& json) const {
+    if (effects_.empty()) {
+        return;
+    }
+    json["effects"] = effects_json(effects_);
+    if (scaled_) {
+        json["scale"] = {{"diameter", scale_.grains.diameter},
+                         {"density", scale_.grains.density},
+                         {"normal_stress", scale_.normal_stress}};
+        if (without_.wetting) {
+            json["scale"]["surface_tension"] = scale_.liquid.surface_tension;
+        }
+    }
+}
+
+std::string example_of_run() {
+    return example_of(
+        [](const Effect& effect) { return effect.of_grains() && !effect.is_switch(); });
+}
+
+}  // namespace pendular::app
