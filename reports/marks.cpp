@@ -30,6 +30,33 @@ void draw_points(Ink& ink, const PanelPlace& place, const Curve& curve) {
     }
 }
 
+constexpr double bar_width = 0.62;  ///< in units of the axis
+
+/// Bars from the axis up, what each is worth above it.
+void draw_bars(Ink& ink, const PanelPlace& place, const Curve& curve) {
+    for (std::size_t k = 0; k < curve.x.size(); ++k) {
+        const PaperPoint low = place.at(curve.x[k] - bar_width / 2, place.y.first),
+                         high = place.at(curve.x[k] + bar_width / 2, curve.y[k]);
+        const Outline edge{low, {high.x, low.y}, high, {low.x, high.y}, low};
+        ink.area(edge, curve.colour, 0.55);
+        ink.line(edge, {curve.colour, 1.2});
+        if (k < curve.names.size()) {
+            ink.centred(curve.names[k], {(low.x + high.x) / 2, high.y + 0.11});
+        }
+    }
+}
+
+void draw_names(Ink& ink, const PanelPlace& place, const Panel& panel) {
+    for (std::size_t k = 0; k < panel.x_names.size(); ++k) {
+        PaperPoint at = place.at(static_cast<double>(k) + 1, place.y.first);
+        at = {at.x, place.bottom - 0.04 - name_line / 2};
+        for (const auto& line : panel.x_names[k]) {
+            ink.centred(line, at);
+            at.y -= name_line;
+        }
+    }
+}
+
 /// One line of a key: words and the look they explain.
 struct Entry {
     const std::string* label;
@@ -72,6 +99,7 @@ void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
             ink.line(stroke, pen_of(curve));
             break;
         case Curve::Style::band:
+        case Curve::Style::bars:
             ink.area({{middle.x - reach, y - half_band},
                       {middle.x + reach, y - half_band},
                       {middle.x + reach, y + half_band},
@@ -122,8 +150,11 @@ Ink marks_of(const Figure& figure, const Page& page) {
         for (const auto& curve : panel.curves) {
             if (curve.style == Curve::Style::points) {
                 draw_points(ink, page.panels[p], curve);
+            } else if (curve.style == Curve::Style::bars) {
+                draw_bars(ink, page.panels[p], curve);
             }
         }
+        draw_names(ink, page.panels[p], panel);
         if (panel.key != Key::none) {
             draw_key(ink, page.panels[p], panel);
         }
