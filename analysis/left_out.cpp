@@ -1,5 +1,6 @@
 #include "analysis/left_out.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -65,6 +66,19 @@ Split split(const std::vector<Reading>& readings, const std::vector<std::size_t>
     return result;
 }
 
+/// Whether the readings of a fit determine every combination of its parameters.
+bool determined(const Fit& fit, const Measured& measured) {
+    Eigen::MatrixXd slopes =
+        measured.covariance.diagonal().cwiseSqrt().cwiseInverse().asDiagonal() *
+        fit.prediction.jacobian;
+    for (Eigen::Index k = 0; k < slopes.cols(); ++k) {
+        slopes.col(k) /= std::max(slopes.col(k).norm(), 1e-300);
+    }
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(slopes);
+    decomposed.setThreshold(1e-7);
+    return fit.converged && decomposed.rank() == slopes.cols();
+}
+
 }  // namespace
 
 std::optional<LeftOut> left_out_errors(const FlowModel& model, const Calibration& c) {
@@ -81,7 +95,7 @@ std::optional<LeftOut> left_out_errors(const FlowModel& model, const Calibration
         const AtConditions rest(model, conditions_of(parts.others));
         const Measured measured = stack(parts.others);
         Fit refit = fit(rest, measured, c.fit.parameters);
-        if (!refit.converged) {
+        if (!determined(refit, measured)) {
             // From the optimum an undetermined parameter would keep what it owes to this condition.
             refit = fit(rest, measured, start_of(model));
             ++result.undetermined;

@@ -171,7 +171,7 @@ void write_numbers(const Figure& figure, const fs::path& file) {
     for (const auto& panel : figure.panels) {
         text += fmt::format("# {} against {}\n", panel.y_label, panel.x_label);
         const auto number = static_cast<std::size_t>(&panel - figure.panels.data()) + 1;
-        for (std::size_t k = 0; k < panel.x_names.size(); ++k) {
+        for (std::size_t k = 0; k < panel.x_names.size() && !panel.x_names[k].empty(); ++k) {
             text += fmt::format("# {}: {}\n", k + 1, fmt::join(panel.x_names[k], ""));
         }
         for (const auto& r : panel.references) {
@@ -180,7 +180,7 @@ void write_numbers(const Figure& figure, const fs::path& file) {
                                 r.vertical ? "" : fmt::format("{}", r.value), r.error);
         }
         for (const auto& curve : panel.curves) {
-            for (std::size_t k = 0; k < curve.x.size(); ++k) {
+            for (std::size_t k = 0; k < curve.x.size() && curve.in_table; ++k) {
                 text += fmt::format(
                     "{},{},{},{},{}\n", number, cell(curve.label), curve.x[k], curve.y[k],
                     curve.y_error.empty() ? "" : fmt::format("{}", curve.y_error[k]));

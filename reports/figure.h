@@ -16,11 +16,12 @@ struct Curve {
     std::string label;
     Style style = Style::points;
     std::vector<double> x, y;
-    std::vector<double> y_error;  ///< of points: bars; of a band: its half-width
+    std::vector<double> y_error;          ///< of points: bars; of a band: its half-width
     std::vector<std::string> names = {};  ///< above bars
     std::string colour = "#000000";
     Symbol symbol = {};
     bool in_key = true;
+    bool in_table = true;  ///< its numbers are written too
 };
 
 /// A value with its error that runs across a panel: horizontal, or vertical at one x.
@@ -48,7 +49,8 @@ struct Panel {
     std::optional<std::pair<double, double>> x_range = {};
     /// What stands at x = 1, 2, ... in place of numbers; lines of words.
     std::vector<std::vector<std::string>> x_names = {};
-    double y_least = 0;  ///< the y axis reaches at least this far to both sides of zero
+    bool y_from_zero = false;  ///< where it is not logarithmic
+    double y_least = 0;        ///< the y axis reaches at least this far to both sides of zero
 };
 
 /// Panels side by side or above one another, under one title.

@@ -49,8 +49,9 @@ std::vector<Reference> new_starts(const Ladder& ladder) {
     return lines;
 }
 
+/// Two digits or three.
 std::string number(double value) {
-    return value < 99.5 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+    return fmt::format("{:.{}f}", value, value < 0.995 ? 2 : value < 9.95 ? 1 : 0);
 }
 
 Panel chi2_panel(const Ladder& ladder) {
@@ -71,7 +72,7 @@ Panel chi2_panel(const Ladder& ladder) {
         values.push_back(value);
     }
     panel.references = new_starts(ladder);
-    panel.references.push_back({"", 1, 0, false, calibrated_colour});
+    panel.references.push_back({"where all is right", 1, 0, false, calibrated_colour});
     panel.curves = {starts, changes};
     panel.log_y = spans_decade(values);
     panel.headroom = 0.06;
@@ -95,6 +96,28 @@ Curve error_curve(const Ladder& ladder, std::size_t observable, bool left_out) {
     return curve;
 }
 
+/// Lines through points, none across the place where the ladder begins anew.
+std::vector<Curve> lines_through(const Curve& points, const std::vector<Reference>& breaks) {
+    std::vector<Curve> lines;
+    std::ptrdiff_t last = -1;
+    for (std::size_t k = 0; k < points.x.size(); ++k) {
+        const std::ptrdiff_t part = std::ranges::count_if(
+            breaks, [&](const Reference& line) { return line.value < points.x[k]; });
+        if (part != last) {
+            Curve line = points;
+            line.style = Curve::Style::dotted_line;
+            line.in_key = false;
+            line.in_table = false;
+            line.x.clear(), line.y.clear();
+            lines.push_back(line);
+            last = part;
+        }
+        lines.back().x.push_back(points.x[k]);
+        lines.back().y.push_back(points.y[k]);
+    }
+    return lines;
+}
+
 Panel error_panel(const Ladder& ladder) {
     Panel panel{.x_label = "", .y_label = "RMS error [%]"};
     panel.references = new_starts(ladder);
@@ -108,10 +131,9 @@ Panel error_panel(const Ladder& ladder) {
             }
             values.insert(values.end(), curve.y.begin(), curve.y.end());
             points.push_back(curve);
-            Curve line = curve;
-            line.style = Curve::Style::dotted_line;
-            line.in_key = false;
-            panel.curves.push_back(line);
+            for (const Curve& line : lines_through(curve, panel.references)) {
+                panel.curves.push_back(line);
+            }
         }
     }
     panel.curves.insert(panel.curves.end(), points.begin(), points.end());
@@ -121,6 +143,7 @@ Panel error_panel(const Ladder& ladder) {
     panel.log_y = !values.empty() && spans_decade(values);
     panel.key = Key::top_right;
     panel.headroom = 0.34;
+    panel.y_from_zero = true;
     return panel;
 }
 

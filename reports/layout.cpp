@@ -46,9 +46,10 @@ Extent extent(const Panel& panel, bool along_x) {
                     : extent.include(curve.y[k], curve.y_error.empty() ? 0 : curve.y_error[k]);
         }
     }
-    if (!along_x && has_bars(panel)) {
-        // Bars stand on zero; where there is none, the least of them still shows.
-        extent.include(panel.log_y ? 0.6 * extent.least() : 0);
+    if (!along_x && panel.log_y && has_bars(panel)) {
+        extent.include(0.6 * extent.least());  // the least of them still shows
+    } else if (!along_x && (panel.y_from_zero || has_bars(panel))) {
+        extent.include(0);
     }
     for (const auto& reference : panel.references) {
         if (reference.vertical == along_x) {

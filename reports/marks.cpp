@@ -1,5 +1,7 @@
 #include "reports/marks.h"
 
+#include <cmath>
+
 namespace pendular {
 namespace {
 
@@ -32,8 +34,21 @@ void draw_points(Ink& ink, const PanelPlace& place, const Curve& curve) {
 
 constexpr double bar_width = 0.62;  ///< in units of the axis
 
+/// Height for words above a bar that ends at `top`, clear of the panel's references.
+double above_bar(const PanelPlace& place, const Panel& panel, double top) {
+    constexpr double half_line = 0.11;
+    double height = top + half_line;
+    for (const auto& reference : panel.references) {
+        const double line = place.at(place.x.first, reference.value).y;
+        if (!reference.vertical && std::abs(line - height) < half_line) {
+            height = line + half_line;
+        }
+    }
+    return height;
+}
+
 /// Bars from the axis up, what each is worth above it.
-void draw_bars(Ink& ink, const PanelPlace& place, const Curve& curve) {
+void draw_bars(Ink& ink, const PanelPlace& place, const Panel& panel, const Curve& curve) {
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
         const PaperPoint low = place.at(curve.x[k] - bar_width / 2, place.y.first),
                          high = place.at(curve.x[k] + bar_width / 2, curve.y[k]);
@@ -41,7 +56,7 @@ void draw_bars(Ink& ink, const PanelPlace& place, const Curve& curve) {
         ink.area(edge, curve.colour, 0.55);
         ink.line(edge, {curve.colour, 1.2});
         if (k < curve.names.size()) {
-            ink.centred(curve.names[k], {(low.x + high.x) / 2, high.y + 0.11});
+            ink.centred(curve.names[k], {(low.x + high.x) / 2, above_bar(place, panel, high.y)});
         }
     }
 }
@@ -151,7 +166,7 @@ Ink marks_of(const Figure& figure, const Page& page) {
             if (curve.style == Curve::Style::points) {
                 draw_points(ink, page.panels[p], curve);
             } else if (curve.style == Curve::Style::bars) {
-                draw_bars(ink, page.panels[p], curve);
+                draw_bars(ink, page.panels[p], panel, curve);
             }
         }
         draw_names(ink, page.panels[p], panel);

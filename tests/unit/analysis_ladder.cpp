@@ -132,13 +132,14 @@ TEST(LeftOut, RisesWithAParameterThatFitsNoise) {
 }
 
 TEST(LeftOut, TakesNothingFromTheConditionThatAloneDeterminesAParameter) {
-    // A line through two conditions: without one of them the slope is not determined and stays
-    // where it starts, at 0. From the optimum it would predict what was left out exactly.
+    // p0 + p1 x through (0, 10) and (1, 20). Without the second, p1 stays where it starts, at 0,
+    // and 10 is predicted for 20; from the optimum it would be 20 exactly. Without the first, only
+    // the sum of both is determined; from 0 both reach 10, which is right by accident.
     const Polynomial model(2);
-    const auto c = fitted_to(model, {reading(1, 10), reading(2, 20)});
+    const auto c = fitted_to(model, {reading(0, 10), reading(1, 20)});
     const auto result = left_out_errors(model, c);
     EXPECT_EQ(result->undetermined, 2u);
-    EXPECT_GT(result->rms_percent[0], 30);
+    EXPECT_NEAR(result->rms_percent[0], 100 * std::sqrt(0.25 / 2), 1e-3);
 }
 
 TEST(LeftOut, NeedsTwoConditions) {
