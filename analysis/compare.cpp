@@ -59,23 +59,35 @@ std::vector<Trend> trends_of(const std::vector<ReadingMisfit>& readings) {
     return trends;
 }
 
-std::vector<ConditionMisfit> conditions_of(const std::vector<ReadingMisfit>& readings) {
+std::vector<ConditionMisfit> misfit_by_condition(const std::vector<Reading>& readings,
+                                                 const std::vector<ReadingMisfit>& misfits) {
     std::vector<ConditionMisfit> groups;
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-        const Reading& reading = readings[k].reading;
-        auto group = std::ranges::find_if(groups, [&](const ConditionMisfit& g) {
-            return are_replicates(readings[g.readings.front()].reading, reading);
-        });
-        if (group == groups.end()) {
-            group = groups.insert(groups.end(), {reading.condition, {}, 0});
+    for (const auto& members : condition_groups(readings)) {
+        ConditionMisfit group{readings[members.front()].condition, members, 0};
+        for (const std::size_t k : members) {
+            group.chi2 += misfits[k].chi2.sum();
         }
-        group->readings.push_back(k);
-        group->chi2 += readings[k].chi2.sum();
+        groups.push_back(group);
     }
     return groups;
 }
 
 }  // namespace
+
+std::vector<std::vector<std::size_t>> condition_groups(const std::vector<Reading>& readings) {
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const auto group = std::ranges::find_if(groups, [&](const auto& members) {
+            return are_replicates(readings[members.front()], readings[k]);
+        });
+        if (group == groups.end()) {
+            groups.push_back({k});
+        } else {
+            group->push_back(k);
+        }
+    }
+    return groups;
+}
 
 double Misfit::p() const {
     return dof > 0 ? boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), chi2))
@@ -112,7 +124,7 @@ Comparison compare(const std::vector<Reading>& readings, const Prediction& predi
     for (double& rms : result.rms_percent) {
         rms = 100 * std::sqrt(rms);
     }
-    result.by_condition = conditions_of(result.readings);
+    result.by_condition = misfit_by_condition(readings, result.readings);
     result.trends = trends_of(result.readings);
     return result;
 }

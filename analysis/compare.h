@@ -21,6 +21,9 @@ struct ReadingMisfit {
         normalised;  ///< (measured - predicted) over the standard error of the difference [1]
 };
 
+/// Places of readings of the same condition (replicates) among some readings, in their order.
+std::vector<std::vector<std::size_t>> condition_groups(const std::vector<Reading>& readings);
+
 /// Readings of one condition (replicates) taken together.
 struct ConditionMisfit {
     Condition condition;

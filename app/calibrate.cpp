@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "analysis/compare.h"
+#include "app/calibration_run.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/interrupt.h"
@@ -76,20 +76,6 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     }
 }
 
-/// An emulator is confirmed by a second round, direct simulation by a third.
-void choose_rounds(CalibrationRequest& request, std::optional<KnownRuns> known, bool no_confirm) {
-    request.known = std::move(known);
-    if (!request.known) {
-        request.options.fewest_rounds -= no_confirm;
-        return;
-    }
-    request.known->orders_more = !no_confirm;
-    request.options.fewest_rounds = 2;
-    if (no_confirm) {
-        request.options.fewest_rounds = request.options.most_rounds = 1;
-    }
-}
-
 }  // namespace
 
 int calibrate(const std::vector<std::string>& arguments) {
@@ -135,29 +121,9 @@ int calibrate(const std::vector<std::string>& arguments) {
     const auto [study, measurements] = read_input(common->study);
     const auto store = open_store(*common);
     choose_rounds(request, cold ? std::nullopt : known_runs(study, request.fidelity, store.get()),
-                  no_confirm);
-    std::string what = "round 1";
-    request.stage = [&](std::string_view name) { what = name; };
-    const Workers workers{common->threads, guard.token(),
-                          [&](const EnsembleProgress& p) { console.progress(what, p); },
-                          store.get(), !cold};
-    const auto report = [&](int round, const Fit& fit) {
-        console.end_progress();
-        if (!common->quiet) {
-            fmt::print(stderr, "round {}: friction = {}\n", round,
-                       with_error(fit.parameters(0), fit.standard_error(0)));
-        }
-        what = fmt::format("round {}", round + 1);
-    };
-    const Calibration c = [&] {
-        try {
-            return calibrate_study(study, measurements, request, workers, report);
-        } catch (const dem::Interrupted&) {
-            console.end_progress();
-            throw store ? interrupted_with(*store) : dem::Interrupted();
-        }
-    }();
-    console.end_progress();
+                  !no_confirm);
+    const Calibration c = run_calibration(console, *common, study, measurements, request,
+                                          store.get(), !cold, guard.token());
     const Comparison comparison = compare(c);
     const auto json = to_json(c, comparison);
     write_json(common->out_folder() / "fit.json", json);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "analysis/compare.h"
 #include "app/command.h"
@@ -13,6 +14,19 @@
 #include "reports/tables.h"
 
 namespace pendular::app {
+
+namespace {
+
+/// "with torque-offset, lid-slip: "; empty where there are none.
+std::string with_effects(const ModelChoice& model) {
+    std::string names;
+    for (const auto& effect : model.effects) {
+        names += (names.empty() ? "with " : ", ") + effect.name;
+    }
+    return names.empty() ? "" : names + ": ";
+}
+
+}  // namespace
 
 int compare(const std::vector<std::string>& arguments) {
     Options options("compare STUDY [options]",
@@ -48,9 +62,9 @@ int compare(const std::vector<std::string>& arguments) {
     const auto json = to_json(comparison, c.cohesion_lines);
     write_json(out / "compare.json", json);
     console.line(fmt::format(
-        "chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear stress, "
-        "{:.2f} % in solid fraction",
-        comparison.total.chi2, comparison.total.dof, comparison.total.p(),
+        "{}chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear "
+        "stress, {:.2f} % in solid fraction",
+        with_effects(c.model), comparison.total.chi2, comparison.total.dof, comparison.total.p(),
         comparison.rms_percent[0], comparison.rms_percent[1]));
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format(

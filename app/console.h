@@ -31,7 +31,7 @@ class Console {
     std::chrono::steady_clock::time_point last_{};
 };
 
-/// Value with its standard error to two digits: "0.097 +- 0.011".
+/// Value with its standard error to two digits: "0.097 +- 0.011", "(1.032 +- 0.012)e-6".
 std::string with_error(double value, double error);
 
 /// "1 min 20 s", "3 h 5 min".

@@ -127,7 +127,10 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
     visible.add(common);
     all.add(visible).add(hidden);
     po::positional_options_description positional;
-    positional.add(words_ ? "words" : "study", words_ ? -1 : takes_study_ ? 1 : 0);
+    positional.add("study", takes_study_ ? 1 : 0);
+    if (words_) {
+        positional.add("words", -1);
+    }
     try {
         po::store(po::command_line_parser(arguments)
                       .options(all)
@@ -153,7 +156,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
     }
     if (words_) {
         *words_ = words;
-    } else if (takes_study_ && study.empty()) {
+    }
+    if (takes_study_ && study.empty()) {
         throw InputError(fmt::format("the study or folder is missing; usage: pendular {}", usage_));
     }
     if (result.threads < 1) {

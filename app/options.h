@@ -57,7 +57,7 @@ class Options {
     }
     /// What --out means to this command, if not the results of a study.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
-    /// Takes any number of words that belong to no option.
+    /// Takes any number of words that belong to no option, after the study where there is one.
     void take(std::vector<std::string>* words) { words_ = words; }
     void add_switch(const char* name, bool* value, const std::string& description);
 

@@ -23,7 +23,8 @@ std::string block_name(std::size_t panel, std::size_t curve) {
 }
 
 bool has_line(const Curve& curve) {
-    return curve.style != Curve::Style::points && !curve.x.empty();
+    return curve.style != Curve::Style::points && curve.style != Curve::Style::bars &&
+           !curve.x.empty();
 }
 
 /// The data of lines and bands as named blocks, so that every terminal draws the same.
@@ -103,9 +104,18 @@ std::string axes_script(const Panel& panel, const PanelPlace& place, const Page&
         "unset object\nunset arrow\nunset logscale\nunset key\nset format x '%g'\n"
         "set border 31 linewidth 1.2\nset grid xtics ytics linecolor rgb '#e4e4e4'\n"
         "set ytics nomirror autofreq format '% h'\n";
-    text += panel.log_y ? "set logscale y\nset ytics format '10^{%T}'\n" : "";
-    text += panel.log_x ? "set logscale x\nset xtics nomirror (" + tics_1_2_5(place.x) + ")\n"
-                        : std::string("set xtics nomirror autofreq\n");
+    if (panel.log_y) {
+        text += panel.x_names.empty()
+                    ? "set logscale y\nset ytics format '10^{%T}'\n"
+                    : "set logscale y\nset ytics (" + tics_1_2_5(place.y) + ") format '%g'\n";
+    }
+    if (!panel.x_names.empty()) {
+        text += "unset xtics\n";
+    } else if (panel.log_x) {
+        text += "set logscale x\nset xtics nomirror (" + tics_1_2_5(place.x) + ")\n";
+    } else {
+        text += "set xtics nomirror autofreq\n";
+    }
     text +=
         fmt::format("set xlabel {}\nset ylabel {}\n", quoted(panel.x_label), quoted(panel.y_label));
     text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", place.x.first, place.x.second,
@@ -161,13 +171,16 @@ void write_numbers(const Figure& figure, const fs::path& file) {
     for (const auto& panel : figure.panels) {
         text += fmt::format("# {} against {}\n", panel.y_label, panel.x_label);
         const auto number = static_cast<std::size_t>(&panel - figure.panels.data()) + 1;
+        for (std::size_t k = 0; k < panel.x_names.size() && !panel.x_names[k].empty(); ++k) {
+            text += fmt::format("# {}: {}\n", k + 1, fmt::join(panel.x_names[k], ""));
+        }
         for (const auto& r : panel.references) {
             text += fmt::format("{},{},{},{},{}\n", number, cell(r.label),
                                 r.vertical ? fmt::format("{}", r.value) : "",
                                 r.vertical ? "" : fmt::format("{}", r.value), r.error);
         }
         for (const auto& curve : panel.curves) {
-            for (std::size_t k = 0; k < curve.x.size(); ++k) {
+            for (std::size_t k = 0; k < curve.x.size() && curve.in_table; ++k) {
                 text += fmt::format(
                     "{},{},{},{},{}\n", number, cell(curve.label), curve.x[k], curve.y[k],
                     curve.y_error.empty() ? "" : fmt::format("{}", curve.y_error[k]));

@@ -12,14 +12,16 @@ namespace pendular {
 
 /// One set of data in a panel. Without data it explains a look in the key.
 struct Curve {
-    enum class Style { points, line, dotted_line, dashed_line, band };
+    enum class Style { points, line, dotted_line, dashed_line, band, bars };
     std::string label;
     Style style = Style::points;
     std::vector<double> x, y;
-    std::vector<double> y_error;  ///< of points: bars; of a band: its half-width
+    std::vector<double> y_error;          ///< of points: bars; of a band: its half-width
+    std::vector<std::string> names = {};  ///< above bars
     std::string colour = "#000000";
     Symbol symbol = {};
     bool in_key = true;
+    bool in_table = true;  ///< its numbers are written too
 };
 
 /// A value with its error that runs across a panel: horizontal, or vertical at one x.
@@ -45,7 +47,10 @@ struct Panel {
     Key key = Key::none;
     double headroom = 0;  ///< share of the height kept free above the data, for the key
     std::optional<std::pair<double, double>> x_range = {};
-    double y_least = 0;  ///< the y axis reaches at least this far to both sides of zero
+    /// What stands at x = 1, 2, ... in place of numbers; lines of words.
+    std::vector<std::vector<std::string>> x_names = {};
+    bool y_from_zero = false;  ///< where it is not logarithmic
+    double y_least = 0;        ///< the y axis reaches at least this far to both sides of zero
 };
 
 /// Panels side by side or above one another, under one title.

@@ -48,9 +48,17 @@ void Ink::area(Outline closed, const std::string& colour, double opacity) {
         std::move(closed));
 }
 
-void Ink::words(const std::string& text, PaperPoint place, bool end_there) {
+void Ink::label(const std::string& text, PaperPoint place, const char* alignment) {
     labels_.push_back(fmt::format("set label {} {} at first {},{} {} front\n", labels_.size() + 1,
-                                  quoted(text), place.x, place.y, end_there ? "right" : "left"));
+                                  quoted(text), place.x, place.y, alignment));
+}
+
+void Ink::words(const std::string& text, PaperPoint place, bool end_there) {
+    label(text, place, end_there ? "right" : "left");
+}
+
+void Ink::centred(const std::string& text, PaperPoint place) {
+    label(text, place, "center");
 }
 
 void Ink::symbol(const Symbol& symbol, PaperPoint place, double area, const std::string& colour) {

@@ -23,6 +23,8 @@ class Ink {
     void area(Outline closed, const std::string& colour, double opacity = 1);
     /// Words beside a place, their middle at its height.
     void words(const std::string& text, PaperPoint place, bool end_there);
+    /// Words whose middle is there.
+    void centred(const std::string& text, PaperPoint place);
     /// A symbol of a given area [inch^2] at a place.
     void symbol(const Symbol& symbol, PaperPoint place, double area, const std::string& colour);
 
@@ -37,6 +39,7 @@ class Ink {
         std::vector<Outline> pieces;
     };
     void add(const std::string& style, Outline points);
+    void label(const std::string& text, PaperPoint place, const char* alignment);
 
     std::vector<Layer> layers_;  ///< later ones lie above
     std::vector<std::string> labels_;

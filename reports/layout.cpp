@@ -33,6 +33,11 @@ class Extent {
     double least_ = std::numeric_limits<double>::infinity(), greatest_ = -least_;
 };
 
+bool has_bars(const Panel& panel) {
+    return std::ranges::any_of(
+        panel.curves, [](const Curve& curve) { return curve.style == Curve::Style::bars; });
+}
+
 Extent extent(const Panel& panel, bool along_x) {
     Extent extent;
     for (const auto& curve : panel.curves) {
@@ -40,6 +45,11 @@ Extent extent(const Panel& panel, bool along_x) {
             along_x ? extent.include(curve.x[k])
                     : extent.include(curve.y[k], curve.y_error.empty() ? 0 : curve.y_error[k]);
         }
+    }
+    if (!along_x && panel.log_y && has_bars(panel)) {
+        extent.include(0.6 * extent.least());  // the least of them still shows
+    } else if (!along_x && (panel.y_from_zero || has_bars(panel))) {
+        extent.include(0);
     }
     for (const auto& reference : panel.references) {
         if (reference.vertical == along_x) {
@@ -75,17 +85,65 @@ AxisRange range(const Panel& panel, bool along_x) {
 
 void set_ranges(PanelPlace& place, const Panel& panel) {
     place.x = panel.x_range.value_or(range(panel, true));
+    if (!panel.x_names.empty()) {
+        place.x = {0.4, static_cast<double>(panel.x_names.size()) + 0.6};
+    }
     place.y = range(panel, false);
     if (panel.y_least > 0) {
         place.y = {std::min(place.y.first, -panel.y_least),
                    std::max(place.y.second, panel.y_least)};
     }
-    place.y.second += panel.headroom / (1 - panel.headroom) * (place.y.second - place.y.first);
+    const double room = panel.headroom / (1 - panel.headroom);
+    if (panel.log_y) {
+        place.y.second *= std::pow(place.y.second / place.y.first, room);
+    } else {
+        place.y.second += room * (place.y.second - place.y.first);
+    }
     if (panel.diagonal) {
         place.x = place.y = {std::min(place.x.first, place.y.first),
                              std::max(place.x.second, place.y.second)};
     }
     place.log_x = panel.log_x, place.log_y = panel.log_y;
+}
+
+/// The most lines that the words at a panel's axis take.
+std::size_t name_lines(const Panel& panel) {
+    std::size_t lines = 0;
+    for (const auto& name : panel.x_names) {
+        lines = std::max(lines, name.size());
+    }
+    return lines;
+}
+
+/// Width of a panel's axes in which words along them do not touch.
+double width_for_names(const Panel& panel) {
+    constexpr double character = 0.092, apart = 0.12, least = 0.62;
+    std::size_t longest = 0;
+    for (const auto& name : panel.x_names) {
+        for (const auto& line : name) {
+            longest = std::max(longest, line.size());
+        }
+    }
+    const double each = std::max(least, character * static_cast<double>(longest) + apart);
+    return (static_cast<double>(panel.x_names.size()) + 0.2) * each;
+}
+
+/// The space that one panel takes: where it has words in place of numbers it grows for the longest
+/// of them and shrinks below axes without any.
+Size with_names(Size size, const Panel& panel, const Figure& figure) {
+    if (panel.x_names.empty()) {
+        return size;
+    }
+    for (const auto& each : figure.panels) {
+        size.width = std::max(size.width, width_for_names(each) + left_margin + right_margin);
+    }
+    return size;
+}
+
+double bottom_of(const Panel& panel) {
+    return panel.x_names.empty() ? bottom_margin
+                                 : 0.12 + name_line * static_cast<double>(name_lines(panel) + 1) *
+                                              (name_lines(panel) > 0);
 }
 
 }  // namespace
@@ -100,16 +158,18 @@ PaperPoint PanelPlace::at(double value_x, double value_y) const {
 }
 
 Page page_of(const Figure& figure) {
-    const Size cell = figure.panels.size() == 1 ? alone
-                      : figure.stacked          ? above_another
-                                                : side_by_side;
+    const Size usual = figure.panels.size() == 1 ? alone
+                       : figure.stacked          ? above_another
+                                                 : side_by_side;
     Page page;
     double left = 0, depth = title_height;
     for (const auto& panel : figure.panels) {
+        Size cell = with_names(usual, panel, figure);
+        cell.height += bottom_of(panel) - bottom_margin;
         const double whole = cell.width + (panel.key == Key::outside ? outside_key_width : 0);
         PanelPlace place{.left = left + left_margin,
                          .right = left + cell.width - right_margin,
-                         .bottom = -(depth + cell.height - bottom_margin),
+                         .bottom = -(depth + cell.height - bottom_of(panel)),
                          .top = -(depth + top_margin)};
         set_ranges(place, panel);
         page.panels.push_back(place);

@@ -20,6 +20,9 @@ struct PanelPlace {
     PaperPoint at(double value_x, double value_y) const;
 };
 
+/// Height of a line of the words that stand along an axis [inch].
+constexpr double name_line = 0.19;
+
 /// A figure's page. Every place on it is known before it is drawn, so that symbols and key can be
 /// drawn in inches and keep their shape.
 struct Page {

@@ -1,5 +1,7 @@
 #include "reports/marks.h"
 
+#include <cmath>
+
 namespace pendular {
 namespace {
 
@@ -27,6 +29,46 @@ void draw_points(Ink& ink, const PanelPlace& place, const Curve& curve) {
     }
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
         ink.symbol(curve.symbol, place.at(curve.x[k], curve.y[k]), symbol_area, curve.colour);
+    }
+}
+
+constexpr double bar_width = 0.62;  ///< in units of the axis
+
+/// Height for words above a bar that ends at `top`, clear of the panel's references.
+double above_bar(const PanelPlace& place, const Panel& panel, double top) {
+    constexpr double half_line = 0.11;
+    double height = top + half_line;
+    for (const auto& reference : panel.references) {
+        const double line = place.at(place.x.first, reference.value).y;
+        if (!reference.vertical && std::abs(line - height) < half_line) {
+            height = line + half_line;
+        }
+    }
+    return height;
+}
+
+/// Bars from the axis up, what each is worth above it.
+void draw_bars(Ink& ink, const PanelPlace& place, const Panel& panel, const Curve& curve) {
+    for (std::size_t k = 0; k < curve.x.size(); ++k) {
+        const PaperPoint low = place.at(curve.x[k] - bar_width / 2, place.y.first),
+                         high = place.at(curve.x[k] + bar_width / 2, curve.y[k]);
+        const Outline edge{low, {high.x, low.y}, high, {low.x, high.y}, low};
+        ink.area(edge, curve.colour, 0.55);
+        ink.line(edge, {curve.colour, 1.2});
+        if (k < curve.names.size()) {
+            ink.centred(curve.names[k], {(low.x + high.x) / 2, above_bar(place, panel, high.y)});
+        }
+    }
+}
+
+void draw_names(Ink& ink, const PanelPlace& place, const Panel& panel) {
+    for (std::size_t k = 0; k < panel.x_names.size(); ++k) {
+        PaperPoint at = place.at(static_cast<double>(k) + 1, place.y.first);
+        at = {at.x, place.bottom - 0.04 - name_line / 2};
+        for (const auto& line : panel.x_names[k]) {
+            ink.centred(line, at);
+            at.y -= name_line;
+        }
     }
 }
 
@@ -72,6 +114,7 @@ void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
             ink.line(stroke, pen_of(curve));
             break;
         case Curve::Style::band:
+        case Curve::Style::bars:
             ink.area({{middle.x - reach, y - half_band},
                       {middle.x + reach, y - half_band},
                       {middle.x + reach, y + half_band},
@@ -122,8 +165,11 @@ Ink marks_of(const Figure& figure, const Page& page) {
         for (const auto& curve : panel.curves) {
             if (curve.style == Curve::Style::points) {
                 draw_points(ink, page.panels[p], curve);
+            } else if (curve.style == Curve::Style::bars) {
+                draw_bars(ink, page.panels[p], panel, curve);
             }
         }
+        draw_names(ink, page.panels[p], panel);
         if (panel.key != Key::none) {
             draw_key(ink, page.panels[p], panel);
         }

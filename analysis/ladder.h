@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/compare.h"
+#include "analysis/left_out.h"
+
+namespace pendular {
+
+/// A fitted parameter as a rung keeps it.
+struct RungParameter {
+    std::string name, unit;
+    double value = 0, standard_error = 0;
+};
+
+/// The error of a study's model after one change of its effects.
+struct Rung {
+    int step = 0;                      ///< from 0 on
+    std::string change = "start";      ///< "start", "add" or "drop"
+    std::string effect = {};           ///< that was added or dropped
+    std::vector<std::string> effects;  ///< all that are on
+    std::vector<RungParameter> parameters;
+    double chi2 = 0;  ///< of all readings, those only predicted included
+    int dof = 0;
+    std::array<double, 2> rms_percent{};  ///< of shear stress and solid fraction
+    /// The same for conditions left out of the fit, where there is more than one.
+    std::optional<std::array<double, 2>> left_out_percent;
+
+    double chi2_per_dof() const { return chi2 / dof; }
+    const RungParameter* find(const std::string& name) const;  ///< null: not fitted
+};
+
+/// What a study went through: rungs in the order of time. A rung "start" begins it anew where the
+/// study was changed by other means.
+using Ladder = std::vector<Rung>;
+
+/// The rung of a finished calibration, a start.
+Rung rung_of(const Calibration& calibration, const Comparison& comparison,
+             const std::optional<LeftOut>& left_out);
+
+/// Appends what a change led to; before it a fresh start, unless the last rung is of the study
+/// before the change: the same effects and as many degrees of freedom, chi2 up to what fresh runs
+/// may change.
+void climb(Ladder& ladder, Rung before, Rung after);
+
+/// Whether chi2 fell from one rung to another by no more than chance makes of as many parameters
+/// and readings with the errors they have, at 5 %.
+bool fell_by_chance(const Rung& from, const Rung& to);
+
+nlohmann::ordered_json to_json(const Rung& rung);
+
+/// The ladder in a file; empty where there is none.
+/// @throws InputError where it is cut off or something else, with what to do
+Ladder read_ladder(const std::filesystem::path& file);
+
+/// Writes it whole or not at all.
+/// @throws std::runtime_error where it cannot be written
+void write_ladder(const std::filesystem::path& file, const Ladder& ladder);
+
+}  // namespace pendular

@@ -1,0 +1,110 @@
+#include "analysis/left_out.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/compare.h"
+
+namespace pendular {
+namespace {
+
+/// A model as that of some conditions only; it learns nothing more.
+class AtConditions : public Model {
+  public:
+    AtConditions(const FlowModel& model, std::vector<Condition> conditions)
+        : model_(model), conditions_(std::move(conditions)) {}
+
+    const std::vector<Parameter>& parameters() const override { return model_.parameters(); }
+    Prediction predict(const Eigen::VectorXd& parameters) const override {
+        return model_.predict_conditions(parameters, conditions_);
+    }
+    void improve(const Eigen::VectorXd&, double) override {}
+    Supported supported() const override { return model_.supported(); }
+
+  private:
+    const FlowModel& model_;
+    std::vector<Condition> conditions_;
+};
+
+/// Squares of the relative errors of predictions.
+class Squares {
+  public:
+    void add(const FlowModel& model, const Eigen::VectorXd& parameters,
+             const std::vector<Reading>& readings) {
+        if (readings.empty()) {
+            return;
+        }
+        const Prediction predicted = model.predict_conditions(parameters, conditions_of(readings));
+        for (std::size_t k = 0; k < readings.size(); ++k) {
+            const Eigen::Vector2d value =
+                predicted.value.segment<2>(2 * static_cast<Eigen::Index>(k));
+            sum_ += (value.cwiseQuotient(readings[k].value).array() - 1).square().matrix();
+        }
+        count_ += static_cast<double>(readings.size());
+    }
+    std::array<double, 2> rms_percent() const {
+        return {100 * std::sqrt(sum_(0) / count_), 100 * std::sqrt(sum_(1) / count_)};
+    }
+
+  private:
+    Eigen::Vector2d sum_ = Eigen::Vector2d::Zero();
+    double count_ = 0;
+};
+
+/// Some readings and the others.
+struct Split {
+    std::vector<Reading> left_out, others;
+};
+Split split(const std::vector<Reading>& readings, const std::vector<std::size_t>& left_out) {
+    Split result;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const bool out = std::ranges::find(left_out, k) != left_out.end();
+        (out ? result.left_out : result.others).push_back(readings[k]);
+    }
+    return result;
+}
+
+/// Whether the readings of a fit determine every combination of its parameters.
+bool determined(const Fit& fit, const Measured& measured) {
+    Eigen::MatrixXd slopes =
+        measured.covariance.diagonal().cwiseSqrt().cwiseInverse().asDiagonal() *
+        fit.prediction.jacobian;
+    for (Eigen::Index k = 0; k < slopes.cols(); ++k) {
+        slopes.col(k) /= std::max(slopes.col(k).norm(), 1e-300);
+    }
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(slopes);
+    decomposed.setThreshold(1e-7);
+    return fit.converged && decomposed.rank() == slopes.cols();
+}
+
+}  // namespace
+
+std::optional<LeftOut> left_out_errors(const FlowModel& model, const Calibration& c) {
+    const auto end_of_fitted = c.readings.begin() + static_cast<std::ptrdiff_t>(c.fitted);
+    const std::vector<Reading> fitted(c.readings.begin(), end_of_fitted);
+    const auto groups = condition_groups(fitted);
+    if (groups.size() < 2) {
+        return std::nullopt;
+    }
+    LeftOut result{.conditions = groups.size()};
+    Squares squares;
+    for (const auto& group : groups) {
+        const Split parts = split(fitted, group);
+        const AtConditions rest(model, conditions_of(parts.others));
+        const Measured measured = stack(parts.others);
+        Fit refit = fit(rest, measured, c.fit.parameters);
+        if (!determined(refit, measured)) {
+            // From the optimum an undetermined parameter would keep what it owes to this condition.
+            refit = fit(rest, measured, start_of(model));
+            ++result.undetermined;
+        }
+        squares.add(model, refit.parameters, parts.left_out);
+    }
+    squares.add(model, c.fit.parameters, {end_of_fitted, c.readings.end()});
+    result.rms_percent = squares.rms_percent();
+    return result;
+}
+
+}  // namespace pendular

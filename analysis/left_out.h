@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "calib/calibration.h"
+
+namespace pendular {
+
+/// How well a model predicts conditions that it was not fitted to.
+struct LeftOut {
+    /// 100 sqrt(mean((predicted/measured - 1)^2)) of shear stress and solid fraction.
+    std::array<double, 2> rms_percent{};
+    std::size_t conditions = 0;  ///< left out of the fit one after the other
+    /// Those without which a parameter is not determined; it then keeps the value it starts with.
+    std::size_t undetermined = 0;
+};
+
+/// Leave-one-condition-out error: each condition of the fitted readings, replicates together, is
+/// predicted by the finished model fitted to the others, from the optimum and without new runs.
+/// Readings that the calibration only predicts count as they are predicted, so that the error of
+/// every fit of a study is over the same readings. Empty where less than two conditions are fitted.
+std::optional<LeftOut> left_out_errors(const FlowModel& model, const Calibration& calibration);
+
+}  // namespace pendular

@@ -1,0 +1,162 @@
+#include "reports/ladder_figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "reports/shown.h"
+
+namespace pendular {
+namespace {
+
+constexpr std::size_t most_rungs = 10;
+
+/// "+ capillary-", "shear-", "stress": broken behind hyphens where a line would become long.
+std::vector<std::string> name_of(const Rung& rung) {
+    constexpr std::size_t longest = 10;
+    if (rung.change == "start") {
+        return {"start"};
+    }
+    std::vector<std::string> lines = {rung.change == "add" ? "+ " : "− "};
+    for (std::size_t begin = 0; begin < rung.effect.size();) {
+        const std::size_t end = std::min(rung.effect.find('-', begin), rung.effect.size() - 1) + 1;
+        const std::string piece = rung.effect.substr(begin, end - begin);
+        if (begin > 0 && lines.back().size() + piece.size() > longest) {
+            lines.emplace_back();
+        }
+        lines.back() += piece;
+        begin = end;
+    }
+    return lines;
+}
+
+/// Whether values span more than a decade and none of them is zero.
+bool spans_decade(const std::vector<double>& values) {
+    const auto [least, greatest] = std::ranges::minmax(values);
+    return least > 0 && greatest > 10 * least;
+}
+
+/// Where the ladder begins anew, between two rungs.
+std::vector<Reference> new_starts(const Ladder& ladder) {
+    std::vector<Reference> lines;
+    for (std::size_t k = 1; k < ladder.size(); ++k) {
+        if (ladder[k].change == "start") {
+            lines.push_back({"", static_cast<double>(k) + 0.5, 0, true, "#b0b0b0"});
+        }
+    }
+    return lines;
+}
+
+/// Two digits or three.
+std::string number(double value) {
+    return fmt::format("{:.{}f}", value, value < 0.995 ? 2 : value < 9.95 ? 1 : 0);
+}
+
+Panel chi2_panel(const Ladder& ladder) {
+    Panel panel{.x_label = "", .y_label = "χ^2 per degree of freedom"};
+    Curve starts{.label = "start", .style = Curve::Style::bars, .colour = "#7d7d7d"},
+        changes{.label = "after the change", .style = Curve::Style::bars, .colour = model_colour};
+    panel.x_names.resize(ladder.size());
+    std::vector<double> values = {1};
+    for (std::size_t k = 0; k < ladder.size(); ++k) {
+        const double value = ladder[k].chi2_per_dof();
+        if (!std::isfinite(value)) {
+            continue;
+        }
+        Curve& curve = ladder[k].change == "start" ? starts : changes;
+        curve.x.push_back(static_cast<double>(k) + 1);
+        curve.y.push_back(value);
+        curve.names.push_back(number(value));
+        values.push_back(value);
+    }
+    panel.references = new_starts(ladder);
+    panel.references.push_back({"where all is right", 1, 0, false, calibrated_colour});
+    panel.curves = {starts, changes};
+    panel.log_y = spans_decade(values);
+    panel.headroom = 0.06;
+    return panel;
+}
+
+/// Errors of one observable [%], fitted or left out, beside the middle of their rung.
+Curve error_curve(const Ladder& ladder, std::size_t observable, bool left_out) {
+    Curve curve{.label = fmt::format("{}, {}", observable == 0 ? "shear stress" : "solid fraction",
+                                     left_out ? "left out" : "fitted"),
+                .colour = observable == 0 ? model_colour : calibrated_colour,
+                .symbol = {observable == 0 ? Shape::circle : Shape::square,
+                           left_out ? Filling::hollow : Filling::filled}};
+    for (std::size_t k = 0; k < ladder.size(); ++k) {
+        const auto& errors = left_out ? ladder[k].left_out_percent : ladder[k].rms_percent;
+        if (errors && std::isfinite((*errors)[observable])) {
+            curve.x.push_back(static_cast<double>(k) + (left_out ? 1.12 : 0.88));
+            curve.y.push_back((*errors)[observable]);
+        }
+    }
+    return curve;
+}
+
+/// Lines through points, none across the place where the ladder begins anew.
+std::vector<Curve> lines_through(const Curve& points, const std::vector<Reference>& breaks) {
+    std::vector<Curve> lines;
+    std::ptrdiff_t last = -1;
+    for (std::size_t k = 0; k < points.x.size(); ++k) {
+        const std::ptrdiff_t part = std::ranges::count_if(
+            breaks, [&](const Reference& line) { return line.value < points.x[k]; });
+        if (part != last) {
+            Curve line = points;
+            line.style = Curve::Style::dotted_line;
+            line.in_key = false;
+            line.in_table = false;
+            line.x.clear(), line.y.clear();
+            lines.push_back(line);
+            last = part;
+        }
+        lines.back().x.push_back(points.x[k]);
+        lines.back().y.push_back(points.y[k]);
+    }
+    return lines;
+}
+
+Panel error_panel(const Ladder& ladder) {
+    Panel panel{.x_label = "", .y_label = "RMS error [%]"};
+    panel.references = new_starts(ladder);
+    std::vector<double> values;
+    std::vector<Curve> points;
+    for (const std::size_t observable : {0u, 1u}) {
+        for (const bool left_out : {false, true}) {
+            const Curve curve = error_curve(ladder, observable, left_out);
+            if (curve.x.empty()) {
+                continue;
+            }
+            values.insert(values.end(), curve.y.begin(), curve.y.end());
+            points.push_back(curve);
+            for (const Curve& line : lines_through(curve, panel.references)) {
+                panel.curves.push_back(line);
+            }
+        }
+    }
+    panel.curves.insert(panel.curves.end(), points.begin(), points.end());
+    for (const Rung& rung : ladder) {
+        panel.x_names.push_back(name_of(rung));
+    }
+    panel.log_y = !values.empty() && spans_decade(values);
+    panel.key = Key::top_right;
+    panel.headroom = 0.34;
+    panel.y_from_zero = true;
+    return panel;
+}
+
+}  // namespace
+
+Figure ladder_figure(const Ladder& whole) {
+    const auto hidden =
+        static_cast<std::ptrdiff_t>(whole.size() - std::min(whole.size(), most_rungs));
+    const Ladder ladder(whole.begin() + hidden, whole.end());
+    return {.name = "ladder",
+            .title = "Error of the model, effect by effect",
+            .panels = {chi2_panel(ladder), error_panel(ladder)},
+            .stacked = true};
+}
+
+}  // namespace pendular
