@@ -253,7 +253,6 @@ bool Emulator::of_bridges(Observable which) {
 
 bool Emulator::usable(const dem::RunResult& run) {
     return run.failure.empty() && !run.crystallised && run.steady &&
-           run.parameters.effects.empty() &&
            run.parameters.damping == dem::RunParameters{}.damping &&
            run.parameters.stiffness_number >= softest;
 }

@@ -43,10 +43,61 @@ FlowState moved(FlowState state, Input input, double by) {
 }  // namespace
 
 TEST(Emulator, LearnsNothingOfPlainBeadsFromRunsWithEffects) {
-    dem::RunResult run = shipped_runs().front();
-    EXPECT_TRUE(Emulator::usable(run));
-    run.parameters.effects = {{"rolling-resistance", {0.2}}};
-    EXPECT_FALSE(Emulator::usable(run));
+    const auto plain = invented_runs(60, 1);
+    auto with_odd_one = plain;
+    with_odd_one.push_back(plain.front());
+    with_odd_one.back().parameters.effects = {{"rolling-resistance", {0.2}}};
+    with_odd_one.back().means[static_cast<std::size_t>(Observable::stress_ratio)].value = 5;
+    const Query query{{0.12, 0.01}, Observable::stress_ratio};
+    EXPECT_EQ(Emulator(plain, shipped_scales()).mean({query}),
+              Emulator(with_odd_one, shipped_scales()).mean({query}));
+}
+
+/// An effect whose change is twice its amplitude times friction, learned from 20 runs.
+TEST(Emulator, AddsTheChangeThatRunsWithAnEffectShow) {
+    auto runs = invented_runs(120, 1);
+    auto changed = invented_runs(40, 2);
+    for (auto& run : changed) {
+        const double amplitude = run.parameters.seed % 2 == 0 ? 0.05 : 0.2;
+        run.parameters.effects = {{"rolling-resistance", {amplitude}}};
+        run.means[static_cast<std::size_t>(Observable::stress_ratio)].value +=
+            2 * amplitude * run.parameters.friction;
+        runs.push_back(run);
+    }
+    const Emulator emulator(runs, shipped_scales());
+    for (const double friction : {0.1, 0.3, 0.5}) {
+        for (const double amplitude : {0.0, 0.1, 0.2}) {
+            const FlowState plain{friction, 0.01};
+            FlowState with_it = plain;
+            with_it.effects = {{"rolling-resistance", {amplitude}}};
+            const std::vector<Query> both = {{with_it, Observable::stress_ratio},
+                                             {plain, Observable::stress_ratio}};
+            const Eigen::VectorXd said = emulator.mean(both);
+            const Eigen::MatrixXd covariance = emulator.covariance(both);
+            const double error = std::sqrt(
+                std::max(0.0, covariance(0, 0) + covariance(1, 1) - 2 * covariance(0, 1)));
+            EXPECT_NEAR(said(0) - said(1), 2 * amplitude * friction, 4 * error + 1e-12)
+                << friction << ", " << amplitude;
+            EXPECT_LT(error, 0.003);
+            if (amplitude == 0) {
+                EXPECT_EQ(said(0), said(1));  // vanishes at neutral, bit for bit
+            }
+        }
+    }
+}
+
+TEST(Emulator, NamesAnEffectThatNoRunHas) {
+    const Emulator emulator(invented_runs(60, 1), shipped_scales());
+    FlowState state{0.1, 0.01};
+    state.effects = {{"rolling-resistance", {0.1}}};
+    try {
+        emulator.mean({{state, Observable::stress_ratio}});
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find("no known run has the effect rolling-resistance"),
+                  std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(Kernel, HasTheGradientOfItsLikelihood) {
@@ -261,7 +312,8 @@ TEST(EmulatorScales, AreReadBackAndCheckedCellByCell) {
     const auto refusal = [&](const std::string& text) {
         return input_error([&] { read_scales(folder.write("bad.csv", text)); });
     };
-    EXPECT_THAT(refusal(header + "\nstress_ratio,1,1,1,1,-1,1,1,1,1,1\n"), HasSubstr("bad.csv:2:22"));
+    EXPECT_THAT(refusal(header + "\nstress_ratio,1,1,1,1,-1,1,1,1,1,1\n"),
+                HasSubstr("bad.csv:2:22"));
     EXPECT_THAT(refusal(header + "\nstres_ratio,1,1,1,1,1,1,1,1,1,1\n"), HasSubstr("bad.csv:2:1"));
     EXPECT_THAT(refusal("observable,noise\nstress_ratio,1\n"), HasSubstr("11 columns"));
 }
