@@ -46,10 +46,10 @@ Extent extent(const Panel& panel, bool along_x) {
                     : extent.include(curve.y[k], curve.y_error.empty() ? 0 : curve.y_error[k]);
         }
     }
-    if (!along_x && panel.log_y && has_bars(panel)) {
-        extent.include(0.6 * extent.least());  // the least of them still shows
-    } else if (!along_x && (panel.y_from_zero || has_bars(panel))) {
+    if (!along_x && !panel.log_y && (panel.y_from_zero || has_bars(panel))) {
         extent.include(0);
+    } else if (!along_x && panel.log_y && has_bars(panel)) {
+        extent.include(0.6 * extent.least());  // the least of them still shows
     }
     for (const auto& reference : panel.references) {
         if (reference.vertical == along_x) {
