@@ -5,86 +5,11 @@
 #include <algorithm>
 #include <random>
 
-#include "calib/calibration.h"
-#include "calib/effect_model.h"
-#include "calib/rumpf.h"
-#include "sim/effect_catalogue.h"
-#include "tests/unit/emulator_support.h"
+#include "tests/laws/effect_study.h"
 
 using namespace pendular;
 
 namespace {
-
-constexpr double planted_friction = 0.12;
-
-Study study_with(const std::string& base) {
-    Study study;
-    study.grains = {.diameter = 500e-6, .density = 1050};
-    study.liquid = Liquid{.surface_tension = 20.6e-3};
-    study.cell = AnnularCell{21e-3, 45e-3, 60e-3 / 1050};
-    study.model.base = base;
-    return study;
-}
-
-/// What the virtual laboratory measures, and some lower content besides.
-std::vector<Condition> conditions() {
-    std::vector<Condition> all;
-    double time = 0;
-    const auto add = [&](double stress, double number, double content) {
-        Condition c{.normal_stress = stress, .inertial_number = number, .liquid_content = content};
-        const AnnularCell cell = *study_with("dem").cell;
-        c.bead_volume = cell.bead_volume;
-        c.height = height(0.6, cell);
-        c.time = time += 30;
-        all.push_back(c);
-    };
-    for (const double number : {3e-3, 3e-2}) {
-        for (const double stress : {300.0, 1000.0, 3000.0}) {
-            add(stress, number, 0);
-        }
-        for (const double content : {0.004, 0.007, 0.03}) {
-            for (const double stress : {300.0, 600.0, 1000.0, 3000.0}) {
-                add(stress, number, content);
-            }
-        }
-    }
-    return all;
-}
-
-/// The emulator of the atlas with all its effects.
-class Laboratory {
-  public:
-    explicit Laboratory(const std::string& base, const closures::Terms& terms = {})
-        : study_(study_with(base)) {
-        for (const Effect& effect : built_in_effects()) {
-            study_.model.effects.push_back({effect.name, {}});  // their runs serve
-        }
-        const Fidelity quick = fidelity_named("quick");
-        KnownRuns known{EmulatedSimulation::serving(study_, quick, shipped_runs()),
-                        shipped_scales(), false};
-        simulation_ =
-            std::make_unique<EmulatedSimulation>(study_, conditions(), quick, 1, Workers{}, known);
-        if (base == "rumpf") {
-            closure_ = std::make_unique<RumpfModel>(*simulation_, study_, terms);
-        }
-    }
-    EffectModel with(std::vector<const Effect*> effects) {
-        FlowModel& inside = closure_ ? static_cast<FlowModel&>(*closure_) : *simulation_;
-        EffectModel model(inside, study_, std::move(effects));
-        model.predict_for(conditions());
-        return model;
-    }
-
-  private:
-    Study study_;
-    std::unique_ptr<EmulatedSimulation> simulation_;
-    std::unique_ptr<RumpfModel> closure_;
-};
-
-Laboratory& laboratory() {
-    static Laboratory shared("dem");
-    return shared;
-}
 
 /// Readings of predicted values with 1 % scatter in shear stress and 0.2 % in solid fraction.
 Measured readings_of(const Eigen::VectorXd& values, unsigned seed) {
