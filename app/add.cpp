@@ -45,9 +45,9 @@ struct ChangeOptions {
 };
 
 /// Empty: help was asked for.
-std::optional<CommonOptions> parse(Change change, const std::vector<std::string>& arguments,
+std::optional<CommonOptions> parse(Action change, const std::vector<std::string>& arguments,
                                    ChangeOptions& own) {
-    const bool adds = change == Change::add;
+    const bool adds = change == Action::add;
     const std::string name = adds ? "add" : "drop";
     const std::string usage = name + " STUDY EFFECT [options]";
     Options options(usage, std::string(adds ? about_add : about_drop) + about_both,
@@ -112,7 +112,7 @@ class ChangeRun {
         return judged(study, calibrated(study, measurements, known, false));
     }
     Fitted after(const StudyChange& change, const Measurements& measurements) {
-        say(fmt::format("{} {}", change.change == Change::add ? "with" : "without", change.effect));
+        say(fmt::format("{} {}", change.change == Action::add ? "with" : "without", change.effect));
         return judged(change.study, calibrated(change.study, measurements, known_for(change.study),
                                                own_.confirm));
     }
@@ -176,8 +176,8 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
 
 int refuse_fit(Console& console, const StudyChange& change, const Fitted& after) {
     console.line(fmt::format("{} not {}: the fit {} it did not converge ({}); {} is as it was",
-                             change.effect, change.change == Change::add ? "added" : "dropped",
-                             change.change == Change::add ? "with" : "without",
+                             change.effect, change.change == Action::add ? "added" : "dropped",
+                             change.change == Action::add ? "with" : "without",
                              after.calibration.fit.message, change.study.file.string()));
     for (const auto& note : after.calibration.notes) {
         console.note(note);
@@ -185,7 +185,7 @@ int refuse_fit(Console& console, const StudyChange& change, const Fitted& after)
     return not_converged;
 }
 
-int change_study(Change what, const std::vector<std::string>& arguments) {
+int change_study(Action what, const std::vector<std::string>& arguments) {
     ChangeOptions own;
     const auto common = parse(what, arguments, own);
     if (!common) {
@@ -218,11 +218,11 @@ int change_study(Change what, const std::vector<std::string>& arguments) {
 }  // namespace
 
 int add(const std::vector<std::string>& arguments) {
-    return change_study(Change::add, arguments);
+    return change_study(Action::add, arguments);
 }
 
 int drop(const std::vector<std::string>& arguments) {
-    return change_study(Change::drop, arguments);
+    return change_study(Action::drop, arguments);
 }
 
 }  // namespace pendular::app

@@ -127,16 +127,16 @@ std::string advice_on_dropped(const std::string& effect, const Rung& before, con
         effect, number(before.chi2), number(after.chi2), study);
 }
 
-const char* word_for(Change change) {
-    return change == Change::add ? "add" : "drop";
+const char* word_for(Action change) {
+    return change == Action::add ? "add" : "drop";
 }
 
 }  // namespace
 
-StudyChange plan_change(const Study& study, Change change, const std::string& effect) {
+StudyChange plan_change(const Study& study, Action change, const std::string& effect) {
     StudyChange plan{change, effect, study, read_text(study.file), {}};
     auto& listed = plan.study.model.effects;
-    if (change == Change::add) {
+    if (change == Action::add) {
         check_added(study, effect);
         plan.new_text = with_effect(plan.old_text, study.file.string(), effect);
         listed.push_back({effect, {study.file.string()}});
@@ -161,7 +161,7 @@ Fitted fitted(const Study& study, Calibration c) {
 std::string verdict_of(const StudyChange& change, const Rung& before, const Rung& after) {
     return fmt::format(
         "{} {}: chi2/dof {} -> {}, RMS error of shear stress {}, of solid fraction {}{}",
-        change.effect, change.change == Change::add ? "added" : "dropped",
+        change.effect, change.change == Action::add ? "added" : "dropped",
         number(before.chi2_per_dof()), number(after.chi2_per_dof()),
         percents(before.rms_percent[0], after.rms_percent[0]),
         percents(before.rms_percent[1], after.rms_percent[1]), left_out_text(before, after));
@@ -184,7 +184,7 @@ std::vector<std::string> parameter_changes(const Rung& before, const Rung& after
 std::vector<std::string> advice_on(const StudyChange& change, const Rung& before, const Rung& after,
                                    const std::string& study) {
     std::vector<std::string> lines;
-    const auto advise = change.change == Change::add ? advice_on_added : advice_on_dropped;
+    const auto advise = change.change == Action::add ? advice_on_added : advice_on_dropped;
     if (std::string advice = advise(change.effect, before, after, study); !advice.empty()) {
         lines.push_back(std::move(advice));
     }

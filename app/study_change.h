@@ -11,11 +11,11 @@
 
 namespace pendular::app {
 
-enum class Change { add, drop };
+enum class Action { add, drop };
 
 /// A change of the effects that a study lists, which was checked but not made.
 struct StudyChange {
-    Change change = Change::add;
+    Action change = Action::add;
     std::string effect;
     Study study;           ///< as it will be
     std::string old_text;  ///< of its file
@@ -25,7 +25,7 @@ struct StudyChange {
 /// @throws InputError where there is no such effect (with the nearest one), it does not apply to
 /// the
 ///         study, is listed already, or is not listed
-StudyChange plan_change(const Study& study, Change change, const std::string& effect);
+StudyChange plan_change(const Study& study, Action change, const std::string& effect);
 
 /// A calibration beside its readings.
 struct Fitted {

@@ -58,7 +58,7 @@ class Laboratory {
             study_.model.effects.push_back({effect.name, {}});  // their runs serve
         }
         const Fidelity quick = fidelity_named("quick");
-        KnownRuns known{EmulatedSimulation::serving(study_, quick, shipped_runs()),
+        KnownRuns known{EmulatedSimulation::serving(study_, quick, all_shipped_runs()),
                         shipped_scales(), false};
         simulation_ =
             std::make_unique<EmulatedSimulation>(study_, conditions(), quick, 1, Workers{}, known);

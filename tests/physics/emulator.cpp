@@ -27,7 +27,7 @@ using dem::Observable;
 std::vector<dem::RunResult> usable_runs(const std::string& file) {
     std::vector<dem::RunResult> runs;
     for (const StoredRun& stored : read_runs(PENDULAR_SOURCE_DIR "/" + file)) {
-        if (Emulator::usable(stored.run)) {
+        if (Emulator::usable(stored.run) && stored.run.parameters.effects.empty()) {
             runs.push_back(stored.run);
         }
     }

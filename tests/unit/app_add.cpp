@@ -49,7 +49,7 @@ class StudyChanges : public testing::Test {
         EXPECT_FALSE(fs::exists(folder_.path() / "out" / "fit.json"));
     }
     fs::path file() const { return folder_.path() / "study.toml"; }
-    StudyChange plan(Change change, const std::string& effect) const {
+    StudyChange plan(Action change, const std::string& effect) const {
         return plan_change(read_study(file()), change, effect);
     }
 
@@ -71,7 +71,7 @@ Rung with_torque(Rung r) {
                     {"torque-offset.torque", "N m", 1.04e-3, 3.1e-5}};
     return r;
 }
-std::string advice(Change change, const Rung& before, const Rung& after) {
+std::string advice(Action change, const Rung& before, const Rung& after) {
     StudyChange planned;
     planned.change = change;
     planned.effect = "torque-offset";
@@ -123,17 +123,17 @@ TEST_F(StudyChanges, AreRefusedWhereTheLadderIsBroken) {
 
 TEST_F(StudyChanges, ArePlannedInMemory) {
     const std::string text = content_of(study(cell + "[model]\neffects = [\"torque-gain\"]\n"));
-    const StudyChange added = plan(Change::add, "lid-slip");
+    const StudyChange added = plan(Action::add, "lid-slip");
     ASSERT_EQ(added.study.model.effects.size(), 2u);
     EXPECT_EQ(added.study.model.effects[1].name, "lid-slip");
     EXPECT_THAT(added.new_text, HasSubstr("[\"torque-gain\", \"lid-slip\"]"));
-    EXPECT_TRUE(plan(Change::drop, "torque-gain").study.model.effects.empty());
+    EXPECT_TRUE(plan(Action::drop, "torque-gain").study.model.effects.empty());
     EXPECT_EQ(content_of(file()), text);
 }
 
 TEST_F(StudyChanges, AreCarriedOutWhole) {
     study(cell + "[model]\neffects = []  # none yet\n");
-    const StudyChange change = plan(Change::add, "torque-offset");
+    const StudyChange change = plan(Action::add, "torque-offset");
     const fs::path out = folder_.path() / "out";
     Ladder ladder;
     carry_out(change, rung(400, 41, 4, 4.3), after_fit(), ladder, out);
@@ -148,7 +148,7 @@ TEST_F(StudyChanges, AreCarriedOutWhole) {
 
 TEST_F(StudyChanges, LeaveAStudyThatWasEditedMeanwhile) {
     study(cell);
-    const StudyChange change = plan(Change::add, "torque-offset");
+    const StudyChange change = plan(Action::add, "torque-offset");
     const std::string edited = content_of(file()) + "# a note\n";
     folder_.write("study.toml", edited);
     Ladder ladder;
@@ -163,7 +163,7 @@ TEST_F(StudyChanges, LeaveAStudyThatWasEditedMeanwhile) {
 TEST_F(StudyChanges, LeaveTheStudyWhereResultsCannotBeWritten) {
     study(cell);
     const std::string before = content_of(file());
-    const StudyChange change = plan(Change::add, "torque-offset");
+    const StudyChange change = plan(Action::add, "torque-offset");
     Ladder ladder;
     EXPECT_ANY_THROW(
         carry_out(change, rung(400, 41, 4, 4.3), after_fit(), ladder, "/proc/nowhere"));
@@ -172,7 +172,7 @@ TEST_F(StudyChanges, LeaveTheStudyWhereResultsCannotBeWritten) {
 
 TEST_F(StudyChanges, AreToldInOneLineWithTheErrorBeforeAndAfter) {
     study(cell);
-    const StudyChange change = plan(Change::add, "torque-offset");
+    const StudyChange change = plan(Action::add, "torque-offset");
     const Rung before = rung(401.8, 41, 4.12, 4.31), after = with_torque(rung(44, 40, 1, 1.1));
     EXPECT_EQ(verdict_of(change, before, after),
               "torque-offset added: chi2/dof 9.8 -> 1.1, RMS error of shear stress 4.12 % -> 1 %, "
@@ -198,7 +198,7 @@ TEST_F(StudyChanges, AreToldInOneLineWithTheErrorBeforeAndAfter) {
 TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
     const Rung before = rung(50, 41, 4, 4.3);
     const auto added = [&](double chi2, double left_out) {
-        return advice(Change::add, before, with_torque(rung(chi2, 40, 3, left_out)));
+        return advice(Action::add, before, with_torque(rung(chi2, 40, 3, left_out)));
     };
     EXPECT_THAT(added(51, 4.3), AllOf(HasSubstr("did not fall: chi2 50 -> 51"),
                                       HasSubstr("'pendular drop beads torque-offset'")));
@@ -210,11 +210,11 @@ TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
 
 TEST(StudyChangeAdvice, SaysWhetherADroppedEffectIsMissed) {
     const Rung before = with_torque(rung(44, 40, 1, 1.1));
-    EXPECT_THAT(advice(Change::drop, before, rung(402, 41, 4, 4.3)),
+    EXPECT_THAT(advice(Action::drop, before, rung(402, 41, 4, 4.3)),
                 HasSubstr("'pendular add beads torque-offset' puts it back"));
-    EXPECT_THAT(advice(Change::drop, before, rung(46, 41, 1, 1.1)),
+    EXPECT_THAT(advice(Action::drop, before, rung(46, 41, 1, 1.1)),
                 HasSubstr("rose by no more than chance"));
-    EXPECT_THAT(advice(Change::drop, before, rung(43, 41, 1, 1.1)),
+    EXPECT_THAT(advice(Action::drop, before, rung(43, 41, 1, 1.1)),
                 HasSubstr("did not rise without torque-offset"));
 }
 

@@ -138,9 +138,3 @@ TEST_F(EffectsOfAStudy, AreCheckedByEveryCommandThatReadsOne) {
     for (const std::string command : {"import ", "calibrate --quiet ", "compare "})
         expect_refused(command + study(cell + wrong), "study.toml:17:10: ");
 }
-
-TEST_F(EffectsOfAStudy, AreNotLeftOutOfAFitInSilence) {
-    expect_refused("calibrate --quiet --no-confirm " +
-                       study(cell + "[model]\neffects = [\"torque-offset\"]\n"),
-                   "cannot take 'torque-offset' in yet");
-}

@@ -11,12 +11,19 @@
 
 namespace pendular {
 
-/// The runs that come with the program.
-inline std::vector<dem::RunResult> shipped_runs() {
+/// The runs that come with the program, those with effects on grains included.
+inline std::vector<dem::RunResult> all_shipped_runs() {
     std::vector<dem::RunResult> runs;
     for (const StoredRun& stored : read_runs(PENDULAR_SOURCE_DIR "/sim/atlas/atlas.csv")) {
         runs.push_back(stored.run);
     }
+    return runs;
+}
+
+/// Those of plain beads.
+inline std::vector<dem::RunResult> shipped_runs() {
+    std::vector<dem::RunResult> runs = all_shipped_runs();
+    std::erase_if(runs, [](const auto& run) { return !run.parameters.effects.empty(); });
     return runs;
 }
 

@@ -30,7 +30,8 @@ using Choice = std::function<bool(const dem::RunParameters&)>;
 std::vector<dem::RunResult> runs_where(const Choice& choice) {
     std::vector<dem::RunResult> chosen;
     for (const StoredRun& stored : atlas()) {
-        if (stored.run.failure.empty() && choice(stored.run.parameters)) {
+        const auto& p = stored.run.parameters;
+        if (stored.run.failure.empty() && p.effects.empty() && choice(p)) {
             chosen.push_back(stored.run);
         }
     }
