@@ -194,9 +194,10 @@ void add_curves(Pair& panels, const Column& column, bool dry, const Study& study
     const Changes changes = models.changes(readings.conditions);
     for (std::size_t row = 0; row < panels.size(); ++row) {
         Curve line{.label = dry ? "dry" : "wet",
-                   .style = dry ? Curve::Style::dotted_line : Curve::Style::line,
+                   .style = dry ? Curve::Style::dashed_line : Curve::Style::line,
                    .x = readings.at,
-                   .colour = dry ? calibrated_colour : model_colour};
+                   .colour = dry ? calibrated_colour : model_colour,
+                   .weight = dry ? 1.9 : 1};
         for (std::size_t k = 0; k < readings.at.size(); ++k) {
             const auto at = static_cast<Eigen::Index>(2 * k + row);
             line.y.push_back(changes.value(at));

@@ -20,6 +20,7 @@ struct Curve {
     std::vector<std::string> names = {};  ///< above bars
     std::string colour = "#000000";
     Symbol symbol = {};
+    double weight = 1;  ///< of a line, by which it is wider than usual
     bool in_key = true;
     bool in_table = true;  ///< its numbers are written too
 };
