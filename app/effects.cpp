@@ -8,8 +8,11 @@
 #include "app/command.h"
 #include "app/console.h"
 #include "app/options.h"
+#include "app/stored_runs.h"
 #include "data/input_error.h"
+#include "data/text_file.h"
 #include "reports/effect_pages.h"
+#include "reports/effect_signature.h"
 #include "sim/effect_catalogue.h"
 
 namespace pendular::app {
@@ -36,12 +39,16 @@ what the beads show: stress_ratio, solid_fraction. They know the parameter and, 
   of the beads       stress_ratio, solid_fraction, normal_stress, inertial_number, liquid_content,
                      height, time
 with + - * / ^ ( ), comparisons, && ||, CONDITION ? A : B, pi, and abs acos asin atan atan2 avg cos
-cosh exp ln log (ln) log10 log2 max min rint sign sin sinh sqrt sum tan tanh.)";
+cosh exp ln log (ln) log10 log2 max min rint sign sin sinh sqrt sum tan tanh.
+
+With --manual DIR, the catalogue as Markdown: DIR/index.md and a page an effect, with a figure of what
+it changes in readings, in DIR/figures, as the emulator of the atlas predicts it.)";
 
 const char* const examples = R"(  pendular effects
   pendular effects torque-offset
   pendular effects --study examples/wet
   pendular effects --json -
+  pendular effects --manual manual
 )";
 
 EffectEntry entry_of(const Effect& effect, const EffectCatalogue& catalogue,
@@ -89,21 +96,87 @@ void show_all(Console& console, const std::vector<EffectEntry>& entries) {
     console.json(json);
 }
 
+/// Draws the signatures of effects into a manual.
+class Signatures {
+  public:
+    Signatures(std::filesystem::path folder, const EffectCatalogue& catalogue,
+               const Fidelity& fidelity)
+        : folder_(std::move(folder)), study_(signature_study(catalogue.all())) {
+        // The atlas alone, so that the manual is the same everywhere.
+        if (auto known = known_runs(study_, fidelity, nullptr)) {
+            known->orders_more = false;
+            simulation_.emplace(study_, signature_conditions(study_), fidelity, 1, Workers{},
+                                std::move(*known));
+        }
+    }
+
+    /// Draws the figure and returns its Markdown; empty where there is none.
+    std::string draw_one(const Effect& effect) {
+        why_none_ = "there is no atlas to predict from; name one with $PENDULAR_ATLAS";
+        if (!simulation_) {
+            return "";
+        }
+        try {
+            draw(signature_figure(effect, study_, *simulation_), folder_ / "figures");
+        } catch (const std::logic_error& error) {  // no run has it, or no cell can show it
+            why_none_ = error.what();
+            return "";
+        }
+        return fmt::format(
+            "![signature of {0}](figures/{0}.svg)\n\n{1}\n\nAlso as [PNG](figures/{0}.png), "
+            "[PDF](figures/{0}.pdf) and [numbers](figures/{0}.csv).",
+            effect.name, signature_caption(effect, study_));
+    }
+    const std::string& why_none() const { return why_none_; }
+
+  private:
+    std::filesystem::path folder_;
+    Study study_;
+    std::optional<EmulatedSimulation> simulation_;
+    std::string why_none_;
+};
+
+void write_manual(Console& console, const std::filesystem::path& folder,
+                  const std::vector<EffectEntry>& entries, Signatures signatures) {
+    std::size_t drawn = 0;
+    nlohmann::ordered_json pages = nlohmann::ordered_json::array();
+    for (const EffectEntry& entry : entries) {
+        const std::string& name = entry.effect->name;
+        std::string figure = signatures.draw_one(*entry.effect);
+        pages.push_back({{"effect", name}, {"figure", !figure.empty()}});
+        if (figure.empty()) {
+            console.note(fmt::format("{} has no figure: {}", name, signatures.why_none()));
+            figure = fmt::format("It has no figure: {}.", signatures.why_none());
+        } else {
+            ++drawn;
+        }
+        write_whole(folder / (name + ".md"), manual_page(entry, figure));
+    }
+    write_whole(folder / "index.md", manual_index(entries));
+    console.line(fmt::format("{} effects, {} of them with a figure, written to {}", entries.size(),
+                             drawn, (folder / "index.md").string()));
+    console.json({{"index", (folder / "index.md").string()}, {"pages", std::move(pages)}});
+}
+
 }  // namespace
 
 int effects(const std::vector<std::string>& arguments) {
     Options options("effects [EFFECT] [options]", about, examples, false);
     std::vector<std::string> words;
-    std::string study_path;
+    std::string study_path, manual;
     options.take(&words);
     options.add("study", &study_path,
                 "study whose own effects are shown too; says which effects apply to it");
+    options.add("manual", &manual, "folder for a manual of all effects: Markdown and figures");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
     }
     if (words.size() > 1) {
         throw InputError("too many arguments; usage: pendular effects [EFFECT] [options]");
+    }
+    if (!words.empty() && options.given("manual")) {
+        throw InputError("--manual writes pages of all effects; leave out the name of one");
     }
     Console console(*common);
     std::optional<Study> study;
@@ -118,6 +191,11 @@ int effects(const std::vector<std::string>& arguments) {
     std::vector<EffectEntry> entries;
     for (const Effect& effect : catalogue.all()) {
         entries.push_back(entry_of(effect, catalogue, study));
+    }
+    if (options.given("manual")) {
+        demand_writable(manual, "--manual", true);
+        write_manual(console, manual, entries, Signatures(manual, catalogue, common->fidelity));
+        return done;
     }
     show_all(console, entries);
     return done;

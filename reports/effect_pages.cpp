@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -135,6 +136,65 @@ std::string standing_text(const EffectEntry& entry) {
     return entry.standing->listed ? "switched on" : "can be added";
 }
 
+/// Words of the registry as Markdown shows them.
+std::string markdown(const std::string& words) {
+    constexpr std::string_view special = "\\`*_|<>[]";
+    std::string text;
+    for (const char c : words) {
+        text += special.find(c) != special.npos ? std::string{'\\', c} : std::string{c};
+    }
+    return text;
+}
+
+std::string code_block(const std::string& language, const std::string& text) {
+    return fmt::format("```{}\n{}\n```\n", language, text);
+}
+
+std::string parameter_row(const EffectParameter& p) {
+    if (p.is_switch()) {
+        return fmt::format("| `{}` | switch | 0 or 1 | 0 | 1 | {} |\n", p.name,
+                           markdown(p.meaning));
+    }
+    return fmt::format("| `{}` | {} | {:g} to {:g} | {:g} | {:g} | {} |\n", p.name,
+                       markdown(p.unit), p.lower, p.upper, p.neutral, p.matters,
+                       markdown(p.meaning));
+}
+
+std::string parameter_table(const Effect& effect) {
+    std::string text =
+        "| parameter | unit | bounds | gone at | matters from | meaning |\n"
+        "|---|---|---|---|---|---|\n";
+    for (const EffectParameter& p : effect.parameters) {
+        text += parameter_row(p);
+    }
+    return text;
+}
+
+std::string manual_how_to(const EffectEntry& entry) {
+    const Effect& effect = *entry.effect;
+    const Group& group = groups[group_index(effect)];
+    std::string text =
+        fmt::format("In a study, which `pendular add STUDY {}` does too:\n\n", effect.name) +
+        code_block("toml", fmt::format("[model]\neffects = [\"{}\"]", effect.name));
+    if (!entry.written && group.in_virtual_lab) {
+        text += "\nAs a hidden truth of a virtual laboratory:\n\n" +
+                code_block("sh", fmt::format("pendular virtual-lab my-lab {}", options_of(effect)));
+    }
+    if (!entry.written && group.in_simulate) {
+        text += "\nIn one run:\n\n" +
+                code_block("sh", fmt::format("pendular simulate {}", options_of(effect)));
+    }
+    return text;
+}
+
+std::string manual_sources(const EffectEntry& entry) {
+    std::string text;
+    for (const std::string& reference : entry.effect->references) {
+        text += fmt::format("- {}{}\n", entry.written ? "written in " : "", markdown(reference));
+    }
+    return text;
+}
+
 }  // namespace
 
 std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries) {
@@ -177,6 +237,52 @@ std::vector<std::string> effect_page(const EffectEntry& entry) {
         page.push_back(field("this study", standing_text(entry)));
     }
     return page;
+}
+
+std::string manual_page(const EffectEntry& entry, const std::string& figure) {
+    const Effect& effect = *entry.effect;
+    std::string summary = effect.summary;
+    if (!summary.empty()) summary[0] = static_cast<char>(std::toupper(summary[0]));
+    std::string text = fmt::format("# {}\n\n{}.\n\n", effect.name, markdown(summary)) +
+                       code_block("", effect.equation) + '\n' + parameter_table(effect) +
+                       fmt::format("\nIt changes {}; it touches {} readings.",
+                                   groups[group_index(effect)].heading, touched(effect));
+    if (!effect.acts_through.empty()) {
+        text += fmt::format(" It acts through `{}`.", fmt::join(effect.acts_through, "`, `"));
+    }
+    text +=
+        "\n\n## Signature\n\n" + figure + "\n\n## How to switch it on\n\n" + manual_how_to(entry);
+    if (!effect.references.empty()) {
+        text += "\n## Sources\n\n" + manual_sources(entry);
+    }
+    return text + "\n[All effects](index.md)\n";
+}
+
+std::string manual_index(const std::vector<EffectEntry>& entries) {
+    std::string text =
+        "# Effects\n\nWhat a model may lack. Written by `pendular effects --manual` from what the "
+        "program knows of each.\n";
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        std::string rows;
+        for (const EffectEntry& entry : entries) {
+            const Effect& effect = *entry.effect;
+            if (group_index(effect) != g) continue;
+            std::vector<std::string> parameters;
+            for (const EffectParameter& p : effect.parameters) {
+                parameters.push_back(fmt::format("`{}` [{}]", p.name, markdown(unit_of(p))));
+            }
+            rows +=
+                fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} |\n", effect.name,
+                            fmt::join(parameters, ", "), touched(effect), markdown(effect.summary));
+        }
+        if (!rows.empty()) {
+            text += fmt::format(
+                "\nEffects on {}:\n\n| effect | parameter | readings | meaning |\n"
+                "|---|---|---|---|\n{}",
+                markdown(groups[g].heading), rows);
+        }
+    }
+    return text;
 }
 
 nlohmann::ordered_json to_json(const EffectEntry& entry) {

@@ -28,6 +28,13 @@ std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries);
 /// Everything that is known of one effect, and how to switch it on.
 std::vector<std::string> effect_page(const EffectEntry& entry);
 
+/// A page of the manual in Markdown, of one effect; `figure` is the Markdown of its figure, or why
+/// there is none.
+std::string manual_page(const EffectEntry& entry, const std::string& figure);
+
+/// The manual's first page: the catalogue, a row an effect, with links to NAME.md.
+std::string manual_index(const std::vector<EffectEntry>& entries);
+
 /// The same for programs.
 nlohmann::ordered_json to_json(const EffectEntry& entry);
 

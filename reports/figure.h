@@ -20,6 +20,7 @@ struct Curve {
     std::vector<std::string> names = {};  ///< above bars
     std::string colour = "#000000";
     Symbol symbol = {};
+    double weight = 1;  ///< of a line, by which it is wider than usual
     bool in_key = true;
     bool in_table = true;  ///< its numbers are written too
 };
@@ -51,6 +52,7 @@ struct Panel {
     std::vector<std::vector<std::string>> x_names = {};
     bool y_from_zero = false;  ///< where it is not logarithmic
     double y_least = 0;        ///< the y axis reaches at least this far to both sides of zero
+    std::optional<std::pair<double, double>> y_range = {};  ///< before headroom
 };
 
 /// Panels side by side or above one another, under one title.
@@ -60,6 +62,7 @@ struct Figure {
     std::vector<Panel> panels;
     bool stacked = false;     ///< above one another
     std::size_t columns = 0;  ///< after so many panels side by side a new row begins; 0: never
+    bool small = false;       ///< panels side by side are small ones, where there are many
 };
 
 /// Draws the figure through gnuplot as NAME.svg, .png and .pdf, and writes its numbers as NAME.csv.

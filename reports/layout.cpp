@@ -14,7 +14,8 @@ constexpr double outside_key_width = 2.75;
 struct Size {
     double width, height;
 };
-constexpr Size above_another{6.0, 3.9}, side_by_side{5.2, 4.2}, alone{6.0, 5.0};
+constexpr Size above_another{6.0, 3.9}, side_by_side{5.2, 4.2}, alone{6.0, 5.0}, small{4.15, 2.95};
+constexpr double left_margin_unlabelled = 0.7;  ///< of small panels
 
 /// The least and greatest of what an axis has to show.
 class Extent {
@@ -88,7 +89,7 @@ void set_ranges(PanelPlace& place, const Panel& panel) {
     if (!panel.x_names.empty()) {
         place.x = {0.4, static_cast<double>(panel.x_names.size()) + 0.6};
     }
-    place.y = range(panel, false);
+    place.y = panel.y_range.value_or(range(panel, false));
     if (panel.y_least > 0) {
         place.y = {std::min(place.y.first, -panel.y_least),
                    std::max(place.y.second, panel.y_least)};
@@ -160,14 +161,18 @@ PaperPoint PanelPlace::at(double value_x, double value_y) const {
 Page page_of(const Figure& figure) {
     const Size usual = figure.panels.size() == 1 ? alone
                        : figure.stacked          ? above_another
+                       : figure.small            ? small
                                                  : side_by_side;
     Page page;
     double left = 0, depth = title_height;
     for (const auto& panel : figure.panels) {
         Size cell = with_names(usual, panel, figure);
         cell.height += bottom_of(panel) - bottom_margin;
+        const double margin =
+            figure.small && panel.y_label.empty() ? left_margin_unlabelled : left_margin;
+        cell.width -= left_margin - margin;
         const double whole = cell.width + (panel.key == Key::outside ? outside_key_width : 0);
-        PanelPlace place{.left = left + left_margin,
+        PanelPlace place{.left = left + margin,
                          .right = left + cell.width - right_margin,
                          .bottom = -(depth + cell.height - bottom_of(panel)),
                          .top = -(depth + top_margin)};

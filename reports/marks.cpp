@@ -150,11 +150,11 @@ void draw_key(Ink& ink, const PanelPlace& place, const Panel& panel) {
 Pen pen_of(const Curve& curve) {
     switch (curve.style) {
         case Curve::Style::dotted_line:
-            return {curve.colour, 1.5, "(2,3)"};
+            return {curve.colour, 1.5 * curve.weight, "(2,3)"};
         case Curve::Style::dashed_line:
-            return {curve.colour, 1.1, "(10,4,2,4)"};
+            return {curve.colour, 1.1 * curve.weight, "(10,4,2,4)"};
         default:
-            return {curve.colour, 1.8};
+            return {curve.colour, 1.8 * curve.weight};
     }
 }
 

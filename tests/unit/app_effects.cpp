@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "app_support.h"
+#include "sim/effect.h"
 
 using pendular::TemporaryFolder;
 using testing::AllOf;
@@ -96,6 +98,64 @@ TEST(Effects, PointToTheNearestName) {
     expect_refused("effects torque-ofset", "did you mean 'torque-offset'?");
     expect_refused("effects torque-offset other", "too many arguments");
     expect_refused("effects --study /nowhere/at/all", "not there");
+}
+
+namespace {
+
+/// Text of a page without the signs that keep words from being Markdown.
+std::string words_of(const std::filesystem::path& page) {
+    std::string text = content_of(page);
+    std::erase(text, '\\');
+    return text;
+}
+
+/// Expects that every link of a page leads to a file that is not empty.
+void expect_links_resolve(const std::filesystem::path& page) {
+    const std::string text = content_of(page);
+    const std::regex link(R"(\]\(([^)]+)\))");
+    for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found) {
+        const auto target = page.parent_path() / (*found)[1].str();
+        EXPECT_TRUE(std::filesystem::exists(target) && !std::filesystem::is_empty(target))
+            << page << " links to " << target;
+    }
+}
+
+}  // namespace
+
+TEST(EffectsManual, TellsAllThatIsKnownOfEveryEffect) {
+    const TemporaryFolder folder;
+    const auto manual = folder.path() / "manual";
+    const Outcome run = run_pendular("effects --json - --manual " + manual.string());
+    ASSERT_EQ(run.code, 0) << run.errors;
+    expect_links_resolve(manual / "index.md");
+    const std::string index = content_of(manual / "index.md");
+    for (const pendular::Effect& effect : pendular::built_in_effects()) {
+        EXPECT_THAT(index, HasSubstr("[" + effect.name + "](" + effect.name + ".md)"));
+        const auto page = manual / (effect.name + ".md");
+        const std::string words = words_of(page);
+        EXPECT_THAT(words, AllOf(HasSubstr("# " + effect.name + "\n"), HasSubstr(effect.equation),
+                                 HasSubstr("effects = [\"" + effect.name + "\"]")));
+        for (const pendular::EffectParameter& p : effect.parameters) {
+            EXPECT_THAT(words, HasSubstr("| `" + p.name + "` | " +
+                                         (p.is_switch() ? "switch" : p.unit) + " |"));
+            EXPECT_THAT(words, HasSubstr(p.meaning));
+        }
+        for (const std::string& reference : effect.references) {
+            EXPECT_THAT(words, HasSubstr("- " + reference + "\n"));
+        }
+        expect_links_resolve(page);
+    }
+    // Effects on grains have a figure where the atlas has runs with them, all others always.
+    for (const auto& page : nlohmann::json::parse(run.output).at("pages")) {
+        const std::string name = page.at("effect");
+        const bool figure = page.at("figure");
+        EXPECT_TRUE(figure || pendular::built_in_effect(name).of_grains()) << name;
+        EXPECT_EQ(figure, std::filesystem::exists(manual / "figures" / (name + ".svg"))) << name;
+    }
+}
+
+TEST(EffectsManual, IsOfAllEffects) {
+    expect_refused("effects torque-offset --manual /tmp/nowhere", "leave out the name");
 }
 
 TEST_F(EffectsOfAStudy, AreShownWithThoseItWrites) {

@@ -1,0 +1,352 @@
+#include "reports/effect_signature.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "calib/effect_model.h"
+#include "calib/rumpf.h"
+#include "reports/layout.h"
+#include "reports/shown.h"
+#include "sim/lab_plan.h"
+
+namespace pendular {
+namespace {
+
+constexpr double friction = 0.1, usual_stress = 1000, usual_inertial_number = 3e-3,
+                 usual_content = 0.03, time_of_readings = 600;
+constexpr int points = 41;
+
+Condition usual(bool dry, const Study& study) {
+    return {.normal_stress = usual_stress,
+            .inertial_number = usual_inertial_number,
+            .liquid_content = dry ? 0 : usual_content,
+            .bead_volume = study.cell.value().bead_volume,
+            .time = time_of_readings};
+}
+
+/// P* that the study's wet beads have at 1 Pa.
+double reduced_pressure_per_pascal(const Study& study) {
+    return 1 / inverse_pressure_of({.normal_stress = 1, .liquid_content = usual_content}, study);
+}
+
+/// What varies along the curves of a column of panels.
+struct Column {
+    const char* label;
+    double from, to;
+    bool log, dry;  ///< dry: readings without liquid have it too
+    void (*set)(Condition&, double, const Study&);
+    bool shows_height = false;  ///< [mm], in place of what was set
+};
+
+// Dry readings have no P*, but the normal stress that wet ones have there.
+constexpr std::array<Column, 4> columns = {
+    {{"reduced pressure P*", 0.5, 20, true, true,
+      [](Condition& c, double value, const Study& study) {
+          c.normal_stress = value / reduced_pressure_per_pascal(study);
+      }},
+     {"liquid content Φ_L/Φ_S", 0.004, 0.06, true, false,
+      [](Condition& c, double value, const Study&) { c.liquid_content = value; }},
+     {"inertial number I", 0.001, 0.03, true, true,
+      [](Condition& c, double value, const Study&) { c.inertial_number = value; }},
+     {"height of the sample [mm]", 20e-3, 100e-3, false, true,
+      [](Condition& c, double mass, const Study& study) {
+          c.bead_volume = mass / study.grains.density;
+      },
+      true}}};
+
+Eigen::VectorXd plain_parameters() {
+    return Eigen::VectorXd::Constant(1, friction);
+}
+
+/// Readings along a column, and where they stand.
+struct Along {
+    std::vector<double> at;
+    std::vector<Condition> conditions;
+};
+
+/// Their heights are those of the beads without the effect.
+Along along(const Column& column, bool dry, const Study& study, const FlowModel& plain) {
+    Along all;
+    for (int k = 0; k < points; ++k) {
+        const double part = static_cast<double>(k) / (points - 1);
+        all.at.push_back(column.log ? column.from * std::pow(column.to / column.from, part)
+                                    : column.from + (column.to - column.from) * part);
+        all.conditions.push_back(usual(dry, study));
+        column.set(all.conditions.back(), all.at.back(), study);
+    }
+    const Eigen::VectorXd flow =
+        plain.predict_mean_conditions(plain_parameters(), all.conditions).value;
+    for (std::size_t k = 0; k < all.at.size(); ++k) {
+        AnnularCell cell = study.cell.value();
+        cell.bead_volume = all.conditions[k].bead_volume.value();
+        all.conditions[k].height = height(flow(2 * static_cast<Eigen::Index>(k) + 1), cell);
+        if (column.shows_height) all.at[k] = 1e3 * all.conditions[k].height.value();
+    }
+    return all;
+}
+
+/// The size at which an effect is shown; where the study's liquid has one of its own, that much
+/// more.
+double shown_size(const Effect& effect, const EffectParameter& p, const Study& study) {
+    if (p.is_switch()) return 1;
+    const double from = effect.on_with_liquid ? study.liquid.value().surface_tension : p.neutral;
+    return std::clamp(from + p.matters, p.lower, p.upper);
+}
+
+std::vector<double> shown_sizes(const Effect& effect, const Study& study) {
+    std::vector<double> values;
+    for (const EffectParameter& p : effect.parameters) {
+        values.push_back(shown_size(effect, p, study));
+    }
+    return values;
+}
+
+/// Changes of shear stress [%] and 1000 times those of solid fraction, in turns; their standard
+/// errors, or none.
+struct Changes {
+    Eigen::VectorXd value, error;
+};
+
+Changes changes_between(const Eigen::VectorXd& without, const Eigen::VectorXd& with) {
+    Changes changes{with - without, {}};
+    for (Eigen::Index k = 0; k < changes.value.size(); ++k) {
+        changes.value(k) *= k % 2 == 0 ? 100 / without(k) : 1000;
+    }
+    return changes;
+}
+
+/// With the errors of the emulator, most of which both have in common.
+Changes changes_of_grains(const ActiveEffect& active, const Study& study,
+                          const FlowModel& simulation, const std::vector<Condition>& conditions) {
+    std::vector<Condition> both = conditions;
+    for (const Condition& condition : conditions) {
+        both.push_back(changed_condition(condition, {active}, study.liquid));
+    }
+    const Prediction said = simulation.predict_conditions(plain_parameters(), both);
+    const Eigen::Index n = said.value.size() / 2;
+    const Eigen::VectorXd without = said.value.head(n), with = said.value.tail(n);
+    Eigen::VectorXd error(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const bool stress = k % 2 == 0;
+        const double by_with = stress ? 100 / without(k) : 1000,
+                     by_without = stress ? -by_with * with(k) / without(k) : -1000;
+        const double variance = by_with * by_with * said.covariance(n + k, n + k) +
+                                by_without * by_without * said.covariance(k, k) +
+                                2 * by_with * by_without * said.covariance(k, n + k);
+        error(k) = std::sqrt(std::max(0.0, variance));
+    }
+    return {changes_between(without, with).value, error};
+}
+
+/// The model that an effect is added to, without it and with it.
+class Models {
+  public:
+    Models(const Effect& effect, const Study& study, SimulationModel& simulation)
+        : effect_(effect), study_(study), simulation_(simulation) {
+        FlowModel* inside = &simulation;
+        if (const auto* change = std::get_if<ChangeClosure>(&effect.change)) {
+            const std::vector<double> sizes = shown_sizes(effect, study);
+            without_ = std::make_unique<RumpfModel>(simulation, study);
+            with_ = std::make_unique<RumpfModel>(
+                simulation, study, change->change({}, Values(effect.parameters, sizes)));
+            inside = with_.get();
+        }
+        model_ = std::make_unique<EffectModel>(*inside, study, std::vector{&effect});
+    }
+
+    const FlowModel& without() const { return without_ ? *without_ : simulation_; }
+
+    Changes changes(const std::vector<Condition>& conditions) const {
+        const std::vector<double> sizes = shown_sizes(effect_, study_);
+        if (effect_.of_grains()) {
+            return changes_of_grains({&effect_, sizes}, study_, simulation_, conditions);
+        }
+        std::vector<double> parameters = {friction};
+        for (std::size_t k = 0; k < sizes.size(); ++k) {
+            if (!effect_.parameters[k].is_switch()) parameters.push_back(sizes[k]);
+        }
+        const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(
+            parameters.data(), static_cast<Eigen::Index>(parameters.size()));
+        return changes_between(
+            without().predict_mean_conditions(plain_parameters(), conditions).value,
+            model_->predict_mean_conditions(at, conditions).value);
+    }
+
+  private:
+    const Effect& effect_;
+    const Study& study_;
+    const FlowModel& simulation_;
+    std::unique_ptr<FlowModel> without_, with_;  ///< closures, where the effect is one on them
+    std::unique_ptr<EffectModel> model_;
+};
+
+/// The two panels of a column.
+using Pair = std::array<Panel, 2>;
+
+void add_curves(Pair& panels, const Column& column, bool dry, const Study& study,
+                const Models& models) {
+    const Along readings = along(column, dry, study, models.without());
+    const Changes changes = models.changes(readings.conditions);
+    for (std::size_t row = 0; row < panels.size(); ++row) {
+        Curve line{.label = dry ? "dry" : "wet",
+                   .style = dry ? Curve::Style::dashed_line : Curve::Style::line,
+                   .x = readings.at,
+                   .colour = dry ? calibrated_colour : model_colour,
+                   .weight = dry ? 1.9 : 1};
+        for (std::size_t k = 0; k < readings.at.size(); ++k) {
+            const auto at = static_cast<Eigen::Index>(2 * k + row);
+            line.y.push_back(changes.value(at));
+            if (changes.error.size() > 0) line.y_error.push_back(changes.error(at));
+        }
+        if (!line.y_error.empty()) {
+            Curve band = line;
+            band.style = Curve::Style::band;
+            band.label = "± 1 standard error";
+            band.in_key = false;
+            line.y_error.clear();
+            panels[row].curves.insert(panels[row].curves.begin(), band);
+        }
+        panels[row].curves.push_back(line);
+    }
+}
+
+/// The whole range of some panels of one row, with zero and `least` to both sides of it.
+AxisRange common_range(const std::vector<Pair>& all, std::size_t row, std::size_t begin,
+                       std::size_t end, double least) {
+    AxisRange range{-least, least};
+    for (std::size_t p = begin; p < end; ++p) {
+        for (const Curve& curve : all[p][row].curves) {
+            for (std::size_t k = 0; k < curve.y.size(); ++k) {
+                const double error = curve.y_error.empty() ? 0 : curve.y_error[k];
+                range.first = std::min(range.first, curve.y[k] - error);
+                range.second = std::max(range.second, curve.y[k] + error);
+            }
+        }
+    }
+    const double margin = 0.08 * (range.second - range.first);
+    return {range.first - margin, range.second + margin};
+}
+
+/// Panels at one normal stress have one range; where it varies changes are often far larger.
+void set_ranges(std::vector<Pair>& all) {
+    constexpr std::array least = {0.1, 0.5};  // what instruments cannot see
+    for (std::size_t row = 0; row < least.size(); ++row) {
+        const AxisRange of_pressure = common_range(all, row, 0, 1, least[row]),
+                        of_others = common_range(all, row, 1, all.size(), least[row]);
+        for (std::size_t p = 0; p < all.size(); ++p) {
+            all[p][row].y_range = p == 0 ? of_pressure : of_others;
+        }
+    }
+}
+
+/// The first panel explains all of them.
+void add_key(Panel& panel) {
+    const auto band = std::ranges::find(panel.curves, Curve::Style::band, &Curve::style);
+    if (band != panel.curves.end()) {
+        Curve sample{.label = band->label, .style = Curve::Style::band, .colour = "#555555"};
+        panel.curves.push_back(sample);
+    }
+    panel.key = Key::top_right;
+    panel.headroom = band != panel.curves.end() ? 0.34 : 0.26;
+}
+
+std::string size_text(const Effect& effect, const Study& study) {
+    std::vector<std::string> sizes;
+    for (const EffectParameter& p : effect.parameters) {
+        std::string name = p.name;
+        std::ranges::replace(name, '_', ' ');
+        sizes.push_back(p.is_switch() ? "on"
+                                      : fmt::format("{} {:g}{}", name, shown_size(effect, p, study),
+                                                    p.unit == "1" ? "" : " " + p.unit));
+    }
+    return fmt::format("{}", fmt::join(sizes, ", "));
+}
+
+}  // namespace
+
+Study signature_study(const std::vector<Effect>& effects) {
+    const LabPlan plan;
+    Study study;
+    study.grains = plan.grains;
+    study.liquid = plan.liquid;
+    study.cell = plan.cell;
+    for (const Effect& effect : effects) {
+        study.model.effects.push_back({effect.name, {}});
+    }
+    return study;
+}
+
+std::vector<Condition> signature_conditions(const Study& study) {
+    return {usual(true, study), usual(false, study)};
+}
+
+Figure signature_figure(const Effect& effect, const Study& study, SimulationModel& simulation) {
+    const Models models(effect, study, simulation);
+    std::vector<Pair> all;
+    for (const Column& column : columns) {
+        Pair panels;
+        for (std::size_t row = 0; row < panels.size(); ++row) {
+            panels[row].x_label = column.label;
+            panels[row].log_x = column.log;
+            panels[row].zero_line = true;
+            if (column.log) panels[row].x_range = {column.from / 1.1, column.to * 1.1};
+        }
+        if (effect.touches != Touches::dry) {
+            add_curves(panels, column, false, study, models);
+        }
+        if (column.dry && effect.touches != Touches::wet) {
+            add_curves(panels, column, true, study, models);
+        }
+        all.push_back(panels);
+    }
+    set_ranges(all);
+    add_key(all.front().front());
+    all.front()[0].y_label = "change of shear stress [%]";
+    all.front()[1].y_label = "10^3 × change of Φ_S";
+    Figure figure{.name = effect.name,
+                  .title = fmt::format("{}, {}", effect.name, size_text(effect, study)),
+                  .columns = all.size(),
+                  .small = true};
+    for (std::size_t row = 0; row < 2; ++row) {
+        for (const Pair& panels : all) {
+            figure.panels.push_back(panels[row]);
+        }
+    }
+    return figure;
+}
+
+std::string signature_caption(const Effect& effect, const Study& study) {
+    const AnnularCell cell = study.cell.value();
+    std::string text = fmt::format(
+        "What {} ({}) changes in readings of beads of {:g} µm and {:g} kg/m³ with friction {:g} in "
+        "a cell of radii {:g} and {:g} mm, as the emulator predicts it: shear stress above, solid "
+        "fraction below.",
+        effect.name, size_text(effect, study), 1e6 * study.grains.diameter, study.grains.density,
+        friction, 1e3 * cell.inner_radius, 1e3 * cell.outer_radius);
+    if (effect.on_with_liquid) {
+        text +=
+            fmt::format(" It changes from {:g} mN/m.", 1e3 * study.liquid.value().surface_tension);
+    }
+    if (std::holds_alternative<ChangeClosure>(effect.change)) {
+        text += " Base `rumpf`.";
+    }
+    text += fmt::format(
+        " Where they do not vary: {:g} kPa, I = {:g}, liquid content {:g} (wet), {:g} g of beads, "
+        "{:g} s since the first recording began. The liquid's surface tension is {:g} mN/m. "
+        "Against the reduced pressure, dry readings stand at the normal stress of the wet "
+        "ones. The panels at {:g} kPa share one scale.",
+        usual_stress / 1000, usual_inertial_number, usual_content,
+        1e3 * cell.bead_volume * study.grains.density, time_of_readings,
+        1e3 * study.liquid.value().surface_tension, usual_stress / 1000);
+    if (effect.of_grains()) {
+        text += " Bands are one standard error of the change.";
+    }
+    return text;
+}
+
+}  // namespace pendular

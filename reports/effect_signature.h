@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calib/simulation_model.h"
+#include "data/study.h"
+#include "reports/figure.h"
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// The study in which effects show what they do: the beads, liquid and cell that the virtual
+/// laboratory has by default. It lists the effects, so that runs with them serve it.
+Study signature_study(const std::vector<Effect>& effects);
+
+/// Some of the conditions at which signatures are drawn, dry and wet.
+std::vector<Condition> signature_conditions(const Study& study);
+
+/// What an effect of the size that matters (a switch: on) changes in readings of that study: shear
+/// stress [%] above, 1000 times the solid fraction below; against reduced pressure, liquid content,
+/// inertial number and height of the sample. Effects on grains come with the standard error of the
+/// change.
+/// @throws std::invalid_argument where no run behind the simulation has the effect
+/// @throws std::domain_error where no true state is shown so
+Figure signature_figure(const Effect& effect, const Study& study, SimulationModel& simulation);
+
+/// What stays the same along the curves of those figures, in words.
+std::string signature_caption(const Effect& effect, const Study& study);
+
+}  // namespace pendular
