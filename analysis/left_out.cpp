@@ -20,6 +20,9 @@ class AtConditions : public Model {
     Prediction predict(const Eigen::VectorXd& parameters) const override {
         return model_.predict_conditions(parameters, conditions_);
     }
+    Prediction predict_mean(const Eigen::VectorXd& parameters) const override {
+        return model_.predict_mean_conditions(parameters, conditions_);
+    }
     void improve(const Eigen::VectorXd&, double) override {}
     Supported supported() const override { return model_.supported(); }
 
@@ -36,7 +39,8 @@ class Squares {
         if (readings.empty()) {
             return;
         }
-        const Prediction predicted = model.predict_conditions(parameters, conditions_of(readings));
+        const Prediction predicted =
+            model.predict_mean_conditions(parameters, conditions_of(readings));
         for (std::size_t k = 0; k < readings.size(); ++k) {
             const Eigen::Vector2d value =
                 predicted.value.segment<2>(2 * static_cast<Eigen::Index>(k));

@@ -1,5 +1,5 @@
 // Which effects look alike: cosines of what they do to the readings of a study, with the friction
-// fitted away. The table of docs/effects-alike.md is what this prints.
+// fitted away. docs/validation.md has the table that this prints.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -76,6 +76,11 @@ TEST(EffectsAlike, AreThoseThatRheologistsKnow) {
     // At a constant gap a zero error and lost beads are one factor on the solid fraction.
     EXPECT_GT(cosine("height-offset", "bead-loss"), 0.999);
     EXPECT_GT(cosine("torque-offset", "normal-force-offset", true), 0.98);
+    // A factor on the torque, on the solid fraction, sizes, walls: at one bead mass much the same.
+    EXPECT_GT(cosine("torque-gain", "wall-friction"), 0.93);
+    EXPECT_GT(cosine("bead-loss", "polydispersity"), 0.95);
+    // Rolling resistance does what friction does, but for a hundredth part.
+    EXPECT_GT(signature_of("rolling-resistance").absorbed, 0.95);
     // These change other things.
     EXPECT_LT(cosine("torque-offset", "height-offset"), 0.7);
     EXPECT_LT(cosine("torque-gain", "contact-angle"), 0.9);
