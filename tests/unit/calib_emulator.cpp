@@ -78,7 +78,7 @@ TEST(Emulator, AddsTheChangeThatRunsWithAnEffectShow) {
                 std::max(0.0, covariance(0, 0) + covariance(1, 1) - 2 * covariance(0, 1)));
             EXPECT_NEAR(said(0) - said(1), 2 * amplitude * friction, 4 * error + 1e-12)
                 << friction << ", " << amplitude;
-            EXPECT_LT(error, 0.003);
+            EXPECT_LT(error, 0.02);  // a tenth of the largest change
             if (amplitude == 0) {
                 EXPECT_EQ(said(0), said(1));  // vanishes at neutral, bit for bit
             }
