@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -78,6 +79,15 @@ class Laboratory {
     std::unique_ptr<EmulatedSimulation> simulation_;
     std::unique_ptr<RumpfModel> closure_;
 };
+
+/// Whether it can be predicted: an effect on grains needs runs in the atlas.
+inline bool predictable(const Effect& effect) {
+    static const std::vector<dem::RunResult> runs = all_shipped_runs();
+    return !effect.of_grains() || std::ranges::any_of(runs, [&](const dem::RunResult& run) {
+        const auto& effects = run.parameters.effects;
+        return effects.size() == 1 && effects[0].effect == effect.name;
+    });
+}
 
 inline Laboratory& laboratory() {
     static Laboratory shared("dem");

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app_support.h"
-#include "tests/laws/effect_study.h"
+#include "tests/unit/app_support.h"
+#include "tests/unit/effect_study.h"
 
 using namespace pendular;
 using testing::HasSubstr;
