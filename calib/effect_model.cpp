@@ -182,31 +182,19 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
     }
 }
 
-Prediction EffectModel::predict_mean_conditions(const Eigen::VectorXd& parameters,
-                                                const std::vector<Condition>& conditions) const {
+Prediction EffectModel::ask_inside(const Eigen::VectorXd& parameters,
+                                   const std::vector<Condition>& conditions, Ask ask) const {
     const Truths truths = truths_at(parameters, conditions);
-    const Prediction inside =
-        inside_.predict_mean_conditions(inside_parameters(parameters), truths.imposed);
+    const Prediction inside = (inside_.*ask)(inside_parameters(parameters), truths.imposed);
     const Eigen::MatrixXd slopes = shown_by_predicted(truths, inside.value);
     Prediction result{.value = shown(truths, inside.value),
                       .jacobian = Eigen::MatrixXd::Zero(inside.value.size(), parameters.size()),
                       .covariance = {},
                       .run_noise = {}};
-    result.jacobian.leftCols(inside.jacobian.cols()) = slopes * inside.jacobian;
-    add_slopes(parameters, conditions, truths, inside.value, result);
-    return result;
-}
-
-Prediction EffectModel::predict_conditions(const Eigen::VectorXd& parameters,
-                                           const std::vector<Condition>& conditions) const {
-    const Truths truths = truths_at(parameters, conditions);
-    const Prediction inside =
-        inside_.predict_conditions(inside_parameters(parameters), truths.imposed);
-    const Eigen::MatrixXd slopes = shown_by_predicted(truths, inside.value);
-    Prediction result{.value = shown(truths, inside.value),
-                      .jacobian = Eigen::MatrixXd::Zero(inside.value.size(), parameters.size()),
-                      .covariance = slopes * inside.covariance * slopes.transpose(),
-                      .run_noise = slopes * inside.run_noise * slopes.transpose()};
+    if (inside.covariance.size() > 0) {
+        result.covariance = slopes * inside.covariance * slopes.transpose();
+        result.run_noise = slopes * inside.run_noise * slopes.transpose();
+    }
     result.jacobian.leftCols(inside.jacobian.cols()) = slopes * inside.jacobian;
     add_slopes(parameters, conditions, truths, inside.value, result);
     return result;

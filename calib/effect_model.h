@@ -25,9 +25,13 @@ class EffectModel : public FlowModel {
 
     const std::vector<Parameter>& parameters() const override { return parameters_; }
     Prediction predict_conditions(const Eigen::VectorXd& parameters,
-                                  const std::vector<Condition>& conditions) const override;
+                                  const std::vector<Condition>& conditions) const override {
+        return ask_inside(parameters, conditions, &FlowModel::predict_conditions);
+    }
     Prediction predict_mean_conditions(const Eigen::VectorXd& parameters,
-                                       const std::vector<Condition>& conditions) const override;
+                                       const std::vector<Condition>& conditions) const override {
+        return ask_inside(parameters, conditions, &FlowModel::predict_mean_conditions);
+    }
     void improve(const Eigen::VectorXd& parameters, double excess) override;
     void learn_wet(const Eigen::VectorXd& parameters, int turns) override;
     Supported supported() const override;
@@ -37,6 +41,11 @@ class EffectModel : public FlowModel {
     std::vector<ActiveEffect> effects_at(const Eigen::VectorXd& parameters) const;
 
   private:
+    /// What of the model inside is asked: with covariances or without.
+    using Ask = Prediction (FlowModel::*)(const Eigen::VectorXd&,
+                                          const std::vector<Condition>&) const;
+    Prediction ask_inside(const Eigen::VectorXd& parameters,
+                          const std::vector<Condition>& conditions, Ask ask) const;
     struct Truths;
     /// Of readings at these conditions at these parameters.
     Truths truths_at(const Eigen::VectorXd& parameters,
