@@ -146,7 +146,8 @@ TEST(EffectsManual, TellsAllThatIsKnownOfEveryEffect) {
         expect_links_resolve(page);
     }
     // Effects on grains have a figure where the atlas has runs with them, all others always.
-    for (const auto& page : nlohmann::json::parse(run.output).at("pages")) {
+    const auto pages = nlohmann::json::parse(run.output).at("pages");
+    for (const auto& page : pages) {
         const std::string name = page.at("effect");
         const bool figure = page.at("figure");
         EXPECT_TRUE(figure || pendular::built_in_effect(name).of_grains()) << name;
@@ -174,7 +175,8 @@ TEST_F(EffectsOfAStudy, SayWhetherTheyApply) {
     const std::string path = study(drag);
     const Outcome all = run_pendular("effects --json - --study " + path);
     ASSERT_EQ(all.code, 0) << all.errors;
-    for (const auto& effect : nlohmann::json::parse(all.output).at("effects")) {
+    const auto effects = nlohmann::json::parse(all.output).at("effects");
+    for (const auto& effect : effects) {
         EXPECT_EQ(effect.at("listed"), false);
         if (effect.at("changes") == "instrument") {
             EXPECT_EQ(effect.at("applies"), false);
