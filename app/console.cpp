@@ -60,22 +60,6 @@ void Console::end_progress() {
     }
 }
 
-std::string with_error(double value, double error) {
-    if (!(error > 0) || !std::isfinite(error)) {
-        return fmt::format("{:.4g} +- {}", value, error);
-    }
-    const int power = static_cast<int>(std::floor(std::log10(error)));
-    const int digits = std::max(0, 1 - power);
-    if (digits > 7) {  // forces between beads, in newtons
-        const int exponent = std::max(
-            power, static_cast<int>(std::floor(std::log10(std::max(std::abs(value), error)))));
-        const double unit = std::pow(10.0, exponent);
-        return fmt::format("({:.{}f} +- {:.{}f})e{}", value / unit, exponent + digits, error / unit,
-                           exponent + digits, exponent);
-    }
-    return fmt::format("{:.{}f} +- {:.{}f}", value, digits, error, digits);
-}
-
 std::string duration(double seconds) {
     const auto s = static_cast<long>(std::lround(seconds));
     if (s < 60) {

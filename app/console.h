@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/options.h"
+#include "reports/with_error.h"
 #include "sim/ensemble.h"
 
 namespace pendular::app {
@@ -30,9 +31,6 @@ class Console {
     bool drawn_ = false;
     std::chrono::steady_clock::time_point last_{};
 };
-
-/// Value with its standard error to two digits: "0.097 +- 0.011", "(1.032 +- 0.012)e-6".
-std::string with_error(double value, double error);
 
 /// "1 min 20 s", "3 h 5 min".
 std::string duration(double seconds);

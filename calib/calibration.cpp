@@ -44,33 +44,6 @@ void check_wet(const Reading& reading, const Study& study, const Fidelity& fidel
     }
 }
 
-/// @throws InputError where a reading is outside what can be simulated
-void check_range(const std::vector<Reading>& readings, const Study& study,
-                 const Fidelity& fidelity) {
-    for (const auto& reading : readings) {
-        const auto kappa = stiffness_number(reading.condition.normal_stress, study.grains);
-        if (kappa && *kappa < softest_corrected) {
-            throw InputError(
-                reading.origin,
-                fmt::format(
-                    "at {:.3g} Pa these beads have a stiffness number of {:.3g}; the correction "
-                    "to the study's stiffness holds from {} on: check youngs_modulus and its unit",
-                    reading.condition.normal_stress, *kappa, softest_corrected));
-        }
-        if (reading.condition.inertial_number > dem::largest_inertial_number) {
-            throw InputError(
-                reading.origin,
-                fmt::format(
-                    "inertial number {:.3g} is above {}, where beads no longer flow densely; "
-                    "leave this reading out",
-                    reading.condition.inertial_number, dem::largest_inertial_number));
-        }
-        if (!reading.condition.dry()) {
-            check_wet(reading, study, fidelity);
-        }
-    }
-}
-
 /// @throws InputError where there is nothing to fit
 void check_fitted(const Study& study, const Measurements& measurements, const Calibration& c) {
     if (c.fitted > 0) {
@@ -155,6 +128,32 @@ bool learn_wet(FlowModel& model, const Calibration& c) {
 }
 
 }  // namespace
+
+void check_range(const std::vector<Reading>& readings, const Study& study,
+                 const Fidelity& fidelity) {
+    for (const auto& reading : readings) {
+        const auto kappa = stiffness_number(reading.condition.normal_stress, study.grains);
+        if (kappa && *kappa < softest_corrected) {
+            throw InputError(
+                reading.origin,
+                fmt::format(
+                    "at {:.3g} Pa these beads have a stiffness number of {:.3g}; the correction "
+                    "to the study's stiffness holds from {} on: check youngs_modulus and its unit",
+                    reading.condition.normal_stress, *kappa, softest_corrected));
+        }
+        if (reading.condition.inertial_number > dem::largest_inertial_number) {
+            throw InputError(
+                reading.origin,
+                fmt::format(
+                    "inertial number {:.3g} is above {}, where beads no longer flow densely; "
+                    "leave this reading out",
+                    reading.condition.inertial_number, dem::largest_inertial_number));
+        }
+        if (!reading.condition.dry()) {
+            check_wet(reading, study, fidelity);
+        }
+    }
+}
 
 std::vector<Condition> conditions_of(const std::vector<Reading>& readings) {
     std::vector<Condition> conditions;

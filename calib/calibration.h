@@ -65,6 +65,10 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
                             const CalibrationRequest& request, const Workers& workers,
                             const CalibrationReport& report = {});
 
+/// @throws InputError where a reading is outside what can be simulated
+void check_range(const std::vector<Reading>& readings, const Study& study,
+                 const Fidelity& fidelity);
+
 /// The readings of a study in the order of a calibration: dry ones first.
 std::vector<Reading> dry_first(const Measurements& measurements);
 /// How many of them the study's calibration fits.

@@ -200,6 +200,59 @@ Prediction EffectModel::ask_inside(const Eigen::VectorXd& parameters,
     return result;
 }
 
+Eigen::VectorXd EffectModel::values(const Eigen::VectorXd& parameters) const {
+    const Truths truths = truths_at(parameters, conditions());
+    return shown(
+        truths,
+        inside_.predict_mean_conditions(inside_parameters(parameters), truths.imposed).value);
+}
+
+ModelSpace::ChangeErrors EffectModel::change_errors(
+    const Eigen::VectorXd& parameters, const EffectModel& without,
+    const Eigen::VectorXd& parameters_without) const {
+    const Truths here = truths_at(parameters, conditions());
+    const Truths there = without.truths_at(parameters_without, conditions());
+    const Eigen::VectorXd own = inside_parameters(parameters);
+    const auto n = 2 * static_cast<Eigen::Index>(conditions().size());
+    const auto grains = [](const EffectModel& model) {
+        return std::ranges::count_if(model.effects_, &Effect::of_grains);
+    };
+    if (grains(*this) > grains(without)) {
+        const auto covariance = [&](const Truths& truths) {
+            const Prediction inside = inside_.predict_conditions(own, truths.imposed);
+            const Eigen::MatrixXd slopes = shown_by_predicted(truths, inside.value);
+            return Eigen::MatrixXd(slopes * inside.run_noise * slopes.transpose());
+        };
+        return {covariance(here) - covariance(there), Eigen::MatrixXd::Zero(n, n)};
+    }
+    // Predictions without, then those of the conditions that are others with.
+    std::vector<Condition> asked = there.imposed;
+    std::vector<Eigen::Index> place;  // of a reading's prediction with
+    for (std::size_t k = 0; k < here.imposed.size(); ++k) {
+        const bool same = here.imposed[k] == there.imposed[k];
+        place.push_back(static_cast<Eigen::Index>(same ? k : asked.size()));
+        if (!same) asked.push_back(here.imposed[k]);
+    }
+    const Prediction inside = inside_.predict_conditions(own, asked);
+    Eigen::VectorXd with_values(n);
+    for (std::size_t k = 0; k < place.size(); ++k) {
+        with_values.segment<2>(2 * static_cast<Eigen::Index>(k)) =
+            inside.value.segment<2>(2 * place[k]);
+    }
+    const Eigen::MatrixXd with_slopes = shown_by_predicted(here, with_values);
+    const Eigen::MatrixXd slopes = without.shown_by_predicted(there, inside.value.head(n));
+    Eigen::MatrixXd with_by_asked = Eigen::MatrixXd::Zero(n, inside.value.size());
+    for (std::size_t k = 0; k < place.size(); ++k) {
+        with_by_asked.middleCols<2>(2 * place[k]) +=
+            with_slopes.middleCols<2>(2 * static_cast<Eigen::Index>(k));
+    }
+    Eigen::MatrixXd without_by_asked = Eigen::MatrixXd::Zero(n, inside.value.size());
+    without_by_asked.leftCols(n) = slopes;
+    const Eigen::MatrixXd change = with_by_asked - without_by_asked;
+    const Eigen::MatrixXd half = inside.covariance * change.transpose();
+    return {change * half, without_by_asked * half};
+}
+
 void EffectModel::improve(const Eigen::VectorXd& parameters, double excess) {
     inside_.predict_for(truths_at(parameters, conditions()).imposed);
     inside_.improve(inside_parameters(parameters), excess);
@@ -221,6 +274,17 @@ Supported EffectModel::supported() const {
         range.upper(k) = parameters_[static_cast<std::size_t>(k)].upper;
     }
     return range;
+}
+
+closures::Terms terms_of(const std::vector<const Effect*>& effects) {
+    closures::Terms terms;
+    for (const Effect* effect : effects) {
+        if (const auto* change = std::get_if<ChangeClosure>(&effect->change)) {
+            const std::vector<double> on(effect->parameters.size(), 1.0);
+            terms = change->change(terms, Values(effect->parameters, on));
+        }
+    }
+    return terms;
 }
 
 bool needs_joint_fit(const std::vector<const Effect*>& effects) {

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "calib/model.h"
+#include "calib/model_space.h"
 #include "data/study.h"
+#include "sim/closures/strength.h"
 #include "sim/effect.h"
 
 namespace pendular {
@@ -32,10 +34,19 @@ class EffectModel : public FlowModel {
                                        const std::vector<Condition>& conditions) const override {
         return ask_inside(parameters, conditions, &FlowModel::predict_mean_conditions);
     }
+    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const override;
     void improve(const Eigen::VectorXd& parameters, double excess) override;
     void learn_wet(const Eigen::VectorXd& parameters, int turns) override;
     Supported supported() const override;
     bool confirmed() const override { return inside_.confirmed(); }
+
+    /// What errors of the model inside make of the change from a model on the same inside, with
+    /// fewer effects, to this one. An effect on grains is known from runs of its own, whose errors
+    /// have nothing to do with those of the model without; what others change follows from
+    /// predictions at neighbouring conditions, whose errors are much the same.
+    ModelSpace::ChangeErrors change_errors(const Eigen::VectorXd& parameters,
+                                           const EffectModel& without,
+                                           const Eigen::VectorXd& parameters_without) const;
 
     /// The effects at these parameters.
     std::vector<ActiveEffect> effects_at(const Eigen::VectorXd& parameters) const;
@@ -66,6 +77,9 @@ class EffectModel : public FlowModel {
     std::vector<const Effect*> effects_;
     std::vector<Parameter> parameters_;
 };
+
+/// The terms of a closure as the effects on closures among these make them.
+closures::Terms terms_of(const std::vector<const Effect*>& effects);
 
 /// Whether an effect needs a joint fit of all readings: it touches dry ones, or has something that
 /// only wet ones tell.

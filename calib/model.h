@@ -49,6 +49,11 @@ class Model {
         return predict(parameters);
     }
 
+    /// The values alone.
+    virtual Eigen::VectorXd values(const Eigen::VectorXd& parameters) const {
+        return predict_mean(parameters).value;
+    }
+
     /// Learns more about the neighbourhood of `parameters`, where a fit has arrived; the next
     /// predictions are centred there. `excess` is the factor by which the variance that simulation
     /// causes in the fit is too large: above 1, about so many times the work done so far is wanted.

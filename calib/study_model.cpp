@@ -8,21 +8,6 @@
 
 namespace pendular {
 
-namespace {
-
-closures::Terms terms_of(const std::vector<const Effect*>& effects) {
-    closures::Terms terms;
-    for (const Effect* effect : effects) {
-        if (const auto* change = std::get_if<ChangeClosure>(&effect->change)) {
-            const std::vector<double> on(effect->parameters.size(), 1.0);
-            terms = change->change(terms, Values(effect->parameters, on));
-        }
-    }
-    return terms;
-}
-
-}  // namespace
-
 StudyModel::StudyModel(const Study& study, const std::vector<Condition>& conditions,
                        const Fidelity& fidelity, std::uint64_t seed, Workers workers,
                        const std::optional<KnownRuns>& known) {

@@ -60,9 +60,18 @@ struct Excluded {
     std::string reason;
 };
 
+/// Scatter between replicates beyond that within them, pooled over all conditions.
+struct ReplicateScatter {
+    /// Relative to the values of (stress ratio, solid fraction) [1]; widened as below.
+    Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();
+    double freedom = 0;   ///< degrees of freedom it was estimated with
+    double widening = 1;  ///< factor on the standard errors that is in `excess`
+};
+
 /// Everything that was measured in a study, with nothing dropped in silence.
 struct Measurements {
     std::vector<Reading> readings;  ///< in run order
+    ReplicateScatter scatter;       ///< that is in the covariances of the readings
     std::vector<Excluded> excluded;
     std::vector<std::string> notes;  ///< checks worth a line: a flipped torque, heavy beads
 };

@@ -102,6 +102,12 @@ void assume_missing_errors(Reading& reading) {
 
 }  // namespace
 
+Eigen::Matrix2d estimated_covariance(const Reading& reading, const ReplicateScatter& scatter) {
+    const Eigen::Matrix2d scale = reading.value.asDiagonal();
+    const double surplus = 1 - 1 / (scatter.widening * scatter.widening);
+    return reading.covariance - surplus * scale * scatter.excess * scale;
+}
+
 bool are_replicates(const Reading& a, const Reading& b) {
     constexpr double rounding = 1e-9;
     return std::abs(a.condition.liquid_content - b.condition.liquid_content) <= rounding &&
@@ -117,6 +123,9 @@ void pool_replicates(Measurements& measurements) {
         add(group, pooled);
     }
     const Eigen::Matrix2d added = excess(pooled);
+    if (pooled.freedom > 0) {
+        measurements.scatter = {added, pooled.freedom, widening(pooled.freedom)};
+    }
     if (!added.isZero() && widening(pooled.freedom) >= worth_a_note)
         measurements.notes.push_back(fmt::format(
             "the scatter between replicates is known from {0} only: their standard errors are "

@@ -27,4 +27,8 @@ bool are_replicates(const Reading& a, const Reading& b);
 /// `error_assumed` is set and a note says so.
 void pool_replicates(Measurements& measurements);
 
+/// Covariance of a reading as it was estimated, not widened for how few replicates tell it: for
+/// tests whose laws allow for that.
+Eigen::Matrix2d estimated_covariance(const Reading& reading, const ReplicateScatter& scatter);
+
 }  // namespace pendular

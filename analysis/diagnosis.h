@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/null_draws.h"
+#include "analysis/score_test.h"
+#include "calib/fit.h"
+#include "calib/model_space.h"
+
+namespace pendular {
+
+/// A part of the measurement that may be wrong, such as the readings of one condition: what an
+/// error of it adds to the entries, a column for each way in which it can be off.
+struct Suspect {
+    std::string name;
+    Eigen::MatrixXd columns;
+};
+
+/// Readings as a diagnosis takes them.
+struct Evidence {
+    Measured measured;  ///< errors as estimated
+    ErrorKnowledge errors;
+    bool errors_assumed = false;  ///< of some readings, rather than measured
+    /// Entries that were measured at the same condition; each entry once.
+    std::vector<std::vector<Eigen::Index>> conditions;
+    std::vector<Suspect> suspects;
+};
+
+enum class Verdict {
+    nothing_missing,
+    inconclusive,
+    missing,
+    indistinguishable,
+    unknown,
+    suspect_measurement
+};
+/// "nothing-missing".
+std::string_view to_string(Verdict verdict);
+
+/// A model with something more, refitted, and whether it stands.
+struct Explanation {
+    Choice chosen;
+    std::optional<std::size_t> suspect;
+    Fit fit;
+    double chi2 = 0;
+    double lack_of_fit_p = 0;  ///< of the readings' means against the model
+    double further_p = 1;      ///< that nothing further is missing; 1 where not asked
+    bool accepted = false;
+};
+
+/// What the scan found of one candidate.
+struct Finding {
+    std::size_t candidate = 0;
+    ScoreTest test;
+    double value = 0;           ///< estimate of the parameter [its unit]; 1 or 0 for a switch
+    double standard_error = 0;  ///< [its unit]
+    double p = 1;               ///< that some candidate looks so good where nothing is missing
+    double power = 0;           ///< to see the size that matters
+    double detectable = 0;      ///< how far from neutral it is seen in 4 of 5 cases [its unit]
+    std::optional<double> refit_drop;  ///< of chi2, where it was refitted
+    std::string decision;
+    /// Whether there is a size within the bounds that would be seen.
+    bool identifiable = false;
+};
+
+/// What is missing from a model, if anything.
+struct Diagnosis {
+    Verdict verdict = Verdict::inconclusive;
+    std::vector<std::string> effects;         ///< that the verdict points at
+    std::vector<std::string> suspects;        ///< likewise
+    std::vector<Explanation> confidence_set;  ///< the smallest models that stand
+    std::vector<Explanation> tried;           ///< all that were refitted
+    std::vector<Finding> scan;                ///< a finding a candidate, most telling first
+    std::vector<double> suspect_p;            ///< of each suspect alone
+    Eigen::MatrixXd cosines;                  ///< of the signatures of `effects`, projected
+    Fit fit;                                  ///< of the model as it is
+    double chi2 = 0;
+    int dof = 0;
+    double lack_of_fit_p = 0, further_p = 0;
+    bool errors_assumed = false;
+
+    /// Of the model as it is.
+    WeightedResiduals residuals(const Evidence& evidence) const {
+        return {evidence.measured, fit.prediction};
+    }
+};
+
+struct DiagnosisOptions {
+    double significance = 0.05;  ///< how often a complete model is called incomplete
+    double wanted_power = 0.8;
+    Eigen::Index draws = 4000;  ///< of errors, for all tests
+    std::uint64_t seed = 1;
+    std::size_t most_pairs = 12;     ///< refitted where no single candidate explains the readings
+    std::size_t most_suspects = 12;  ///< likewise
+    std::optional<Eigen::VectorXd> start = {};
+    std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
+};
+
+/// Says whether a model lacks something, and what: fits it, tests what is left for every
+/// candidate, refits those that the residuals ask for, and keeps the smallest models that stand.
+/// A model stands where neither its lack of fit nor the best of what it still lacks is significant,
+/// each at half the significance, from the same draws of errors.
+/// @throws InputError where there are no more readings than parameters
+Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,
+                   const DiagnosisOptions& options = {});
+
+}  // namespace pendular

@@ -1,0 +1,145 @@
+#include "analysis/explanations.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <utility>
+
+namespace pendular {
+namespace {
+
+/// A model with an error of the measurement that a fit may find: a factor on each of a suspect's
+/// columns.
+class WithSuspect : public Model {
+  public:
+    WithSuspect(const Model& inside, const Suspect& suspect)
+        : inside_(inside), columns_(suspect.columns), parameters_(inside.parameters()) {
+        for (Eigen::Index k = 0; k < columns_.cols(); ++k) {
+            parameters_.push_back({.name = suspect.name, .lower = -widest, .upper = widest});
+        }
+    }
+    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    Prediction predict(const Eigen::VectorXd& parameters) const override {
+        return shifted(inside_.predict(own(parameters)), parameters);
+    }
+    Prediction predict_mean(const Eigen::VectorXd& parameters) const override {
+        return shifted(inside_.predict_mean(own(parameters)), parameters);
+    }
+    void improve(const Eigen::VectorXd& /*parameters*/, double /*excess*/) override {}
+    Supported supported() const override {
+        const Supported range = inside_.supported();
+        Supported all{Eigen::VectorXd::Constant(size(), -widest),
+                      Eigen::VectorXd::Constant(size(), widest)};
+        all.lower.head(range.lower.size()) = range.lower;
+        all.upper.head(range.upper.size()) = range.upper;
+        return all;
+    }
+
+  private:
+    static constexpr double widest = 1e3;
+    Eigen::Index size() const { return static_cast<Eigen::Index>(parameters_.size()); }
+    Eigen::VectorXd own(const Eigen::VectorXd& parameters) const {
+        return parameters.head(size() - columns_.cols());
+    }
+    Prediction shifted(Prediction prediction, const Eigen::VectorXd& parameters) const {
+        prediction.value += columns_ * parameters.tail(columns_.cols());
+        Eigen::MatrixXd jacobian(prediction.value.size(), size());
+        jacobian << prediction.jacobian, columns_;
+        prediction.jacobian = std::move(jacobian);
+        return prediction;
+    }
+
+    const Model& inside_;
+    Eigen::MatrixXd columns_;
+    std::vector<Parameter> parameters_;
+};
+
+/// With the weights of the start, and once more with those of the answer.
+Fit settled_fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start) {
+    return fit(model, measured, fit(model, measured, start).parameters);
+}
+
+}  // namespace
+
+Explanations::Explanations(const ModelSpace& space, const Evidence& evidence,
+                           const DiagnosisOptions& options)
+    : space_(space),
+      evidence_(evidence),
+      options_(options),
+      draws_(evidence.errors, options.seed, options.draws) {
+    errors.resize(space.candidates().size());
+}
+
+Explanation Explanations::refit(const Choice& chosen, std::optional<std::size_t> suspect,
+                                const Eigen::VectorXd& start) const {
+    Explanation result{.chosen = chosen, .suspect = suspect};
+    const Model& model = space_.with(chosen);
+    if (suspect) {
+        result.fit = settled_fit(WithSuspect(model, evidence_.suspects[*suspect]),
+                                 evidence_.measured, start);
+    } else {
+        result.fit = settled_fit(model, evidence_.measured, start);
+    }
+    result.chi2 = residuals_of(result).chi2();
+    return result;
+}
+
+double Explanations::lack_of_fit_p(const WeightedResiduals& residuals) const {
+    const Eigen::MatrixXd means = residuals.means_over(evidence_.conditions);
+    const double observed = (means.transpose() * residuals.residuals()).squaredNorm();
+    const Eigen::VectorXd drawn =
+        (means.transpose() * draws_.errors()).colwise().squaredNorm().transpose();
+    return NullDraws::p(observed, drawn);
+}
+
+std::vector<ScoreTest> Explanations::suspect_tests(const WeightedResiduals& residuals,
+                                                   std::optional<std::size_t> but) const {
+    std::vector<ScoreTest> tests;
+    for (std::size_t k = 0; k < evidence_.suspects.size(); ++k) {
+        if (k != but) {
+            tests.push_back(
+                score_test(residuals, {.change = evidence_.suspects[k].columns}, false));
+        }
+    }
+    return tests;
+}
+
+Addition Explanations::addition(const Explanation& explanation, std::size_t candidate) const {
+    const Model& model = space_.with(explanation.chosen);
+    const Eigen::VectorXd parameters =
+        explanation.fit.parameters.head(static_cast<Eigen::Index>(model.parameters().size()));
+    Eigen::VectorXd values = explanation.fit.prediction.value;
+    if (explanation.suspect) {
+        values = model.values(parameters);
+    }
+    return {space_, explanation.chosen, candidate, parameters, std::move(values)};
+}
+
+std::vector<ScoreTest> Explanations::further_tests(const WeightedResiduals& residuals,
+                                                   const Explanation& explanation) const {
+    std::vector<ScoreTest> tests = suspect_tests(residuals, explanation.suspect);
+    for (std::size_t k = 0; k < space_.candidates().size(); ++k) {
+        if (std::ranges::find(explanation.chosen, k) == explanation.chosen.end()) {
+            Signature signature = addition(explanation, k).signature(false);
+            signature.errors = errors[k];
+            tests.push_back(score_test(residuals, signature, space_.candidates()[k].is_switch()));
+        }
+    }
+    return tests;
+}
+
+void Explanations::judge(Explanation& explanation) const {
+    const WeightedResiduals residuals = residuals_of(explanation);
+    explanation.lack_of_fit_p = lack_of_fit_p(residuals);
+    if (!explanation.fit.converged || explanation.lack_of_fit_p < half_significance()) {
+        return;
+    }
+    const auto tests = further_tests(residuals, explanation);
+    double smallest = 1;
+    for (const ScoreTest& test : tests) {
+        smallest = std::min(smallest, test.p());
+    }
+    explanation.further_p = FamilyOfTests(tests, draws_).p(smallest);
+    explanation.accepted = explanation.further_p >= half_significance();
+}
+
+}  // namespace pendular

@@ -1,0 +1,131 @@
+#include "analysis/study_evidence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "analysis/compare.h"
+#include "data/replicates.h"
+
+namespace pendular {
+namespace {
+
+/// A factor on the shear stresses and one on the solid fractions of some readings.
+Suspect suspect(std::string name, const std::vector<std::size_t>& readings,
+                const Eigen::VectorXd& values) {
+    Suspect result{std::move(name), Eigen::MatrixXd::Zero(values.size(), 2)};
+    for (const std::size_t k : readings) {
+        for (const Eigen::Index observable : {0, 1}) {
+            const Eigen::Index entry = 2 * static_cast<Eigen::Index>(k) + observable;
+            result.columns(entry, observable) = values(entry);
+        }
+    }
+    return result;
+}
+
+/// Entries of each condition, one observable after the other.
+std::vector<std::vector<Eigen::Index>> entries_by_condition(const std::vector<Reading>& readings) {
+    std::vector<std::vector<Eigen::Index>> result;
+    for (const auto& group : condition_groups(readings)) {
+        for (const Eigen::Index observable : {0, 1}) {
+            std::vector<Eigen::Index> entries;
+            for (const std::size_t k : group) {
+                entries.push_back(2 * static_cast<Eigen::Index>(k) + observable);
+            }
+            result.push_back(std::move(entries));
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<Covariate> covariates_of(const std::vector<Reading>& readings) {
+    using Of = std::function<double(std::size_t, const Reading&)>;
+    const std::vector<std::pair<std::string, Of>> all = {
+        {"normal stress", [](auto, const auto& r) { return r.condition.normal_stress; }},
+        {"inertial number", [](auto, const auto& r) { return r.condition.inertial_number; }},
+        {"liquid content", [](auto, const auto& r) { return r.condition.liquid_content; }},
+        {"height", [](auto, const auto& r) { return r.condition.height.value_or(0); }},
+        {"time", [](auto, const auto& r) { return r.condition.time; }},
+        {"run order", [](std::size_t k, const auto&) { return static_cast<double>(k + 1); }}};
+    std::vector<Covariate> result;
+    for (const auto& [name, of] : all) {
+        Covariate covariate{name, Eigen::VectorXd(2 * static_cast<Eigen::Index>(readings.size()))};
+        for (std::size_t k = 0; k < readings.size(); ++k) {
+            covariate.values.segment<2>(2 * static_cast<Eigen::Index>(k))
+                .setConstant(of(k, readings[k]));
+        }
+        const double low = covariate.values.minCoeff(), high = covariate.values.maxCoeff();
+        if (high - low > 0.1 * std::max(std::abs(low), std::abs(high))) {
+            result.push_back(std::move(covariate));
+        }
+    }
+    return result;
+}
+
+EntryKinds entries_of(const std::vector<Reading>& readings,
+                      const std::vector<Parameter>& parameters) {
+    EntryKinds kinds{.observables = {"shear stress", "solid fraction"},
+                     .conditions = entries_by_condition(readings)};
+    for (const Parameter& parameter : parameters) {
+        kinds.parameters.push_back(parameter.name);
+    }
+    for (const Reading& reading : readings) {
+        kinds.observable.insert(kinds.observable.end(), {0, 1});
+        kinds.replicated |= reading.replicates > 1;
+    }
+    return kinds;
+}
+
+std::string described(const Condition& condition) {
+    std::string text =
+        fmt::format("{:.3g} Pa, I {:.2g}", condition.normal_stress, condition.inertial_number);
+    return text + (condition.dry()
+                       ? ", dry"
+                       : fmt::format(", liquid content {:.3g}", condition.liquid_content));
+}
+
+Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter) {
+    std::vector<Reading> estimated = readings;
+    Evidence evidence;
+    for (Reading& reading : estimated) {
+        reading.covariance = estimated_covariance(reading, scatter);
+        evidence.errors_assumed |= reading.error_assumed;
+        evidence.errors.kind.insert(evidence.errors.kind.end(), {0, 1});
+    }
+    evidence.measured = stack(estimated);
+    for (const Eigen::Index observable : {0, 1}) {
+        const bool scattered = scatter.excess(observable, observable) > 0;
+        evidence.errors.freedom.push_back(scattered ? scatter.freedom : INFINITY);
+    }
+    evidence.conditions = entries_by_condition(readings);
+    const auto groups = condition_groups(readings);
+    std::map<std::string, std::vector<std::size_t>> files;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        files[readings[k].origin.file].push_back(k);
+    }
+    std::set<std::vector<std::size_t>> suspected;
+    for (const auto& group : groups) {
+        if (groups.size() > 1 && suspected.insert(group).second) {
+            evidence.suspects.push_back(
+                suspect("the readings at " + described(readings[group.front()].condition), group,
+                        evidence.measured.value));
+        }
+    }
+    for (const auto& [file, members] : files) {
+        if (files.size() > 1 && suspected.insert(members).second) {
+            evidence.suspects.push_back(
+                suspect("the readings of " + std::filesystem::path(file).filename().string(),
+                        members, evidence.measured.value));
+        }
+    }
+    return evidence;
+}
+
+}  // namespace pendular

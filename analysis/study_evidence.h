@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/checks.h"
+#include "analysis/diagnosis.h"
+#include "data/reading.h"
+
+namespace pendular {
+
+/// Readings of a study as a diagnosis takes them: with errors as they were estimated, of shear
+/// stress and of solid fraction apart, and as suspects the readings of each condition and those of
+/// each file, whose shear stresses and solid fractions may be off by a factor each.
+Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter);
+
+/// What varied between readings, by a tenth at least: less is the scatter of set points, or, for
+/// the height, the solid fraction seen again.
+std::vector<Covariate> covariates_of(const std::vector<Reading>& readings);
+
+/// The entries of readings fitted with these parameters.
+EntryKinds entries_of(const std::vector<Reading>& readings,
+                      const std::vector<Parameter>& parameters);
+
+/// "300 Pa, I 0.003, liquid content 0.03".
+std::string described(const Condition& condition);
+
+}  // namespace pendular

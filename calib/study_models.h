@@ -1,0 +1,59 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "calib/effect_model.h"
+#include "calib/emulated_simulation.h"
+#include "calib/model_space.h"
+#include "calib/rumpf.h"
+#include "data/study.h"
+#include "sim/effect_catalogue.h"
+
+namespace pendular {
+
+/// An effect that is no candidate, and why.
+struct LeftAside {
+    std::string effect, why;
+};
+
+/// The emulated model of a study, with the effects that the study lists, and every further effect
+/// that applies to it as a candidate. One emulator serves all of them; no runs are ordered.
+class StudyModels : public ModelSpace {
+  public:
+    /// @param known runs of plain beads and of beads with any effects on grains
+    /// @throws InputError for a listed effect that is unknown, or of which no run tells
+    StudyModels(const Study& study, std::vector<Condition> conditions, const Fidelity& fidelity,
+                KnownRuns known);
+
+    const std::vector<Candidate>& candidates() const override { return candidates_; }
+    const EffectModel& with(const Choice& chosen) const override;
+    ChangeErrors change_errors(const Choice& chosen, const Eigen::VectorXd& parameters,
+                               std::size_t added, double value) const override;
+
+    /// Effects that are neither listed nor candidates.
+    const std::vector<LeftAside>& left_aside() const { return left_aside_; }
+
+    /// A study that lists every effect, so that runs with any of them serve it.
+    static Study with_all_effects(Study study);
+
+  private:
+    bool told(const Effect& effect) const;
+    void add_candidate(const Effect& effect);
+    FlowModel& inside(const std::vector<const Effect*>& effects) const;
+
+    Study study_;
+    std::vector<Condition> conditions_;
+    EffectCatalogue catalogue_;
+    std::vector<const Effect*> listed_, offered_;
+    std::vector<Candidate> candidates_;
+    std::vector<LeftAside> left_aside_;
+    std::unique_ptr<EmulatedSimulation> simulation_;
+    /// Base `rumpf`, with the capillary shear stress and without.
+    mutable std::map<bool, std::unique_ptr<RumpfModel>> closures_;
+    mutable std::map<Choice, std::unique_ptr<EffectModel>> models_;
+};
+
+}  // namespace pendular

@@ -1,0 +1,403 @@
+#include "reports/diagnosis_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/with_error.h"
+
+namespace pendular {
+namespace {
+
+std::string joined(const std::vector<std::string>& words, const std::string& last) {
+    std::string text;
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        text += (k == 0 ? "" : k + 1 == words.size() ? " " + last + " " : ", ") + words[k];
+    }
+    return text;
+}
+
+std::string p_text(double p, const char* equals = "= ") {
+    return p < 1e-3 ? "< 0.001" : fmt::format("{}{:.2g}", equals, p);
+}
+
+double chi2_per_dof(double chi2, double dof) {
+    return chi2 / std::max(1.0, dof);
+}
+
+std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space) {
+    std::vector<std::string> names;
+    for (const std::size_t k : explanation.chosen) {
+        names.push_back(space.candidates()[k].name);
+    }
+    return names;
+}
+
+/// "torque-offset (0.41 +- 0.03 mN m)", from the refit; a switch has its name alone.
+std::string with_estimates(const Explanation& explanation, const ModelSpace& space) {
+    const auto& parameters = space.with(explanation.chosen).parameters();
+    auto next = static_cast<Eigen::Index>(space.with({}).parameters().size());
+    std::vector<std::string> texts;
+    for (const std::size_t k : explanation.chosen) {
+        const Candidate& candidate = space.candidates()[k];
+        std::string values;
+        for (std::size_t own = 0; own < candidate.free_parameters(); ++own, ++next) {
+            values +=
+                (values.empty() ? "" : ", ") +
+                with_error(explanation.fit.parameters(next), explanation.fit.standard_error(next),
+                           parameters[static_cast<std::size_t>(next)].unit);
+        }
+        texts.push_back(values.empty() ? candidate.name
+                                       : fmt::format("{} ({})", candidate.name, values));
+    }
+    return joined(texts, "and");
+}
+
+std::string sentence(const Check& check) {
+    const std::string p = fmt::format("(p {})", p_text(check.p));
+    switch (check.kind) {
+        case Check::Kind::lack_of_fit:
+            return fmt::format("the conditions' means are off the model {}", p);
+        case Check::Kind::trend:
+            return fmt::format("{}: measured over modelled {} with {} {}", check.of,
+                               check.statistic > 0 ? "grows" : "falls", check.covariate, p);
+        case Check::Kind::score:
+            return fmt::format("{} would be another at one end of {} than at the other {}",
+                               check.of, check.covariate, p);
+        case Check::Kind::runs:
+            return fmt::format("{}: neighbouring readings lie on the same side of the model {}",
+                               check.of, p);
+        default:
+            return fmt::format("readings at neighbouring conditions are off alike ({}) {}",
+                               check.covariate, p);
+    }
+}
+
+/// The significant ones.
+std::vector<const Check*> most_telling(const Checks& checks) {
+    constexpr double significant = 0.05;
+    std::vector<const Check*> result;
+    for (const Check& check : checks.all) {
+        if (check.p < significant) result.push_back(&check);
+    }
+    std::ranges::stable_sort(result, {}, &Check::p);
+    return result;
+}
+
+/// "; it grows with height": of the strongest significant trend.
+std::string carried_by(const Checks& checks) {
+    const Check* strongest = nullptr;
+    for (const Check* check : most_telling(checks)) {
+        const bool trend = check->kind == Check::Kind::trend;
+        if (trend &&
+            (strongest == nullptr || std::abs(check->statistic) > std::abs(strongest->statistic))) {
+            strongest = check;
+        }
+    }
+    return strongest == nullptr
+               ? ""
+               : fmt::format("; in {} it {} with {}", strongest->of,
+                             strongest->statistic > 0 ? "grows" : "falls", strongest->covariate);
+}
+
+const Explanation* best_of(const std::vector<Explanation>& explanations) {
+    const auto best = std::ranges::min_element(explanations, {}, &Explanation::chi2);
+    return best == explanations.end() ? nullptr : &*best;
+}
+
+std::string cut(const Diagnosis& d, const Explanation& by) {
+    const auto dof = static_cast<double>(by.fit.dof);
+    return fmt::format("chi2/dof from {:.2f} to {:.2f}", chi2_per_dof(d.chi2, d.dof),
+                       chi2_per_dof(by.chi2, dof));
+}
+
+const Finding& finding_of(const Diagnosis& d, const ModelSpace& space, const std::string& name) {
+    return *std::ranges::find_if(d.scan, [&](const Finding& finding) {
+        return space.candidates()[finding.candidate].name == name;
+    });
+}
+
+const EffectParameter& parameter_of(const ModelSpace& space, const Finding& finding) {
+    return space.candidates()[finding.candidate].parameters.front();
+}
+
+std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
+    const Explanation& best = *best_of(d.confidence_set);
+    std::string line =
+        fmt::format("Missing: {}. Adding {} should cut {}.", with_estimates(best, space),
+                    best.chosen.size() > 1 ? "them" : "it", cut(d, best));
+    if (d.confidence_set.size() > 1) {
+        line = fmt::format(
+            "Missing: {}, with something more that cannot be told: {} explain the readings alike. "
+            "Adding {} should cut {}.",
+            joined(d.effects, "and"),
+            joined(
+                [&] {
+                    std::vector<std::string> sets;
+                    for (const auto& each : d.confidence_set) {
+                        sets.push_back(joined(names_of(each, space), "with"));
+                    }
+                    return sets;
+                }(),
+                "or"),
+            joined(names_of(best, space), "and"), cut(d, best));
+    }
+    return line;
+}
+
+std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) {
+    std::vector<std::string> sets;
+    for (const Explanation& each : d.confidence_set) {
+        sets.push_back(with_estimates(each, space));
+    }
+    return fmt::format(
+        "Something is missing, but these readings cannot tell what: {}. Any of them "
+        "cuts {} or so.",
+        joined(sets, "or"), cut(d, *best_of(d.confidence_set)));
+}
+
+std::string inconclusive_line(const Diagnosis& d) {
+    if (d.effects.empty()) {
+        return "Nothing seems missing, but the errors of the readings are assumed, not measured: "
+               "that says nothing.";
+    }
+    return fmt::format(
+        "Nothing seems missing, but {} effect{} that would matter could hide in "
+        "these readings: {}.",
+        d.effects.size(), d.effects.size() == 1 ? "" : "s", joined(d.effects, "and"));
+}
+
+std::string finding_line(const Finding& finding, const ModelSpace& space) {
+    const Candidate& candidate = space.candidates()[finding.candidate];
+    const EffectParameter& p = candidate.parameters.front();
+    if (!finding.test.seen()) {
+        return fmt::format("  {:<24} {:>26} {:>9} {:>9} {:>8.0f} % {:>6} {:>8}   {}",
+                           candidate.name, "-", "-", "-", 100 * finding.test.absorbed, "-", "-",
+                           finding.decision);
+    }
+    const std::string unit = candidate.is_switch() ? "1" : p.unit;
+    return fmt::format(
+        "  {:<24} {:>26} {:>9.1f} {:>9} {:>8.0f} % {:>6.2f} {:>8}   {}", candidate.name,
+        with_error(finding.value, finding.standard_error, unit), finding.test.predicted_drop,
+        finding.refit_drop ? fmt::format("{:.1f}", *finding.refit_drop) : "",
+        100 * finding.test.absorbed, finding.power, p_text(finding.p, ""), finding.decision);
+}
+
+nlohmann::ordered_json number(double value, double standard_error) {
+    return {{"value", value}, {"stderr", standard_error}};
+}
+
+nlohmann::ordered_json to_json(const Finding& finding, const ModelSpace& space) {
+    const Candidate& candidate = space.candidates()[finding.candidate];
+    const EffectParameter& p = candidate.parameters.front();
+    nlohmann::ordered_json json = {
+        {"effect", candidate.name},
+        {"parameter", p.name},
+        {"unit", p.unit},
+        {"predicted_drop", finding.test.predicted_drop},
+        {"estimate", number(finding.value, finding.standard_error)},
+        {"absorbed", finding.test.absorbed},
+        {"power", finding.power},
+        {"p", finding.p},
+        {"decision", finding.decision},
+        {"refit_drop", nullptr},
+        {"identifiable", finding.identifiable},
+        {"detectable", nullptr},
+        {"noncentrality_that_matters", finding.test.information},
+    };
+    if (finding.refit_drop) {
+        json["refit_drop"] = *finding.refit_drop;
+    }
+    if (std::isfinite(finding.detectable) && finding.test.seen()) {
+        json["detectable"] = finding.detectable;
+    }
+    return json;
+}
+
+nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace& space,
+                               const Evidence& evidence) {
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+    const auto& all = space.with(explanation.chosen).parameters();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        parameters[all[k].name] =
+            number(explanation.fit.parameters(i), explanation.fit.standard_error(i));
+    }
+    nlohmann::ordered_json json = {{"effects", names_of(explanation, space)},
+                                   {"parameters", parameters},
+                                   {"chi2", explanation.chi2},
+                                   {"dof", explanation.fit.dof},
+                                   {"lack_of_fit_p", explanation.lack_of_fit_p},
+                                   {"further_p", explanation.further_p},
+                                   {"accepted", explanation.accepted}};
+    if (explanation.suspect) {
+        json["suspect"] = evidence.suspects[*explanation.suspect].name;
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Checks& checks) {
+    switch (d.verdict) {
+        case Verdict::nothing_missing:
+            return fmt::format(
+                "Nothing is missing that these readings could show (chi2/dof {:.2f}).",
+                chi2_per_dof(d.chi2, d.dof));
+        case Verdict::inconclusive:
+            return inconclusive_line(d);
+        case Verdict::missing:
+            return missing_line(d, space);
+        case Verdict::indistinguishable:
+            return indistinguishable_line(d, space);
+        case Verdict::suspect_measurement:
+            return fmt::format(
+                "Suspect measurement: no effect explains what one part of the "
+                "readings would: {}.",
+                joined(d.suspects, "or"));
+        default:
+            return fmt::format("Something is missing that no known effect explains{}.",
+                               carried_by(checks));
+    }
+}
+
+std::vector<std::string> checks_table(const Checks& checks) {
+    std::vector<std::string> lines;
+    for (const Check* check : most_telling(checks)) {
+        lines.push_back("  " + sentence(*check));
+    }
+    lines.insert(lines.begin(), fmt::format("where it fails, {} checks, p {} for all together{}",
+                                            checks.all.size(), p_text(checks.p),
+                                            lines.empty() ? ": none is significant" : ":"));
+    return lines;
+}
+
+nlohmann::ordered_json to_json(const Checks& checks) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Check& check : checks.all) {
+        all.push_back({{"kind", to_string(check.kind)},
+                       {"covariate", check.covariate},
+                       {"of", check.of},
+                       {"statistic", check.statistic},
+                       {"p", check.p}});
+    }
+    return {{"p", checks.p}, {"checks", all}};
+}
+
+std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& space,
+                                         const Evidence& evidence) {
+    std::vector<std::string> lines = {
+        fmt::format("chi2 = {:.1f} for {} degrees of freedom; lack of fit p {}; that nothing known "
+                    "is missing, p {}",
+                    d.chi2, d.dof, p_text(d.lack_of_fit_p), p_text(d.further_p)),
+        fmt::format("  {:<24} {:>26} {:>9} {:>9} {:>10} {:>6} {:>8}   {}", "effect", "estimate",
+                    "drop", "refitted", "absorbed", "power", "p", "decision")};
+    for (const Finding& finding : d.scan) {
+        lines.push_back(finding_line(finding, space));
+    }
+    lines.push_back(
+        "  (drop of chi2, predicted and refitted; absorbed: by the calibrated parameters; power to "
+        "see the size that matters; p of the best among so many)");
+    for (std::size_t k = 0; k < d.suspect_p.size(); ++k) {
+        if (d.suspect_p[k] < 0.05) {
+            lines.push_back(fmt::format("  {} stand out (p {})", evidence.suspects[k].name,
+                                        p_text(d.suspect_p[k])));
+        }
+    }
+    return lines;
+}
+
+std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space,
+                                   const std::string& study) {
+    std::vector<std::string> lines;
+    switch (d.verdict) {
+        case Verdict::missing:
+            for (const std::string& effect : names_of(*best_of(d.confidence_set), space)) {
+                lines.push_back(fmt::format("next: pendular add {} {}", study, effect));
+            }
+            break;
+        case Verdict::indistinguishable:
+            if (d.cosines.rows() == 2) {
+                lines.push_back(fmt::format(
+                    "what they do to these readings is alike: cosine {:.3f}", d.cosines(0, 1)));
+            }
+            lines.push_back(
+                "next: measure where they differ ('pendular effects NAME' shows what "
+                "each acts through), or settle one of them by hand");
+            break;
+        case Verdict::inconclusive:
+            for (const std::string& effect : d.effects) {
+                const Finding& finding = finding_of(d, space, effect);
+                const EffectParameter& p = parameter_of(space, finding);
+                lines.push_back(
+                    p.is_switch()
+                        ? fmt::format("  {} would be seen in {:.0f} of 100 such studies", effect,
+                                      100 * finding.power)
+                        : fmt::format("  {} is seen from {:.2g} {} on; {:.2g} would matter", effect,
+                                      finding.detectable, p.unit == "1" ? "" : p.unit, p.matters));
+            }
+            lines.push_back("next: more readings, replicates or conditions");
+            break;
+        case Verdict::suspect_measurement:
+            lines.push_back("next: repeat those readings, or look at their recordings");
+            break;
+        case Verdict::unknown:
+            lines.push_back(
+                "next: see where it fails above; an effect of your own can be written "
+                "as [[effect]] in the study");
+            break;
+        default:
+            break;
+    }
+    if (d.errors_assumed) {
+        lines.push_back(
+            "errors of readings are assumed (2 %), not measured: with replicates or "
+            "_sd columns the verdict would mean more");
+    }
+    return lines;
+}
+
+nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
+                               const Evidence& evidence, const Checks& checks) {
+    nlohmann::ordered_json sets = nlohmann::ordered_json::array(),
+                           scan = nlohmann::ordered_json::array(),
+                           tried = nlohmann::ordered_json::array(),
+                           suspects = nlohmann::ordered_json::array();
+    for (const Explanation& each : d.confidence_set) {
+        if (!each.suspect) sets.push_back(names_of(each, space));
+    }
+    for (const Finding& finding : d.scan) {
+        scan.push_back(to_json(finding, space));
+    }
+    for (const Explanation& each : d.tried) {
+        tried.push_back(to_json(each, space, evidence));
+    }
+    for (std::size_t k = 0; k < d.suspect_p.size(); ++k) {
+        suspects.push_back({{"name", evidence.suspects[k].name}, {"p", d.suspect_p[k]}});
+    }
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+    const auto& all = space.with({}).parameters();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        parameters[all[k].name] = number(d.fit.parameters(i), d.fit.standard_error(i));
+    }
+    return {{"verdict", to_string(d.verdict)},
+            {"line", verdict_line(d, space, checks)},
+            {"effects", d.effects},
+            {"suspects", d.suspects},
+            {"confidence_set", sets},
+            {"chi2", d.chi2},
+            {"dof", d.dof},
+            {"lack_of_fit_p", d.lack_of_fit_p},
+            {"further_p", d.further_p},
+            {"errors_assumed", d.errors_assumed},
+            {"parameters", parameters},
+            {"where", to_json(checks)},
+            {"scan", scan},
+            {"refits", tried},
+            {"suspect_tests", suspects}};
+}
+
+}  // namespace pendular

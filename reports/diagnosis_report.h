@@ -1,0 +1,35 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/checks.h"
+#include "analysis/diagnosis.h"
+
+namespace pendular {
+
+/// The verdict in one line, in plain words: "Missing: torque-offset (0.41 +- 0.03 mN m). Adding it
+/// should cut chi2/dof from 9.8 to 1.1.", "Something is missing that no known effect explains; it
+/// grows with height."
+std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, const Checks& checks);
+
+/// Where a model fails, one line a check that is significant, most telling first; then that of all
+/// of them together.
+std::vector<std::string> checks_table(const Checks& checks);
+nlohmann::ordered_json to_json(const Checks& checks);
+
+/// What was tested and what came of it, one line a candidate, most telling first; then the suspects
+/// that stand out.
+std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const ModelSpace& space,
+                                         const Evidence& evidence);
+
+/// What to do next; `study` as the user names it.
+std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace& space,
+                                   const std::string& study);
+
+/// What `diagnose` prints and `out/diagnosis.json` holds.
+nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& space,
+                               const Evidence& evidence, const Checks& checks);
+
+}  // namespace pendular

@@ -1,0 +1,55 @@
+#include "reports/with_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pendular {
+namespace {
+
+struct Prefix {
+    double factor;
+    const char* letter;
+};
+
+/// Of units that people scale; angles, ratios and rates stay as they are.
+Prefix prefix_of(double size, const std::string& unit) {
+    const bool scaled = unit == "N m" || unit == "N" || unit == "m" || unit == "N/m" ||
+                        unit == "Pa" || unit == "Pa s";
+    if (!scaled || !(size > 0)) {
+        return {1, ""};
+    }
+    for (const Prefix& each : {Prefix{1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}}) {
+        if (size >= each.factor) {
+            return each;
+        }
+    }
+    return {1e-9, "n"};
+}
+
+}  // namespace
+
+std::string with_error(double value, double error) {
+    if (!(error > 0) || !std::isfinite(error)) {
+        return fmt::format("{:.4g} +- {}", value, error);
+    }
+    const int power = static_cast<int>(std::floor(std::log10(error)));
+    const int digits = std::max(0, 1 - power);
+    if (digits > 7) {  // forces between beads, in newtons
+        const int exponent = std::max(
+            power, static_cast<int>(std::floor(std::log10(std::max(std::abs(value), error)))));
+        const double unit = std::pow(10.0, exponent);
+        return fmt::format("({:.{}f} +- {:.{}f})e{}", value / unit, exponent + digits, error / unit,
+                           exponent + digits, exponent);
+    }
+    return fmt::format("{:.{}f} +- {:.{}f}", value, digits, error, digits);
+}
+
+std::string with_error(double value, double error, const std::string& unit) {
+    const Prefix prefix = prefix_of(std::max(std::abs(value), std::abs(error)), unit);
+    const std::string number = with_error(value / prefix.factor, error / prefix.factor);
+    return unit == "1" ? number : fmt::format("{} {}{}", number, prefix.letter, unit);
+}
+
+}  // namespace pendular
