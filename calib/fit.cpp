@@ -1,11 +1,12 @@
 #include "calib/fit.h"
 
 #include <ceres/ceres.h>
-#include <ceres/covariance.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace pendular {
@@ -30,34 +31,6 @@ class Whitening {
     Eigen::LLT<Eigen::MatrixXd> llt_;
 };
 
-/// Whitened residuals and their derivatives as Ceres wants them.
-class WhitenedResiduals : public ceres::CostFunction {
-  public:
-    WhitenedResiduals(const Model& model, const Measured& measured, const Whitening& whitening)
-        : model_(model), measured_(measured), whitening_(whitening) {
-        set_num_residuals(static_cast<int>(measured.value.size()));
-        mutable_parameter_block_sizes()->push_back(static_cast<int>(model.parameters().size()));
-    }
-    bool Evaluate(const double* const* parameters, double* residuals,
-                  double** jacobians) const override {
-        const auto n = static_cast<Eigen::Index>(model_.parameters().size());
-        const Prediction prediction =
-            model_.predict_mean(Eigen::Map<const Eigen::VectorXd>(parameters[0], n));
-        Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) =
-            whitening_.apply(measured_.value - prediction.value);
-        if (jacobians != nullptr && jacobians[0] != nullptr) {
-            Eigen::Map<RowMajor>(jacobians[0], num_residuals(), n) =
-                -whitening_.apply(prediction.jacobian);
-        }
-        return true;
-    }
-
-  private:
-    const Model& model_;
-    const Measured& measured_;
-    const Whitening& whitening_;
-};
-
 /// Where both the parameter's own range and the model's support allow it.
 Supported allowed(const Model& model) {
     Supported range = model.supported();
@@ -69,6 +42,64 @@ Supported allowed(const Model& model) {
     return range;
 }
 
+bool contains(const Supported& range, const Eigen::VectorXd& parameters) {
+    return (parameters.array() >= range.lower.array()).all() &&
+           (parameters.array() <= range.upper.array()).all();
+}
+
+/// Whitened residuals and their derivatives as Ceres wants them; none outside the range.
+class WhitenedResiduals : public ceres::CostFunction {
+  public:
+    WhitenedResiduals(const Model& model, const Measured& measured, const Whitening& whitening,
+                      const Supported& range)
+        : model_(model), measured_(measured), whitening_(whitening), range_(range) {
+        set_num_residuals(static_cast<int>(measured.value.size()));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(model.parameters().size()));
+    }
+    bool Evaluate(const double* const* parameters, double* residuals,
+                  double** jacobians) const override {
+        const auto n = static_cast<Eigen::Index>(model_.parameters().size());
+        const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(parameters[0], n);
+        if (!contains(range_, at)) {
+            ++refused_;
+            return false;
+        }
+        const Prediction prediction = model_.predict_mean(at);
+        if (!prediction.value.allFinite() || !prediction.jacobian.allFinite()) {
+            return false;
+        }
+        Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) =
+            whitening_.apply(measured_.value - prediction.value);
+        if (jacobians != nullptr && jacobians[0] != nullptr) {
+            Eigen::Map<RowMajor>(jacobians[0], num_residuals(), n) =
+                -whitening_.apply(prediction.jacobian);
+        }
+        return true;
+    }
+    /// How often a step led out of the range.
+    int refused() const { return refused_; }
+
+  private:
+    const Model& model_;
+    const Measured& measured_;
+    const Whitening& whitening_;
+    const Supported& range_;
+    mutable int refused_ = 0;
+};
+
+/// Ends a search that keeps running against the end of the range.
+class StopAtTheEnd : public ceres::IterationCallback {
+  public:
+    explicit StopAtTheEnd(const WhitenedResiduals& residuals) : residuals_(residuals) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+        return residuals_.refused() > 20 ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                         : ceres::SOLVER_CONTINUE;
+    }
+
+  private:
+    const WhitenedResiduals& residuals_;
+};
+
 struct Minimum {
     Eigen::VectorXd parameters;
     double chi2 = 0;
@@ -77,46 +108,121 @@ struct Minimum {
     std::string message;
 };
 
-/// Minimises with Ceres within the range.
-Minimum minimise(ceres::Problem& problem, Eigen::VectorXd& parameters, const Supported& range) {
-    for (Eigen::Index k = 0; k < parameters.size(); ++k) {
-        problem.SetParameterLowerBound(parameters.data(), static_cast<int>(k), range.lower(k));
-        problem.SetParameterUpperBound(parameters.data(), static_cast<int>(k), range.upper(k));
+/// How to search for a minimum.
+struct Search {
+    double radius = 1e4;   ///< of the first step, in lengths of the columns of the derivatives
+    bool bounded = false;  ///< Ceres knows of the range from the start
+};
+
+/// Minimises with Ceres within the range, one parameter held if wanted. Where Ceres knows of bounds
+/// it looks along each step, however long, which leads far astray in curved valleys; so it first
+/// goes without, by steps that are refused where they leave the range, and with them only if some
+/// were.
+Minimum minimise(const Model& model, const Measured& measured, const Whitening& whitening,
+                 const Supported& range, const Eigen::VectorXd& start, const Search& search = {},
+                 std::optional<Eigen::Index> held = {}) {
+    Minimum minimum{.parameters = start};
+    double* block = minimum.parameters.data();
+    const auto count = static_cast<int>(start.size());
+    auto* residuals = new WhitenedResiduals(model, measured, whitening, range);
+    ceres::Problem problem;
+    problem.AddResidualBlock(residuals, nullptr, block);
+    if (held) {
+        problem.SetManifold(block, new ceres::SubsetManifold(count, {static_cast<int>(*held)}));
     }
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
     options.logging_type = ceres::SILENT;
-    options.max_num_iterations = 200;
+    options.initial_trust_region_radius = search.radius;
+    options.max_num_iterations = 1000;
     options.function_tolerance = 1e-14;
     options.gradient_tolerance = 1e-12;
     options.parameter_tolerance = 1e-12;
     ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem, &summary);
-    return {parameters, 2 * summary.final_cost, summary.IsSolutionUsable(),
-            summary.termination_type == ceres::CONVERGENCE, summary.message};
-}
-
-/// Adds the model's residuals on the block `parameters`, which must outlive the problem.
-void add_residuals(ceres::Problem& problem, const Model& model, const Measured& measured,
-                   const Whitening& whitening, Eigen::VectorXd& parameters) {
-    problem.AddResidualBlock(new WhitenedResiduals(model, measured, whitening), nullptr,
-                             parameters.data());
-}
-
-/// Covariance of the parameters by Ceres; a variance of zero stands for one that the residuals do
-/// not determine.
-Eigen::MatrixXd parameter_covariance(ceres::Problem& problem, const Eigen::VectorXd& parameters) {
-    ceres::Covariance::Options options;
-    options.algorithm_type = ceres::DENSE_SVD;
-    options.null_space_rank = -1;
-    ceres::Covariance covariance(options);
-    const auto n = parameters.size();
-    RowMajor result = RowMajor::Zero(n, n);
-    const std::vector<const double*> blocks = {parameters.data()};
-    if (covariance.Compute(blocks, &problem)) {
-        covariance.GetCovarianceBlock(parameters.data(), parameters.data(), result.data());
+    if (!search.bounded) {
+        StopAtTheEnd stop(*residuals);
+        options.callbacks = {&stop};
+        ceres::Solve(options, &problem, &summary);
+        options.callbacks.clear();
     }
-    return result;
+    if (search.bounded || residuals->refused() > 0) {
+        for (int k = 0; k < count; ++k) {
+            problem.SetParameterLowerBound(block, k, range.lower(k));
+            problem.SetParameterUpperBound(block, k, range.upper(k));
+        }
+        ceres::Solve(options, &problem, &summary);
+    }
+    minimum.chi2 = 2 * summary.final_cost;
+    minimum.usable = summary.IsSolutionUsable();
+    minimum.converged = minimum.usable && summary.termination_type == ceres::CONVERGENCE;
+    minimum.message = summary.message;
+    return minimum;
+}
+
+/// Derivatives whose columns have length 1, as parameters of any units make them comparable.
+struct Scaled {
+    Eigen::MatrixXd jacobian;
+    Eigen::VectorXd length;  ///< of the columns; 1 for one of zeros
+
+    explicit Scaled(Eigen::MatrixXd whitened) : jacobian(std::move(whitened)) {
+        length = jacobian.colwise().norm();
+        length = (length.array() > 0).select(length, 1.0);
+        jacobian *= length.cwiseInverse().asDiagonal();
+    }
+};
+
+/// Goes on from where Ceres stopped, since chi2 is too flat there to tell where its minimum is:
+/// steps of Gauss and Newton, as long as they become shorter.
+void polish(const Model& model, const Measured& measured, const Whitening& whitening,
+            const Supported& range, Minimum& minimum) {
+    Eigen::VectorXd at = minimum.parameters;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int turn = 0; turn < 100; ++turn) {
+        const Prediction prediction = model.predict_mean(at);
+        const Eigen::VectorXd residuals = whitening.apply(measured.value - prediction.value);
+        const double chi2 = residuals.squaredNorm();
+        const Scaled scaled(whitening.apply(prediction.jacobian));
+        const auto qr = scaled.jacobian.colPivHouseholderQr();
+        const Eigen::VectorXd step = qr.solve(residuals);
+        const double length = (scaled.jacobian * step).norm();
+        if (!(chi2 <= minimum.chi2 * (1 + 1e-9)) || !(length < shortest)) {
+            return;
+        }
+        minimum.parameters = at;
+        minimum.chi2 = chi2;
+        shortest = length;
+        at += step.cwiseQuotient(scaled.length);
+        if (!contains(range, at)) {
+            return;
+        }
+        if (length <= 1e-10 * std::sqrt(chi2)) {
+            minimum.parameters = at;
+            minimum.converged = true;
+            return;
+        }
+    }
+}
+
+/// Covariance of the parameters, (J' J)^-1 of the whitened derivatives by singular values, with
+/// columns of length 1, so that it does not depend on units; a variance of zero stands for one that
+/// the residuals do not determine.
+Eigen::MatrixXd parameter_covariance(const Eigen::MatrixXd& whitened_jacobian) {
+    const Scaled scaled(whitened_jacobian);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.jacobian, Eigen::ComputeThinV);
+    const Eigen::VectorXd& s = svd.singularValues();
+    const Eigen::VectorXd inverse =
+        (s.array() > 1e-10 * s(0)).select(s.array().inverse(), Eigen::ArrayXd::Zero(s.size()));
+    const Eigen::MatrixXd root =
+        scaled.length.cwiseInverse().asDiagonal() * svd.matrixV() * inverse.asDiagonal();
+    return root * root.transpose();
+}
+
+/// Whether each parameter's error, by the scatter of the residuals, is smaller than its range.
+bool determined(const Fit& fit, const Supported& range) {
+    const Eigen::ArrayXd variance = fit.covariance.diagonal();
+    return (variance > 0).all() && (variance * fit.chi2 / std::max(fit.dof, 1) <
+                                    (range.upper - range.lower).array().square())
+                                       .all();
 }
 
 /// Share of the parameters' covariance that comes from a part S of the readings' covariance: K S K'
@@ -154,25 +260,36 @@ double Fit::simulation_error(Eigen::Index k) const {
 
 Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start) {
     const Supported range = allowed(model);
-    Eigen::VectorXd parameters = start.cwiseMax(range.lower).cwiseMin(range.upper);
-    const Whitening whitening(measured.covariance + model.predict(parameters).covariance);
-    ceres::Problem problem;
-    add_residuals(problem, model, measured, whitening, parameters);
-    const Minimum minimum = minimise(problem, parameters, range);
+    const Eigen::VectorXd from = start.cwiseMax(range.lower).cwiseMin(range.upper);
+    const Whitening whitening(measured.covariance + model.predict(from).covariance);
 
     Fit result;
-    result.parameters = parameters;
-    result.covariance = parameter_covariance(problem, parameters);
-    result.prediction = model.predict(parameters);
+    result.dof = static_cast<int>(measured.value.size() - from.size());
+    result.chi2 = std::numeric_limits<double>::infinity();
+    // A search may run onto a plateau, from where it does not see the valley; others may not.
+    for (const Search& search : {Search{}, Search{.bounded = true}, Search{.radius = 1}}) {
+        Minimum minimum = minimise(model, measured, whitening, range, from, search);
+        if (minimum.usable) {
+            polish(model, measured, whitening, range, minimum);
+        }
+        if (minimum.chi2 < result.chi2) {
+            result.parameters = minimum.parameters;
+            result.chi2 = minimum.chi2;
+            result.converged = minimum.converged;
+            result.message = minimum.message;
+            result.prediction = model.predict(minimum.parameters);
+            result.covariance = parameter_covariance(whitening.apply(result.prediction.jacobian));
+        }
+        if (determined(result, range)) {
+            break;
+        }
+    }
+    const Eigen::VectorXd& parameters = result.parameters;
     const auto caused_by = [&](const Eigen::MatrixXd& part) {
         return part_of(result.covariance, whitening, result.prediction.jacobian, part);
     };
     result.measurement_part = caused_by(measured.covariance);
     result.run_part = caused_by(result.prediction.run_noise);
-    result.chi2 = minimum.chi2;
-    result.dof = static_cast<int>(measured.value.size() - parameters.size());
-    result.converged = minimum.usable && minimum.converged;
-    result.message = minimum.message;
     for (Eigen::Index k = 0; k < parameters.size(); ++k) {
         if (!(result.covariance(k, k) > 0)) {
             result.converged = false;
@@ -199,12 +316,7 @@ std::pair<double, double> profile_interval(const Model& model, const Measured& m
         if (parameters.size() == 1) {
             return whitening.apply(measured.value - model.predict(parameters).value).squaredNorm();
         }
-        ceres::Problem problem;
-        add_residuals(problem, model, measured, whitening, parameters);
-        problem.SetManifold(parameters.data(),
-                            new ceres::SubsetManifold(static_cast<int>(parameters.size()),
-                                                      {static_cast<int>(which)}));
-        return minimise(problem, parameters, range).chi2;
+        return minimise(model, measured, whitening, range, parameters, {}, which).chi2;
     };
     const double limit = chi2_at(best.parameters(which)) + rise;
     const auto end = [&](double inside, double outside) {

@@ -22,7 +22,7 @@ Measured stack(const std::vector<Reading>& readings);
 /// Outcome of one least-squares fit.
 struct Fit {
     Eigen::VectorXd parameters;
-    /// Of the parameters, from ceres::Covariance; not scaled by chi2/dof.
+    /// Of the parameters, (J' J)^-1 of the whitened derivatives; not scaled by chi2/dof.
     Eigen::MatrixXd covariance;
     Eigen::MatrixXd measurement_part;  ///< what of it the measurement alone causes
     Eigen::MatrixXd run_part;  ///< what of it the runs' noise causes; the rest are corrections
@@ -41,7 +41,9 @@ struct Fit {
 /// Weighted least squares of a model's predictions to the readings by Ceres,
 ///     minimise r'r,  r = L^-1 (y - f(theta)),  L L' = Sigma_measurement + Sigma_simulation(start),
 /// with the model's own derivatives. The weights are those at the start, so that the noise of the
-/// simulation cannot be traded for misfit; repeat from the answer until it stays.
+/// simulation cannot be traded for misfit; repeat from the answer until it stays. Where a search
+/// ends without determining a parameter within its range, others start from the same place, and the
+/// lowest minimum counts.
 Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start);
 
 /// Interval of one parameter within which chi2, minimised over the others, stays within `rise` of
