@@ -55,7 +55,9 @@ class WithSuspect : public Model {
 
 /// With the weights of the start, and once more with those of the answer.
 Fit settled_fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start) {
-    return fit(model, measured, fit(model, measured, start).parameters);
+    // To far less than a standard error: what the fit of a study goes to would take minutes.
+    const FitEffort quick{.most_steps = 12, .tolerance = 1e-8, .settled = 1e-5, .elsewhere = false};
+    return fit(model, measured, fit(model, measured, start, quick).parameters, quick);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const S
     const double variance = v + estimate * estimate * noise;
     test.estimate = Eigen::VectorXd::Constant(1, estimate);
     test.standard_error = std::sqrt(variance) / test.information;
-    test.statistic = test.one_sided && u < 0 ? 0.0 : u * u / variance;
+    test.statistic = test.one_sided && u < 0 ? 0.0 : u * u / v;
     test.predicted_drop = is_switch ? 2 * u - test.information : test.statistic;
     test.basis = projected / std::sqrt(v);
 }

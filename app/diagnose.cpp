@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/compare.h"
 #include "analysis/diagnosis.h"
 #include "analysis/study_evidence.h"
 #include "app/command.h"
@@ -59,6 +60,11 @@ int diagnose(const std::vector<std::string>& arguments) {
     const auto [study, measurements] = read_input(common->study);
     const auto readings = dry_first(measurements);
     check_range(readings, study, common->fidelity);
+    if (condition_groups(readings).size() < 2) {
+        throw InputError({study.file.string()},
+                         "all readings are at one condition, where every effect looks like every "
+                         "other: measure at two normal stresses at least");
+    }
     const StudyModels models(study, conditions_of(readings), common->fidelity,
                              known_for(study, *common));
     const Evidence evidence = evidence_of(readings, measurements.scatter);

@@ -119,8 +119,8 @@ struct Search {
 /// goes without, by steps that are refused where they leave the range, and with them only if some
 /// were.
 Minimum minimise(const Model& model, const Measured& measured, const Whitening& whitening,
-                 const Supported& range, const Eigen::VectorXd& start, const Search& search = {},
-                 std::optional<Eigen::Index> held = {}) {
+                 const Supported& range, const Eigen::VectorXd& start, const FitEffort& effort,
+                 const Search& search = {}, std::optional<Eigen::Index> held = {}) {
     Minimum minimum{.parameters = start};
     double* block = minimum.parameters.data();
     const auto count = static_cast<int>(start.size());
@@ -134,10 +134,14 @@ Minimum minimise(const Model& model, const Measured& measured, const Whitening& 
     options.linear_solver_type = ceres::DENSE_QR;
     options.logging_type = ceres::SILENT;
     options.initial_trust_region_radius = search.radius;
-    options.max_num_iterations = 1000;
-    options.function_tolerance = 1e-14;
+    options.max_num_iterations = effort.most_steps;
+    options.function_tolerance = effort.tolerance;
     options.gradient_tolerance = 1e-12;
     options.parameter_tolerance = 1e-12;
+    if (!effort.elsewhere) {
+        // Along each step at bounds; its standard of 20 evaluations is for cheap models.
+        options.max_num_line_search_step_size_iterations = 3;
+    }
     ceres::Solver::Summary summary;
     if (!search.bounded) {
         StopAtTheEnd stop(*residuals);
@@ -174,7 +178,7 @@ struct Scaled {
 /// Goes on from where Ceres stopped, since chi2 is too flat there to tell where its minimum is:
 /// steps of Gauss and Newton, as long as they become shorter.
 void polish(const Model& model, const Measured& measured, const Whitening& whitening,
-            const Supported& range, Minimum& minimum) {
+            const Supported& range, double settled, Minimum& minimum) {
     Eigen::VectorXd at = minimum.parameters;
     double shortest = std::numeric_limits<double>::infinity();
     for (int turn = 0; turn < 100; ++turn) {
@@ -195,7 +199,7 @@ void polish(const Model& model, const Measured& measured, const Whitening& white
         if (!contains(range, at)) {
             return;
         }
-        if (length <= 1e-10 * std::sqrt(chi2)) {
+        if (length <= settled * std::sqrt(chi2)) {
             minimum.parameters = at;
             minimum.converged = true;
             return;
@@ -258,7 +262,8 @@ double Fit::simulation_error(Eigen::Index k) const {
     return std::sqrt(std::max(0.0, covariance(k, k) - measurement_part(k, k)));
 }
 
-Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start) {
+Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
+        const FitEffort& effort) {
     const Supported range = allowed(model);
     const Eigen::VectorXd from = start.cwiseMax(range.lower).cwiseMin(range.upper);
     const Whitening whitening(measured.covariance + model.predict(from).covariance);
@@ -268,9 +273,9 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     result.chi2 = std::numeric_limits<double>::infinity();
     // A search may run onto a plateau, from where it does not see the valley; others may not.
     for (const Search& search : {Search{}, Search{.bounded = true}, Search{.radius = 1}}) {
-        Minimum minimum = minimise(model, measured, whitening, range, from, search);
+        Minimum minimum = minimise(model, measured, whitening, range, from, effort, search);
         if (minimum.usable) {
-            polish(model, measured, whitening, range, minimum);
+            polish(model, measured, whitening, range, effort.settled, minimum);
         }
         if (minimum.chi2 < result.chi2) {
             result.parameters = minimum.parameters;
@@ -280,7 +285,7 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
             result.prediction = model.predict(minimum.parameters);
             result.covariance = parameter_covariance(whitening.apply(result.prediction.jacobian));
         }
-        if (determined(result, range)) {
+        if (determined(result, range) || !effort.elsewhere) {
             break;
         }
     }
@@ -316,7 +321,7 @@ std::pair<double, double> profile_interval(const Model& model, const Measured& m
         if (parameters.size() == 1) {
             return whitening.apply(measured.value - model.predict(parameters).value).squaredNorm();
         }
-        return minimise(model, measured, whitening, range, parameters, {}, which).chi2;
+        return minimise(model, measured, whitening, range, parameters, {}, {}, which).chi2;
     };
     const double limit = chi2_at(best.parameters(which)) + rise;
     const auto end = [&](double inside, double outside) {

@@ -38,13 +38,23 @@ struct Fit {
     double simulation_error(Eigen::Index k) const;
 };
 
+/// How far a fit goes. Its standard reproduces certified regressions to ten digits; where the
+/// errors of the readings are all that counts, much less will do.
+struct FitEffort {
+    int most_steps = 1000;
+    double tolerance = 1e-14;  ///< relative change of chi2 at which a search ends
+    double settled = 1e-10;    ///< last step in standard errors, over the root of chi2
+    bool elsewhere = true;     ///< whether to search otherwise where a parameter stays undetermined
+};
+
 /// Weighted least squares of a model's predictions to the readings by Ceres,
 ///     minimise r'r,  r = L^-1 (y - f(theta)),  L L' = Sigma_measurement + Sigma_simulation(start),
 /// with the model's own derivatives. The weights are those at the start, so that the noise of the
 /// simulation cannot be traded for misfit; repeat from the answer until it stays. Where a search
 /// ends without determining a parameter within its range, others start from the same place, and the
 /// lowest minimum counts.
-Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start);
+Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
+        const FitEffort& effort = {});
 
 /// Interval of one parameter within which chi2, minimised over the others, stays within `rise` of
 /// its minimum; 1 gives the 68 % interval. An end beyond the supported range is reported there.

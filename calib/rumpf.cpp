@@ -10,8 +10,8 @@ void RumpfModel::improve(const Eigen::VectorXd& parameters, double excess) {
     simulation_.improve(parameters, excess);
 }
 
-Prediction RumpfModel::predict_conditions(const Eigen::VectorXd& parameters,
-                                          const std::vector<Condition>& conditions) const {
+Prediction RumpfModel::ask(const Eigen::VectorXd& parameters,
+                           const std::vector<Condition>& conditions, Ask what) const {
     // Each wet condition together with its dry twin, which gives the dry law.
     std::vector<Condition> with_twins = conditions;
     for (const auto& condition : conditions) {
@@ -23,7 +23,8 @@ Prediction RumpfModel::predict_conditions(const Eigen::VectorXd& parameters,
             });
         }
     }
-    const Prediction simulated = simulation_.predict_conditions(parameters, with_twins);
+    const FlowModel& simulation = simulation_;
+    const Prediction simulated = (simulation.*what)(parameters, with_twins);
     const auto n = static_cast<Eigen::Index>(conditions.size());
     Prediction result{.value = simulated.value.head(2 * n),
                       .jacobian = simulated.jacobian.topRows(2 * n),
@@ -60,8 +61,10 @@ Prediction RumpfModel::predict_conditions(const Eigen::VectorXd& parameters,
         result.jacobian(2 * k, 0) += by_z * z.by_friction - lost * shear.by_friction;
         twin += 2;
     }
-    result.covariance = map * simulated.covariance * map.transpose();
-    result.run_noise = map * simulated.run_noise * map.transpose();
+    if (simulated.covariance.size() > 0) {
+        result.covariance = map * simulated.covariance * map.transpose();
+        result.run_noise = map * simulated.run_noise * map.transpose();
+    }
     return result;
 }
 

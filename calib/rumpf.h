@@ -21,7 +21,13 @@ class RumpfModel : public FlowModel {
 
     const std::vector<Parameter>& parameters() const override { return simulation_.parameters(); }
     Prediction predict_conditions(const Eigen::VectorXd& parameters,
-                                  const std::vector<Condition>& conditions) const override;
+                                  const std::vector<Condition>& conditions) const override {
+        return ask(parameters, conditions, &FlowModel::predict_conditions);
+    }
+    Prediction predict_mean_conditions(const Eigen::VectorXd& parameters,
+                                       const std::vector<Condition>& conditions) const override {
+        return ask(parameters, conditions, &FlowModel::predict_mean_conditions);
+    }
     void improve(const Eigen::VectorXd& parameters, double excess) override;
     void learn_wet(const Eigen::VectorXd& parameters, int turns) override {
         simulation_.learn_wet(parameters, turns);
@@ -30,6 +36,12 @@ class RumpfModel : public FlowModel {
     bool confirmed() const override { return simulation_.confirmed(); }
 
   private:
+    /// What of the simulation is asked: with covariances or without.
+    using Ask = Prediction (FlowModel::*)(const Eigen::VectorXd&,
+                                          const std::vector<Condition>&) const;
+    Prediction ask(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
+                   Ask what) const;
+
     SimulationModel& simulation_;
     Study study_;
     closures::Terms terms_;

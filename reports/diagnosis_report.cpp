@@ -344,6 +344,10 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space,
             lines.push_back("next: repeat those readings, or look at their recordings");
             break;
         case Verdict::unknown:
+            if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
+                lines.push_back(fmt::format("the best of them, {}, cuts {}, which is not enough",
+                                            with_estimates(*best, space), cut(d, *best)));
+            }
             lines.push_back(
                 "next: see where it fails above; an effect of your own can be written "
                 "as [[effect]] in the study");

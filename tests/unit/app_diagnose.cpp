@@ -1,0 +1,77 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/unit/app_support.h"
+#include "tests/unit/data_support.h"
+
+using namespace pendular;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+namespace {
+
+/// Dry readings as of friction 0.09, shear stresses short by a constant that a tare could be.
+class DiagnoseCommand : public testing::Test {
+  protected:
+    std::string study(const std::string& points) {
+        std::ofstream(folder_.path() / "points.csv")
+            << "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction "
+               "[1],solid_fraction_sd [1],inertial_number [1]\n"
+            << points;
+        std::ofstream(folder_.path() / "study.toml")
+            << "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n"
+               "[[readings]]\nfile = \"points.csv\"\nliquid_content = 0.0\n"
+               "[[effect]]\nname = \"lost-stress\"\nparameter = \"stress\"\nunit = \"Pa\"\n"
+               "lower = -200.0\nupper = 200.0\nneutral = 0.0\nmatters = 10.0\n"
+               "stress_ratio = \"stress_ratio - stress/normal_stress\"\n";
+        return folder_.path().string();
+    }
+    TemporaryFolder folder_;
+};
+
+}  // namespace
+
+TEST_F(DiagnoseCommand, IsDescribed) {
+    EXPECT_THAT(run_pendular("--help").output, HasSubstr("diagnose"));
+    EXPECT_THAT(run_pendular("diagnose --help").output,
+                AllOf(HasSubstr("Usage: pendular diagnose STUDY"), HasSubstr("Examples:"),
+                      HasSubstr("indistinguishable")));
+}
+
+TEST_F(DiagnoseCommand, NamesAnEffectThatTheStudyWrites) {
+    // Emulated at friction 0.09, less 20 Pa of shear stress, with errors of 1 % and 0.0012.
+    const std::string path = study(
+        "300,56.91,0.77,0.6189,0.0012,0.003\n"
+        "1000,233.82,2.56,0.6198,0.0012,0.003\n"
+        "3000,750.66,7.67,0.6203,0.0012,0.003\n"
+        "300,64.98,0.85,0.6138,0.0012,0.03\n"
+        "1000,266.67,2.84,0.6127,0.0012,0.03\n"
+        "3000,831.46,8.53,0.6141,0.0012,0.03\n");
+    const Outcome run = run_pendular("diagnose " + path + " --quiet --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    EXPECT_THAT(json.at("effects"), testing::Contains("lost-stress")) << run.errors;
+    for (const char* key : {"verdict", "confidence_set", "lack_of_fit_p", "chi2", "dof"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    for (const auto& row : json.at("scan"))
+        for (const char* key : {"effect", "predicted_drop", "estimate", "absorbed", "power", "p",
+                                "decision", "refit_drop"})
+            EXPECT_TRUE(row.contains(key)) << key;
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "diagnosis.json"));
+    EXPECT_THAT(run.errors, HasSubstr("lost-stress"));
+}
+
+TEST_F(DiagnoseCommand, SaysWhatCannotBeDiagnosed) {
+    const std::string path = study(
+        "300,79,0.8,0.5995,0.0012,0.003\n"
+        "300,78,0.8,0.5995,0.0012,0.003\n");
+    const Outcome run = run_pendular("diagnose " + path);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.errors, AllOf(HasSubstr("study.toml"), HasSubstr("at one condition"),
+                                  HasSubstr("measure at two normal stresses")));
+}
