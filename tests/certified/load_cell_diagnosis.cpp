@@ -25,7 +25,9 @@ LoadCell load_cell() {
     return {table.col(1).cast<double>() / 1e6, table.col(0).cast<double>()};
 }
 
-/// What differs by 0.02 at full load, a hundredth of the deflection there, would matter.
+/// The verdict on the parabola depends on this choice: at 0.005 it is inconclusive, since a root or
+/// a logarithm of that size could hide. What differs by 0.02 at full load, a hundredth of the
+/// deflection there, would matter.
 LinearSpace::Column column(const std::string& name, const Eigen::ArrayXd& shape) {
     return {.name = name,
             .values = shape / shape.abs().maxCoeff(),

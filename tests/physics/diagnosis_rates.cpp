@@ -1,5 +1,6 @@
-// How often a diagnosis is wrong where all laws are exact. Seeds are fixed, the range holds 99 % of
-// what binomial scatter makes of 5 % of 300.
+// How often a diagnosis is wrong where all laws are exact: 2 to 8.3 % (6 to 25 of 300), of enough
+// studies that chance moves the rate by 0.5 %. Measured: 4.3 % with known errors, 2.9 % with errors
+// estimated from replicates, so that 300 of the latter would fall below 6 in one case of ten.
 #include <gtest/gtest.h>
 
 #include "tests/unit/line_study.h"
@@ -9,14 +10,14 @@ using namespace pendular;
 TEST(Diagnosis, CallsACompleteModelIncompleteAsOftenAsItSays) {
     const LinearSpace space = line_and();
     for (const bool estimated : {false, true}) {
-        Measuring measuring(estimated ? 12 : 11);
+        Measuring measuring(estimated ? 102 : 101);
         int alarms = 0;
-        for (int study = 0; study < 300; ++study) {
+        for (int study = 0; study < 1500; ++study) {
             const Diagnosis d = diagnose(space, measuring.of(plain(), estimated),
                                          quickly(1 + static_cast<unsigned>(study)));
             alarms += d.verdict != Verdict::nothing_missing && d.verdict != Verdict::inconclusive;
         }
-        EXPECT_GE(alarms, 6) << estimated;
-        EXPECT_LE(alarms, 25) << estimated;
+        EXPECT_GE(alarms, 30) << estimated;
+        EXPECT_LE(alarms, 125) << estimated;
     }
 }

@@ -64,9 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Registry, OfEveryEffect, testing::ValuesIn(effects_of_d
 /// The simulation's own errors are left out of the weights: truth and model share them.
 TEST_P(OfEveryEffect, FitRecoversAPlantedValue) {
     const Effect& effect = built_in_effect(GetParam());
-    if (!predictable(effect)) {
-        GTEST_SKIP() << "the atlas has no run with it yet";
-    }
+    ASSERT_TRUE(predictable(effect)) << "the atlas has no run with it";
     const EffectModel model = laboratory().with({&effect});
     const EffectModel without = laboratory().with({});
     const Eigen::VectorXd truth = planted(model, effect);
@@ -89,9 +87,7 @@ TEST_P(OfEveryEffect, FitRecoversAPlantedValue) {
 
 TEST_P(OfEveryEffect, DerivativesAreThoseOfThePrediction) {
     const Effect& effect = built_in_effect(GetParam());
-    if (!predictable(effect)) {
-        GTEST_SKIP() << "the atlas has no run with it yet";
-    }
+    ASSERT_TRUE(predictable(effect)) << "the atlas has no run with it";
     const EffectModel model = laboratory().with({&effect});
     const Eigen::VectorXd at = planted(model, effect);
     const Prediction there = model.predict_mean(at);
