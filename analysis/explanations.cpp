@@ -53,12 +53,11 @@ class WithSuspect : public Model {
     std::vector<Parameter> parameters_;
 };
 
-/// With the weights of the start, and once more with those of the answer.
-Fit settled_fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start) {
-    // To far less than a standard error: what the fit of a study goes to would take minutes.
-    const FitEffort quick{.most_steps = 12, .tolerance = 1e-8, .settled = 1e-5, .elsewhere = false};
-    return fit(model, measured, fit(model, measured, start, quick).parameters, quick);
-}
+/// To far less than a standard error: what the fit of a study goes to would take minutes.
+constexpr FitEffort quick{.most_steps = 12, .tolerance = 1e-8, .settled = 1e-5, .elsewhere = false};
+
+/// A model that lacks this much below the significance is not fitted to its last digits.
+constexpr double hopeless = 0.1;
 
 }  // namespace
 
@@ -74,12 +73,16 @@ Explanations::Explanations(const ModelSpace& space, const Evidence& evidence,
 Explanation Explanations::refit(const Choice& chosen, std::optional<std::size_t> suspect,
                                 const Eigen::VectorXd& start) const {
     Explanation result{.chosen = chosen, .suspect = suspect};
-    const Model& model = space_.with(chosen);
-    if (suspect) {
-        result.fit = settled_fit(WithSuspect(model, evidence_.suspects[*suspect]),
-                                 evidence_.measured, start);
-    } else {
-        result.fit = settled_fit(model, evidence_.measured, start);
+    const auto fit_from = [&](const Eigen::VectorXd& from) {
+        const Model& model = space_.with(chosen);
+        result.fit = suspect ? fit(WithSuspect(model, evidence_.suspects[*suspect]),
+                                   evidence_.measured, from, quick)
+                             : fit(model, evidence_.measured, from, quick);
+    };
+    // With the weights of the start, and once more with those of the answer.
+    fit_from(start);
+    if (lack_of_fit_p(residuals_of(result)) > hopeless * half_significance()) {
+        fit_from(result.fit.parameters);
     }
     result.chi2 = residuals_of(result).chi2();
     return result;

@@ -9,9 +9,17 @@ namespace {
 constexpr double friction_scale = 0.05;
 constexpr double volume_scale = 2e-3;  // in the middle of the pendular range
 
+double power(double base, int n) {
+    double product = 1;
+    for (; n > 0; --n) {
+        product *= base;
+    }
+    return product;
+}
+
 /// d(base^n)/d(base).
 double derivative(double base, int n) {
-    return n == 0 ? 0.0 : n * std::pow(base, n - 1);
+    return n == 0 ? 0.0 : n * power(base, n - 1);
 }
 
 }  // namespace
@@ -47,7 +55,7 @@ Eigen::RowVectorXd Basis::slopes(const Coordinates& at, int coordinate) const {
         row(k) = 1;
         for (int c = 0; c < 4; ++c) {
             row(k) *=
-                c == coordinate ? derivative(bases[c], powers[c]) : std::pow(bases[c], powers[c]);
+                c == coordinate ? derivative(bases[c], powers[c]) : power(bases[c], powers[c]);
         }
     }
     return row;

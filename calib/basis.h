@@ -24,6 +24,8 @@ struct Coordinates {
     double q = 0;  ///< I^exponent
     double u = 0;  ///< 1/P*
     double v = 0;  ///< ln(V0/a^3/0.002)
+
+    bool operator==(const Coordinates&) const = default;
 };
 
 /// Coordinates of a state about a centre in friction. From friction 0 to 0.4 the slopes of stress

@@ -31,6 +31,9 @@ constexpr double unknown = 1e9;
 /// What counts as equally grave an error of stress ratio and of solid fraction [1].
 const Eigen::Vector2d grave(0.01, 0.002);
 
+/// States kept with their bridge volume: a few times the readings of a study.
+constexpr std::size_t most_filled = 1000;
+
 constexpr double largest_poisson_difference = 0.1;
 
 /// Stress ratio and solid fraction at these states, one after the other.
@@ -108,10 +111,27 @@ EmulatedSimulation::EmulatedSimulation(const Study& study, const std::vector<Con
     predict_for(conditions);
 }
 
-FlowState EmulatedSimulation::wet_state(double friction, const WetSetting& setting) const {
-    FlowState state{friction, setting.inertial_number, setting.inverse_pressure};
-    state.bridge_volume = bridge_volume_of(emulator_, setting.liquid_content, state);
+FlowState EmulatedSimulation::filled(FlowState state, double liquid_content) const {
+    const auto known = std::ranges::find_if(filled_, [&](const Filled& one) {
+        return one.liquid_content == liquid_content && one.state.friction == state.friction &&
+               one.state.inertial_number == state.inertial_number &&
+               one.state.inverse_pressure == state.inverse_pressure &&
+               one.state.effects == state.effects;
+    });
+    if (known != filled_.end()) {
+        return known->state;
+    }
+    state.bridge_volume = bridge_volume_of(emulator_, liquid_content, state);
+    filled_.push_front({liquid_content, state});
+    if (filled_.size() > most_filled) {
+        filled_.pop_back();
+    }
     return state;
+}
+
+FlowState EmulatedSimulation::wet_state(double friction, const WetSetting& setting) const {
+    return filled({friction, setting.inertial_number, setting.inverse_pressure},
+                  setting.liquid_content);
 }
 
 FlowState EmulatedSimulation::state_of(double friction, const Condition& condition) const {
@@ -121,7 +141,7 @@ FlowState EmulatedSimulation::state_of(double friction, const Condition& conditi
     }
     if (!condition.dry()) {
         state.inverse_pressure = inverse_pressure_of(condition, study_);
-        state.bridge_volume = bridge_volume_of(emulator_, condition.liquid_content, state);
+        state = filled(state, condition.liquid_content);
     }
     return state;
 }
@@ -456,6 +476,7 @@ double EmulatedSimulation::order(const std::vector<FlowState>& states, const std
         covariance.block<2, 2>(at, at) += emulator_.noise(fresh[k]);
     }
     emulator_ = emulator_.with(fresh);
+    filled_.clear();
     const double chi2 = off.dot(covariance.llt().solve(off));
     return cdf(complement(boost::math::chi_squared(static_cast<double>(off.size())), chi2));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -81,6 +82,8 @@ class EmulatedSimulation : public SimulationModel {
     bool has_grain_effects() const;
     StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;
     FlowState wet_state(double friction, const WetSetting& setting) const;
+    /// A wet state with the bridge volume that this liquid content makes.
+    FlowState filled(FlowState state, double liquid_content) const;
 
     /// States of the readings at a friction and, in the same order, on either side of it.
     struct Candidates {
@@ -106,6 +109,12 @@ class EmulatedSimulation : public SimulationModel {
     Workers workers_;
     bool orders_more_;
     Emulator emulator_;
+    /// States that `filled` found last, which derivatives and covariances ask for again.
+    struct Filled {
+        double liquid_content;
+        FlowState state;
+    };
+    mutable std::deque<Filled> filled_;
     std::vector<double> inertial_numbers_;
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;

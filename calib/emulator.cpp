@@ -168,7 +168,7 @@ double response_amplitude(const EffectValues& values) {
 /// Where the response to an effect is asked; widths are those of the studies' range.
 ResponsePlace response_place(const FlowState& state, const EffectValues& values) {
     const Coordinates at = place_of(state);
-    ResponsePlace place(5);
+    ResponsePlace place;
     place << at.x, at.q / 0.1, std::log1p(10 * at.u) / 1.5, state.dry() ? 0.0 : at.v,
         response_amplitude(values) / response_scale(values.effect);
     return place;

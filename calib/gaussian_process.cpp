@@ -1,5 +1,7 @@
 #include "calib/gaussian_process.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -40,11 +42,13 @@ GaussianProcess::GaussianProcess(std::vector<Kernel> kernels, const Observations
     if (factor_.info() != Eigen::Success) {
         throw std::logic_error("the covariance of the runs is not positive definite");
     }
-    weights_ = factor_.solve(known.values.reshaped()).reshaped(n, m);
+    const Eigen::MatrixXd weights = factor_.solve(known.values.reshaped()).reshaped(n, m);
     for (std::size_t k = 0; k < kernels_.size(); ++k) {
+        sums_over_.push_back(
+            kernels_[k].known(known_[k], weights.col(static_cast<Eigen::Index>(k))));
         Eigen::VectorXd sum = Eigen::VectorXd::Zero(known_[k].front().polynomial.size());
         for (Eigen::Index i = 0; i < n; ++i) {
-            sum += weights_(i, static_cast<Eigen::Index>(k)) *
+            sum += weights(i, static_cast<Eigen::Index>(k)) *
                    known_[k][static_cast<std::size_t>(i)].polynomial.transpose();
         }
         coefficients_.push_back(kernels_[k].coefficient_variance() * sum);
@@ -68,17 +72,28 @@ Eigen::MatrixXd GaussianProcess::with_known(const std::vector<Asked>& asked) con
 }
 
 Eigen::VectorXd GaussianProcess::mean(const std::vector<Asked>& asked) const {
-    // The polynomial by its coefficients: summed over the runs it would lose digits.
+    // Value and derivatives at one place come of the same sums.
+    struct Place {
+        Eigen::Index quantity;
+        Coordinates at;
+        std::array<double, 1 + coordinate_count> sums;
+    };
+    std::vector<Place> places;
     Eigen::VectorXd result(static_cast<Eigen::Index>(asked.size()));
     for (std::size_t c = 0; c < asked.size(); ++c) {
         const auto quantity = static_cast<std::size_t>(asked[c].quantity);
         const Kernel::Prepared at = prepared(asked[c]);
-        double sum = at.polynomial.dot(coefficients_[quantity]);
-        for (std::size_t i = 0; i < known_[quantity].size(); ++i) {
-            sum += weights_(static_cast<Eigen::Index>(i), asked[c].quantity) *
-                   kernels_[quantity].of_processes(known_[quantity][i], at);
+        auto place = std::find_if(places.begin(), places.end(), [&](const Place& known) {
+            return known.quantity == asked[c].quantity && known.at == asked[c].functional.at;
+        });
+        if (place == places.end()) {
+            place = places.insert(place, {asked[c].quantity, asked[c].functional.at,
+                                          kernels_[quantity].sums(sums_over_[quantity], at)});
         }
-        result(static_cast<Eigen::Index>(c)) = sum;
+        // The polynomial by its coefficients: summed over the runs it would lose digits.
+        result(static_cast<Eigen::Index>(c)) =
+            at.polynomial.dot(coefficients_[quantity]) +
+            place->sums[static_cast<std::size_t>(1 + asked[c].functional.derivative)];
     }
     return result;
 }

@@ -49,7 +49,7 @@ class GaussianProcess {
     std::vector<Kernel> kernels_;
     std::vector<std::vector<Kernel::Prepared>> known_;  ///< the places, by quantity
     Eigen::LLT<Eigen::MatrixXd> factor_;                ///< of K + N, quantity by quantity
-    Eigen::MatrixXd weights_;                           ///< (K + N)^-1 y, a column per quantity
+    std::vector<Kernel::Known> sums_over_;              ///< them with (K + N)^-1 y
     std::vector<Eigen::VectorXd> coefficients_;  ///< posterior means of those of the polynomials
 };
 

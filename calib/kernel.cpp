@@ -132,6 +132,58 @@ double Kernel::of_processes(const Prepared& a, const Prepared& b) const {
     return sum;
 }
 
+Kernel::Known Kernel::known(const std::vector<Prepared>& values,
+                            const Eigen::VectorXd& weights) const {
+    const auto n = static_cast<Eigen::Index>(values.size());
+    Known known{.place = {}, .weights = {n, static_cast<Eigen::Index>(parts_.size())}};
+    known.place.fill(Eigen::ArrayXd(n));
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Prepared& at = values[static_cast<std::size_t>(i)];
+        for (std::size_t k = 0; k < coordinate_count; ++k) {
+            known.place[k](i) = at.place[k];
+        }
+        for (std::size_t p = 0; p < parts_.size(); ++p) {
+            known.weights(i, static_cast<Eigen::Index>(p)) =
+                weights(i) * parts_[p].variance * amplitude(parts_[p], at);
+        }
+    }
+    return known;
+}
+
+std::array<double, 1 + coordinate_count> Kernel::sums(const Known& known,
+                                                      const Prepared& at) const {
+    std::array<double, 1 + coordinate_count> result{};
+    std::array<Eigen::ArrayXd, coordinate_count> apart;
+    for (std::size_t k = 0; k < coordinate_count; ++k) {
+        apart[k] = known.place[k] - at.place[k];
+    }
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        const Part& part = parts_[p];
+        const double amplitude_there = amplitude(part, at);
+        const bool linear = part.amplitude == Amplitude::linear;
+        if (amplitude_there == 0 && !linear) {
+            continue;
+        }
+        Eigen::ArrayXd term = Eigen::ArrayXd::Zero(known.weights.rows());
+        for (std::size_t k = 0; k < coordinate_count; ++k) {
+            if (part.inverse_squares[k] > 0) {
+                term += -0.5 * part.inverse_squares[k] * apart[k].square();
+            }
+        }
+        term = term.exp() * known.weights.col(static_cast<Eigen::Index>(p));
+        const double sum = term.sum();
+        result[0] += amplitude_there * sum;
+        result[1 + pressure] += linear ? sum : 0;
+        for (std::size_t k = 0; k < coordinate_count; ++k) {
+            if (part.inverse_squares[k] > 0) {
+                result[1 + k] += amplitude_there * at.stretch[k] * part.inverse_squares[k] *
+                                 (term * apart[k]).sum();
+            }
+        }
+    }
+    return result;
+}
+
 Eigen::MatrixXd Kernel::matrix(const std::vector<Prepared>& of) const {
     const auto n = static_cast<Eigen::Index>(of.size());
     Eigen::MatrixXd result(n, n);

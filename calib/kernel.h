@@ -75,6 +75,16 @@ class Kernel {
     double of_processes(const Prepared& a, const Prepared& b) const;
     /// Variance of each coefficient of the polynomial, whose terms are uncorrelated.
     double coefficient_variance() const { return coefficient_variance_; }
+    /// Values known at some places, side by side for sums over them.
+    struct Known {
+        std::array<Eigen::ArrayXd, coordinate_count> place;
+        Eigen::ArrayXXd weights;  ///< times variance and amplitude there, a column per process
+    };
+    Known known(const std::vector<Prepared>& values, const Eigen::VectorXd& weights) const;
+    /// The sum of weight x of_processes(known, at), then its derivatives by the coordinates of
+    /// `at`.
+    std::array<double, 1 + coordinate_count> sums(const Known& known, const Prepared& at) const;
+
     /// Covariance matrix of functionals.
     Eigen::MatrixXd matrix(const std::vector<Prepared>& of) const;
     /// Derivatives of half the trace of W K by the logarithms of the scales of processes, K being
