@@ -54,6 +54,8 @@ class Checking {
     Checking(const WeightedResiduals& residuals, const EntryKinds& kinds,
              const std::vector<Covariate>& covariates, const NullDraws& draws)
         : residuals_(residuals), kinds_(kinds), covariates_(covariates) {
+        // Away from the optimum too, as where only some readings were fitted.
+        own_residuals_ = residuals.project(residuals.residuals());
         drawn_residuals_ = residuals.project(draws.errors());
     }
     Checks run() {
@@ -80,12 +82,12 @@ class Checking {
         for (Eigen::Index draw = 0; draw < drawn.size(); ++draw) {
             drawn(draw) = statistic(drawn_residuals_.col(draw));
         }
-        check.statistic = statistic(residuals_.residuals());
+        check.statistic = statistic(own_residuals_);
         add(std::move(check), drawn);
     }
     /// |B' r|^2.
     void add_squares(Check check, const Eigen::MatrixXd& basis) {
-        check.statistic = (basis.transpose() * residuals_.residuals()).squaredNorm();
+        check.statistic = (basis.transpose() * own_residuals_).squaredNorm();
         add(std::move(check),
             (basis.transpose() * drawn_residuals_).colwise().squaredNorm().transpose());
     }
@@ -121,7 +123,7 @@ class Checking {
             Check check{.kind = Check::Kind::trend,
                         .covariate = covariate.name,
                         .of = kinds_.observables[o],
-                        .statistic = direction.dot(residuals_.residuals())};
+                        .statistic = direction.dot(own_residuals_)};
             const Eigen::VectorXd drawn =
                 (direction.transpose() * drawn_residuals_).cwiseAbs().transpose();
             check.p = NullDraws::p(std::abs(check.statistic), drawn);
@@ -163,7 +165,7 @@ class Checking {
                 drawn_residuals_.cwiseProduct(kernel * drawn_residuals_).colwise().sum();
             add({.kind = Check::Kind::neighbours,
                  .covariate = fmt::format("all, length {:.1f}", length),
-                 .statistic = residuals_.residuals().dot(kernel * residuals_.residuals())},
+                 .statistic = own_residuals_.dot(kernel * own_residuals_)},
                 drawn);
         }
     }
@@ -195,6 +197,7 @@ class Checking {
     const WeightedResiduals& residuals_;
     const EntryKinds& kinds_;
     const std::vector<Covariate>& covariates_;
+    Eigen::VectorXd own_residuals_;
     Eigen::MatrixXd drawn_residuals_;  ///< entries x draws
     Checks result_;
     std::vector<Eigen::VectorXd> drawn_;  ///< statistics of each check

@@ -50,9 +50,10 @@ struct EntryKinds {
     bool replicated = false;
 };
 
-/// Says where a model fails. All laws under which nothing fails are those of the same draws, so
-/// that the probability of all checks together is exact: it counts how often the least p of any is
-/// as small.
+/// Says where a model fails that its calibrated parameters could not take over: the residuals are
+/// those that are left once they have. All laws under which nothing fails are those of the same
+/// draws, so that the probability of all checks together is exact: it counts how often the least p
+/// of any is as small.
 ///
 /// The score process is  S(x) = sum_{x_i <= x} J_i [W (y - f)]_i,  which ends at zero at the
 /// optimum and wanders like a Brownian bridge; its largest distance from zero over its standard

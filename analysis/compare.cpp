@@ -3,73 +3,48 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <functional>
 
 #include "data/replicates.h"
 
 namespace pendular {
 namespace {
 
-using Covariate = std::function<double(std::size_t, const Reading&)>;
-
-/// Pearson correlation and its two-sided p by Student's t.
-std::pair<double, double> correlation(const std::vector<double>& x, const std::vector<double>& y) {
-    const auto n = static_cast<double>(x.size());
-    const Eigen::Map<const Eigen::ArrayXd> a(x.data(), static_cast<Eigen::Index>(x.size()));
-    const Eigen::Map<const Eigen::ArrayXd> b(y.data(), static_cast<Eigen::Index>(y.size()));
-    const Eigen::ArrayXd da = a - a.mean(), db = b - b.mean();
-    const double scale = std::sqrt(da.square().sum() * db.square().sum());
-    const double r = scale > 0 ? (da * db).sum() / scale : 0.0;
-    const double t = std::abs(r) * std::sqrt((n - 2) / std::max(1e-12, 1 - r * r));
-    return {r, 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(n - 2), t))};
-}
-
-/// Whether a covariate was varied: by a tenth at least. Less is the scatter of set points, or, for
-/// the height, the solid fraction itself seen again.
-bool varies(const std::vector<double>& x) {
-    const auto [low, high] = std::ranges::minmax(x);
-    return high - low > 0.1 * std::max(std::abs(low), std::abs(high));
-}
-
-std::vector<Trend> trends_of(const std::vector<ReadingMisfit>& readings) {
-    const std::vector<std::pair<std::string, Covariate>> covariates = {
-        {"normal_stress", [](std::size_t, const Reading& r) { return r.condition.normal_stress; }},
-        {"inertial_number",
-         [](std::size_t, const Reading& r) { return r.condition.inertial_number; }},
-        {"liquid_content",
-         [](std::size_t, const Reading& r) { return r.condition.liquid_content; }},
-        {"height", [](std::size_t, const Reading& r) { return r.condition.height.value_or(0); }},
-        {"run order", [](std::size_t k, const Reading&) { return static_cast<double>(k); }}};
-    std::vector<Trend> trends;
-    for (const auto& [name, value] : covariates) {
-        std::vector<double> x, y[2];
-        for (std::size_t k = 0; k < readings.size(); ++k) {
-            x.push_back(value(k, readings[k].reading));
-            y[0].push_back(readings[k].normalised(0));
-            y[1].push_back(readings[k].normalised(1));
-        }
-        if (readings.size() >= 5 && varies(x)) {
-            const auto stress = correlation(x, y[0]), fraction = correlation(x, y[1]);
-            trends.push_back(
-                {name, {stress.first, fraction.first}, {stress.second, fraction.second}});
-        }
-    }
-    return trends;
-}
-
+/// `total`: the covariance of `misfit`, two entries a reading.
 std::vector<ConditionMisfit> misfit_by_condition(const std::vector<Reading>& readings,
-                                                 const std::vector<ReadingMisfit>& misfits) {
+                                                 const std::vector<ReadingMisfit>& misfits,
+                                                 const Eigen::VectorXd& misfit,
+                                                 const Eigen::MatrixXd& total) {
     std::vector<ConditionMisfit> groups;
     for (const auto& members : condition_groups(readings)) {
-        ConditionMisfit group{readings[members.front()].condition, members, 0};
+        ConditionMisfit group{readings[members.front()].condition, members};
+        Eigen::Vector2d sum = Eigen::Vector2d::Zero(), variance = Eigen::Vector2d::Zero();
         for (const std::size_t k : members) {
             group.chi2 += misfits[k].chi2.sum();
+            const auto at = 2 * static_cast<Eigen::Index>(k);
+            sum += misfit.segment<2>(at);
+            for (const std::size_t l : members) {
+                variance += total.block<2, 2>(at, 2 * static_cast<Eigen::Index>(l)).diagonal();
+            }
         }
+        group.normalised = sum.cwiseQuotient(variance.cwiseSqrt());
         groups.push_back(group);
     }
     return groups;
+}
+
+std::vector<FileMisfit> misfit_by_file(const std::vector<ReadingMisfit>& misfits) {
+    std::vector<FileMisfit> files;
+    for (const ReadingMisfit& misfit : misfits) {
+        const std::string& file = misfit.reading.origin.file;
+        auto known = std::ranges::find(files, file, &FileMisfit::file);
+        if (known == files.end()) {
+            known = files.insert(known, {file});
+        }
+        ++known->readings;
+        known->chi2 += misfit.chi2.sum();
+    }
+    return files;
 }
 
 }  // namespace
@@ -124,8 +99,8 @@ Comparison compare(const std::vector<Reading>& readings, const Prediction& predi
     for (double& rms : result.rms_percent) {
         rms = 100 * std::sqrt(rms);
     }
-    result.by_condition = misfit_by_condition(readings, result.readings);
-    result.trends = trends_of(result.readings);
+    result.by_condition = misfit_by_condition(readings, result.readings, misfit, total);
+    result.by_file = misfit_by_file(result.readings);
     return result;
 }
 

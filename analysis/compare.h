@@ -29,13 +29,15 @@ struct ConditionMisfit {
     Condition condition;
     std::vector<std::size_t> readings;  ///< into Comparison::readings
     double chi2 = 0;
+    /// Mean of (measured - predicted) over its standard error, by observable [1].
+    Eigen::Vector2d normalised = Eigen::Vector2d::Zero();
 };
 
-/// How the residuals go with something that varied between the readings.
-struct Trend {
-    std::string covariate;
-    std::array<double, 2> correlation;  ///< of the normalised residuals of each observable with it
-    std::array<double, 2> p;            ///< probability of a correlation this large by chance
+/// Readings of one file taken together.
+struct FileMisfit {
+    std::string file;
+    std::size_t readings = 0;
+    double chi2 = 0;
 };
 
 /// chi2 of some readings.
@@ -51,9 +53,9 @@ struct Misfit {
 struct Comparison {
     std::vector<ReadingMisfit> readings;
     std::vector<ConditionMisfit> by_condition;  ///< their chi2 add up to the total
+    std::vector<FileMisfit> by_file;            ///< likewise
     std::array<double, 2>
-        by_observable{};        ///< chi2 of shear stress and solid fraction; they add up too
-    std::vector<Trend> trends;  ///< for covariates that were varied, from five readings on
+        by_observable{};  ///< chi2 of shear stress and solid fraction; they add up too
     std::array<double, 2> rms_percent{};  ///< 100 sqrt(mean((predicted/measured - 1)^2))
     Misfit total;
     Misfit fitted;     ///< readings the parameters were fitted to

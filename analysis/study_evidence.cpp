@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <set>
+#include <tuple>
 
 #include "analysis/compare.h"
 #include "data/replicates.h"
@@ -43,17 +45,34 @@ std::vector<std::vector<Eigen::Index>> entries_by_condition(const std::vector<Re
     return result;
 }
 
+/// Place of each reading in the order in which they were taken, from 1: by time, and where files
+/// tell none, by file and line.
+std::vector<double> run_order(const std::vector<Reading>& readings) {
+    std::vector<std::size_t> places(readings.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::ranges::sort(places, {}, [&](std::size_t k) {
+        const Reading& r = readings[k];
+        return std::tuple(r.condition.time, r.origin.file, r.origin.line, r.step);
+    });
+    std::vector<double> order(readings.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        order[places[k]] = static_cast<double>(k + 1);
+    }
+    return order;
+}
+
 }  // namespace
 
 std::vector<Covariate> covariates_of(const std::vector<Reading>& readings) {
     using Of = std::function<double(std::size_t, const Reading&)>;
+    const std::vector<double> order = run_order(readings);
     const std::vector<std::pair<std::string, Of>> all = {
         {"normal stress", [](auto, const auto& r) { return r.condition.normal_stress; }},
         {"inertial number", [](auto, const auto& r) { return r.condition.inertial_number; }},
         {"liquid content", [](auto, const auto& r) { return r.condition.liquid_content; }},
         {"height", [](auto, const auto& r) { return r.condition.height.value_or(0); }},
         {"time", [](auto, const auto& r) { return r.condition.time; }},
-        {"run order", [](std::size_t k, const auto&) { return static_cast<double>(k + 1); }}};
+        {"run order", [&](std::size_t k, const auto&) { return order[k]; }}};
     std::vector<Covariate> result;
     for (const auto& [name, of] : all) {
         Covariate covariate{name, Eigen::VectorXd(2 * static_cast<Eigen::Index>(readings.size()))};
@@ -62,7 +81,9 @@ std::vector<Covariate> covariates_of(const std::vector<Reading>& readings) {
                 .setConstant(of(k, readings[k]));
         }
         const double low = covariate.values.minCoeff(), high = covariate.values.maxCoeff();
-        if (high - low > 0.1 * std::max(std::abs(low), std::abs(high))) {
+        // Ranks of the time are the run order.
+        const bool known = name == "run order" && !result.empty() && result.back().name == "time";
+        if (!known && high - low > 0.1 * std::max(std::abs(low), std::abs(high))) {
             result.push_back(std::move(covariate));
         }
     }

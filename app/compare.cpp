@@ -4,12 +4,14 @@
 #include <string>
 
 #include "analysis/compare.h"
+#include "analysis/where_it_fails.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/options.h"
 #include "app/study_input.h"
 #include "calib/calibration.h"
 #include "reports/comparison_figures.h"
+#include "reports/failure_report.h"
 #include "reports/json.h"
 #include "reports/tables.h"
 
@@ -29,15 +31,19 @@ std::string with_effects(const ModelChoice& model) {
 }  // namespace
 
 int compare(const std::vector<std::string>& arguments) {
-    Options options("compare STUDY [options]",
-                    "Puts the calibrated model beside the readings: misfit by observable, "
-                    "condition and covariate,\n"
-                    "and figures as SVG, PNG and PDF with their numbers as CSV. Needs 'pendular "
-                    "calibrate' first;\n"
-                    "simulates nothing itself.",
-                    "  pendular compare examples/polystyrene\n"
-                    "  pendular compare my-study --out results --json -\n",
-                    true);
+    Options options(
+        "compare STUDY [options]",
+        "Puts the calibrated model beside the readings: misfit by observable, "
+        "condition and file, where the model\n"
+        "fails beyond what its parameters could take over (lack of fit, trends and runs "
+        "along what was varied,\n"
+        "conditions and files that stand out), and figures as SVG, PNG and PDF with their numbers "
+        "as CSV. Needs 'pendular "
+        "calibrate' first;\n"
+        "simulates nothing itself.",
+        "  pendular compare examples/polystyrene\n"
+        "  pendular compare my-study --out results --json -\n",
+        true);
     CohesionOptions cohesion;
     options.add("lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
                 "cohesion lines go through points from this P* on [1] (default: as calibrated)");
@@ -59,7 +65,9 @@ int compare(const std::vector<std::string>& arguments) {
     }
     draw_cohesion_lines(c);
 
-    const auto json = to_json(comparison, c.cohesion_lines);
+    const WhereItFails where =
+        where_it_fails(c.readings, measurements.scatter, c.prediction, c.parameters);
+    const auto json = to_json(comparison, c.cohesion_lines, where);
     write_json(out / "compare.json", json);
     console.line(fmt::format(
         "{}chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear "
@@ -72,7 +80,8 @@ int compare(const std::vector<std::string>& arguments) {
             "predicted (p = {:.2g})",
             comparison.predicted.chi2, comparison.predicted.dof, comparison.predicted.p()));
     }
-    for (const auto& table : {comparison_table(comparison), cohesion_table(c.cohesion_lines)}) {
+    for (const auto& table :
+         {comparison_table(comparison), failure_table(where), cohesion_table(c.cohesion_lines)}) {
         for (const auto& line : table) {
             console.line(line);
         }

@@ -17,7 +17,9 @@
 #include "calib/calibration.h"
 #include "calib/study_models.h"
 #include "data/input_error.h"
+#include "reports/diagnosis_figure.h"
 #include "reports/diagnosis_report.h"
+#include "reports/failure_report.h"
 #include "reports/json.h"
 
 namespace pendular::app {
@@ -94,6 +96,9 @@ int diagnose(const std::vector<std::string>& arguments) {
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
+    const auto figures = common->out_folder() / "figures";
+    draw(diagnosis_figure(diagnosis, models), figures);
+    console.line(fmt::format("figure: {}", (figures / "diagnosis.png").string()));
     console.json(json);
     return diagnosis.fit.converged ? done : not_converged;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "reports/residual_figures.h"
 #include "reports/shown.h"
 #include "reports/wet_figures.h"
 
@@ -75,15 +76,17 @@ Shown at_study_stiffness(const dem::RunResult& run, double share) {
     return {{ratio.value, fraction.value - shift}, {ratio.standard_error, fraction.standard_error}};
 }
 
-Curve runs_curve(const Calibration& c, const Condition& condition,
-                 std::size_t o, double inertial_number) {
+Curve runs_curve(const Calibration& c, const Condition& condition, std::size_t o,
+                 double inertial_number) {
     Curve curve{.label = fmt::format("simulations, I = {:.3g}", inertial_number),
                 .colour = run_colour,
                 .symbol = {Shape::circle, Filling::hollow}};
     for (const auto& run : c.runs) {
         if (!run.crystallised && !run.parameters.wetting &&
             std::abs(run.parameters.inertial_number / inertial_number - 1) < 0.01) {
-            const Shown one = at_study_stiffness(run, stiffness_share(run.parameters.stiffness_number, condition, c.grains, c.fidelity));
+            const Shown one = at_study_stiffness(
+                run,
+                stiffness_share(run.parameters.stiffness_number, condition, c.grains, c.fidelity));
             curve.x.push_back(run.parameters.friction);
             curve.y.push_back(one.value[o]);
             curve.y_error.push_back(one.error[o]);
@@ -215,39 +218,6 @@ Figure parity_figure(const Comparison& comparison) {
     return figure;
 }
 
-Figure residual_figure(const Comparison& comparison) {
-    Figure figure{.name = "residuals",
-                  .title = fmt::format("Residuals: χ^2 = {:.2f}, degrees of freedom: {}",
-                                       comparison.total.chi2, comparison.total.dof),
-                  .panels = {}};
-    const auto by_stress = [](const ReadingMisfit& m) { return m.reading.condition.normal_stress; };
-    const auto by_inertia = [](const ReadingMisfit& m) {
-        return m.reading.condition.inertial_number;
-    };
-    const auto panel_against = [&](const std::string& label, auto covariate, bool log_x) {
-        Panel panel{
-            .x_label = label, .y_label = "(measured − predicted)/standard error", .log_x = log_x};
-        for (std::size_t o = 0; o < 2; ++o) {
-            Curve points{.label = o == 0 ? "shear stress" : "solid fraction",
-                         .colour = o == 0 ? model_colour : calibrated_colour,
-                         .symbol = o == 0 ? Symbol{} : Symbol{Shape::square, Filling::hollow}};
-            for (const auto& misfit : comparison.readings) {
-                points.x.push_back(covariate(misfit));
-                points.y.push_back(misfit.normalised(static_cast<Eigen::Index>(o)));
-            }
-            panel.curves.push_back(points);
-        }
-        panel.zero_line = true;
-        panel.y_least = 2.5;
-        panel.headroom = 0.2;
-        panel.key = log_x ? Key::top_left : Key::none;
-        return panel;
-    };
-    figure.panels.push_back(panel_against("normal stress σ_{22} [Pa]", by_stress, true));
-    figure.panels.push_back(panel_against(inertial_label, by_inertia, false));
-    return figure;
-}
-
 }  // namespace
 
 std::vector<Figure> comparison_figures(const StudyModel& study_model,
@@ -261,7 +231,7 @@ std::vector<Figure> comparison_figures(const StudyModel& study_model,
     std::ranges::move(wet_figures(study_model, calibration, calibration.cohesion),
                       std::back_inserter(figures));
     figures.push_back(parity_figure(comparison));
-    figures.push_back(residual_figure(comparison));
+    std::ranges::move(residual_figures(comparison), std::back_inserter(figures));
     return figures;
 }
 

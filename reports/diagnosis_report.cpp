@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "reports/failure_report.h"
 #include "reports/with_error.h"
 
 namespace pendular {
@@ -17,10 +18,6 @@ std::string joined(const std::vector<std::string>& words, const std::string& las
         text += (k == 0 ? "" : k + 1 == words.size() ? " " + last + " " : ", ") + words[k];
     }
     return text;
-}
-
-std::string p_text(double p, const char* equals = "= ") {
-    return p < 1e-3 ? "< 0.001" : fmt::format("{}{:.2g}", equals, p);
 }
 
 double chi2_per_dof(double chi2, double dof) {
@@ -55,41 +52,10 @@ std::string with_estimates(const Explanation& explanation, const ModelSpace& spa
     return joined(texts, "and");
 }
 
-std::string sentence(const Check& check) {
-    const std::string p = fmt::format("(p {})", p_text(check.p));
-    switch (check.kind) {
-        case Check::Kind::lack_of_fit:
-            return fmt::format("the conditions' means are off the model {}", p);
-        case Check::Kind::trend:
-            return fmt::format("{}: measured over modelled {} with {} {}", check.of,
-                               check.statistic > 0 ? "grows" : "falls", check.covariate, p);
-        case Check::Kind::score:
-            return fmt::format("{} would be another at one end of {} than at the other {}",
-                               check.of, check.covariate, p);
-        case Check::Kind::runs:
-            return fmt::format("{}: neighbouring readings lie on the same side of the model {}",
-                               check.of, p);
-        default:
-            return fmt::format("readings at neighbouring conditions are off alike ({}) {}",
-                               check.covariate, p);
-    }
-}
-
-/// The significant ones.
-std::vector<const Check*> most_telling(const Checks& checks) {
-    constexpr double significant = 0.05;
-    std::vector<const Check*> result;
-    for (const Check& check : checks.all) {
-        if (check.p < significant) result.push_back(&check);
-    }
-    std::ranges::stable_sort(result, {}, &Check::p);
-    return result;
-}
-
 /// "; it grows with height": of the strongest significant trend.
 std::string carried_by(const Checks& checks) {
     const Check* strongest = nullptr;
-    for (const Check* check : most_telling(checks)) {
+    for (const Check* check : significant_checks(checks)) {
         const bool trend = check->kind == Check::Kind::trend;
         if (trend &&
             (strongest == nullptr || std::abs(check->statistic) > std::abs(strongest->statistic))) {
@@ -261,29 +227,6 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
             return fmt::format("Something is missing that no known effect explains{}.",
                                carried_by(checks));
     }
-}
-
-std::vector<std::string> checks_table(const Checks& checks) {
-    std::vector<std::string> lines;
-    for (const Check* check : most_telling(checks)) {
-        lines.push_back("  " + sentence(*check));
-    }
-    lines.insert(lines.begin(), fmt::format("where it fails, {} checks, p {} for all together{}",
-                                            checks.all.size(), p_text(checks.p),
-                                            lines.empty() ? ": none is significant" : ":"));
-    return lines;
-}
-
-nlohmann::ordered_json to_json(const Checks& checks) {
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const Check& check : checks.all) {
-        all.push_back({{"kind", to_string(check.kind)},
-                       {"covariate", check.covariate},
-                       {"of", check.of},
-                       {"statistic", check.statistic},
-                       {"p", check.p}});
-    }
-    return {{"p", checks.p}, {"checks", all}};
 }
 
 std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& space,

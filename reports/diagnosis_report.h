@@ -14,11 +14,6 @@ namespace pendular {
 /// grows with height."
 std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, const Checks& checks);
 
-/// Where a model fails, one line a check that is significant, most telling first; then that of all
-/// of them together.
-std::vector<std::string> checks_table(const Checks& checks);
-nlohmann::ordered_json to_json(const Checks& checks);
-
 /// What was tested and what came of it, one line a candidate, most telling first; then the suspects
 /// that stand out.
 std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const ModelSpace& space,

@@ -21,6 +21,7 @@ struct Curve {
     std::string colour = "#000000";
     Symbol symbol = {};
     double weight = 1;  ///< of a line, by which it is wider than usual
+    double area = 1;    ///< of symbols, by which they are larger than usual
     bool in_key = true;
     bool in_table = true;  ///< its numbers are written too
 };

@@ -10,6 +10,7 @@
 #include "data/form.h"
 #include "data/input_error.h"
 #include "data/text_file.h"
+#include "reports/failure_report.h"
 
 namespace pendular {
 namespace {
@@ -476,7 +477,8 @@ Calibration read_calibration(const std::filesystem::path& file, const Study& stu
     }
 }
 
-Json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines) {
+Json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
+             const WhereItFails& where) {
     Json json;
     json.update(misfit_json(comparison.total));
     json["fitted"] = misfit_json(comparison.fitted);
@@ -487,25 +489,27 @@ Json to_json(const Comparison& comparison, const std::vector<CohesionLine>& line
                              {"solid_fraction", comparison.by_observable[1]}};
     json["by_condition"] = Json::array();
     for (const auto& group : comparison.by_condition) {
-        Json entry = {{"normal_stress", group.condition.normal_stress},
-                      {"inertial_number", group.condition.inertial_number},
-                      {"liquid_content", group.condition.liquid_content},
-                      {"readings", Json::array()},
-                      {"chi2", group.chi2}};
+        Json entry = {
+            {"normal_stress", group.condition.normal_stress},
+            {"inertial_number", group.condition.inertial_number},
+            {"liquid_content", group.condition.liquid_content},
+            {"readings", Json::array()},
+            {"chi2", group.chi2},
+            {"normalised",
+             {{"shear_stress", group.normalised(0)}, {"solid_fraction", group.normalised(1)}}}};
         for (const std::size_t k : group.readings) {
             entry["readings"].push_back(prediction_json(comparison.readings[k]));
         }
         json["by_condition"].push_back(entry);
     }
-    json["cohesion_lines"] = cohesion_lines_json(lines);
-    json["trends"] = Json::array();
-    for (const auto& trend : comparison.trends) {
-        json["trends"].push_back(
-            {{"covariate", trend.covariate},
-             {"correlation",
-              {{"shear_stress", trend.correlation[0]}, {"solid_fraction", trend.correlation[1]}}},
-             {"p", {{"shear_stress", trend.p[0]}, {"solid_fraction", trend.p[1]}}}});
+    json["by_file"] = Json::array();
+    for (const auto& file : comparison.by_file) {
+        json["by_file"].push_back({{"file", std::filesystem::path(file.file).filename().string()},
+                                   {"readings", file.readings},
+                                   {"chi2", file.chi2}});
     }
+    json["cohesion_lines"] = cohesion_lines_json(lines);
+    json["where"] = to_json(where);
     return json;
 }
 

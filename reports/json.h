@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "analysis/compare.h"
+#include "analysis/where_it_fails.h"
 #include "calib/calibration.h"
 #include "sim/dem/run.h"
 #include "sim/effect.h"
@@ -35,7 +36,8 @@ Calibration read_calibration(const std::filesystem::path& file, const Study& stu
 
 /// What `compare` prints and `out/compare.json` holds.
 nlohmann::ordered_json to_json(const Comparison& comparison,
-                               const std::vector<CohesionLine>& lines);
+                               const std::vector<CohesionLine>& lines,
+                               const WhereItFails& where);
 
 /// Writes through a temporary file and a rename, so that an earlier file survives a full disk.
 /// @throws std::runtime_error where it cannot be written

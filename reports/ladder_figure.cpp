@@ -13,29 +13,11 @@ namespace {
 
 constexpr std::size_t most_rungs = 10;
 
-/// "+ capillary-", "shear-", "stress": broken behind hyphens where a line would become long.
 std::vector<std::string> name_of(const Rung& rung) {
-    constexpr std::size_t longest = 10;
     if (rung.change == "start") {
         return {"start"};
     }
-    std::vector<std::string> lines = {rung.change == "add" ? "+ " : "− "};
-    for (std::size_t begin = 0; begin < rung.effect.size();) {
-        const std::size_t end = std::min(rung.effect.find('-', begin), rung.effect.size() - 1) + 1;
-        const std::string piece = rung.effect.substr(begin, end - begin);
-        if (begin > 0 && lines.back().size() + piece.size() > longest) {
-            lines.emplace_back();
-        }
-        lines.back() += piece;
-        begin = end;
-    }
-    return lines;
-}
-
-/// Whether values span more than a decade and none of them is zero.
-bool spans_decade(const std::vector<double>& values) {
-    const auto [least, greatest] = std::ranges::minmax(values);
-    return least > 0 && greatest > 10 * least;
+    return broken_name((rung.change == "add" ? "+ " : "− ") + rung.effect);
 }
 
 /// Where the ladder begins anew, between two rungs.

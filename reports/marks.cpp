@@ -28,7 +28,8 @@ void draw_points(Ink& ink, const PanelPlace& place, const Curve& curve) {
         }
     }
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
-        ink.symbol(curve.symbol, place.at(curve.x[k], curve.y[k]), symbol_area, curve.colour);
+        ink.symbol(curve.symbol, place.at(curve.x[k], curve.y[k]), symbol_area * curve.area,
+                   curve.colour);
     }
 }
 
@@ -106,7 +107,7 @@ void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
     constexpr double half_band = 0.055;
     switch (curve.style) {
         case Curve::Style::points:
-            ink.symbol(curve.symbol, middle, symbol_area, curve.colour);
+            ink.symbol(curve.symbol, middle, symbol_area * curve.area, curve.colour);
             break;
         case Curve::Style::line:
         case Curve::Style::dotted_line:

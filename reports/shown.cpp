@@ -2,9 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pendular {
+
+std::vector<std::string> broken_name(const std::string& name) {
+    constexpr std::size_t longest = 10;
+    std::vector<std::string> lines = {""};
+    for (std::size_t begin = 0; begin < name.size();) {
+        const std::size_t end = std::min(name.find('-', begin), name.size() - 1) + 1;
+        const std::string piece = name.substr(begin, end - begin);
+        if (begin > 0 && lines.back().size() + piece.size() > longest) {
+            lines.emplace_back();
+        }
+        lines.back() += piece;
+        begin = end;
+    }
+    return lines;
+}
+
+bool spans_decade(const std::vector<double>& values) {
+    const auto [least, greatest] = std::ranges::minmax(values);
+    return least > 0 && greatest > 10 * least;
+}
 
 Shown shown(const Reading& r) {
     const double s = r.condition.normal_stress;

@@ -24,6 +24,12 @@ Shown shown(const Reading& reading);
 /// Weighted mean of readings, where one value stands for all of them.
 Shown mean_of(const std::vector<Reading>& readings);
 
+/// "capillary-", "shear-", "stress": broken behind hyphens where a line would become long.
+std::vector<std::string> broken_name(const std::string& name);
+
+/// Whether values span more than a decade and none of them is zero.
+bool spans_decade(const std::vector<double>& values);
+
 /// What a figure says of an inertial number.
 std::string inertial_text(double inertial_number);
 

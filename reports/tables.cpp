@@ -62,14 +62,14 @@ std::vector<std::string> comparison_table(const Comparison& comparison) {
             group.condition.liquid_content, group.chi2, group.readings.size(),
             group.readings.size() == 1 ? "" : "s"));
     }
-    if (!comparison.trends.empty()) {
-        lines.push_back(
-            "residuals against covariates: correlation (p), shear stress and solid fraction");
-    }
-    for (const auto& trend : comparison.trends) {
-        lines.push_back(fmt::format("  {:<16} {:>6.2f} ({:.2g})   {:>6.2f} ({:.2g})",
-                                    trend.covariate, trend.correlation[0], trend.p[0],
-                                    trend.correlation[1], trend.p[1]));
+    if (comparison.by_file.size() > 1) {
+        lines.push_back("chi2 by file:");
+        for (const auto& file : comparison.by_file) {
+            lines.push_back(fmt::format("  {:<{}} {:>7.2f} from {} reading{}",
+                                        std::filesystem::path(file.file).filename().string(),
+                                        place_width, file.chi2, file.readings,
+                                        file.readings == 1 ? "" : "s"));
+        }
     }
     return lines;
 }

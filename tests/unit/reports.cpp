@@ -4,11 +4,14 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "analysis/compare.h"
+#include "analysis/where_it_fails.h"
 #include "app_support.h"
 #include "data/input_error.h"
 #include "reports/comparison_figures.h"
+#include "reports/failure_report.h"
 #include "reports/json.h"
 #include "reports/tables.h"
 #include "wet_study_support.h"
@@ -78,18 +81,70 @@ TEST(Compare, SplitsChi2SoThatItsPartsAddUp) {
     EXPECT_NEAR(c.rms_percent[0], 100 * std::sqrt((low * low + high * high) / 2), 1e-9);
 }
 
-TEST(Compare, SeesAResidualThatGoesWithTheNormalStress) {
+TEST(Compare, SaysWhereTheModelFails) {
     Example e;
     for (std::size_t k = 0; k < e.readings.size(); ++k) {
-        e.readings[k].value(0) =
-            e.prediction.value(static_cast<Eigen::Index>(2 * k)) + 20;  // a constant offset
+        // The stress is off by a constant, which counts for more where it is low.
+        e.readings[k].value(0) = e.prediction.value(static_cast<Eigen::Index>(2 * k)) + 30;
+        e.readings[k].replicates = 2;
     }
+    const std::vector<Parameter> friction = {{.name = "friction"}};
+    const WhereItFails where = where_it_fails(e.readings, {}, e.prediction, friction);
+    const auto trend = std::ranges::find_if(where.checks.all, [](const Check& check) {
+        return check.kind == Check::Kind::trend && check.covariate == "normal stress" &&
+               check.of == "shear stress";
+    });
+    ASSERT_NE(trend, where.checks.all.end());
+    EXPECT_LT(trend->statistic, 0);
+    EXPECT_LT(trend->p, 0.01);
+    EXPECT_LT(where.checks.p, 0.05);
+    const auto lines = failure_table(where);
+    EXPECT_THAT(lines, testing::Contains(HasSubstr(
+                           "shear stress: measured over modelled falls with normal stress")));
+}
+
+TEST(Compare, FindsAFailureOfAModelThatHoldsAsOftenAsItSays) {
+    Example e;
+    for (Reading& reading : e.readings) {
+        reading.replicates = 2;
+    }
+    const Eigen::MatrixXd covariance = stack(e.readings).covariance + e.prediction.covariance;
+    const Eigen::MatrixXd lower = covariance.llt().matrixL();
+    std::mt19937_64 random(17);
+    std::normal_distribution<double> normal;
+    int failures = 0, offending = 0;
+    for (int study = 0; study < 100; ++study) {
+        const Eigen::VectorXd value =
+            e.prediction.value +
+            lower * Eigen::VectorXd::NullaryExpr(lower.rows(), [&] { return normal(random); });
+        for (std::size_t k = 0; k < e.readings.size(); ++k) {
+            e.readings[k].value = value.segment<2>(static_cast<Eigen::Index>(2 * k));
+        }
+        const WhereItFails where =
+            where_it_fails(e.readings, {}, e.prediction, {{.name = "friction"}}, 100 + study);
+        failures += where.checks.p < 0.05;
+        offending += !where.offending.empty();
+    }
+    // 5 each; 99 % of binomial scatter is below 12.
+    EXPECT_GE(failures, 1);
+    EXPECT_LE(failures, 11);
+    EXPECT_LE(offending, 11);
+}
+
+TEST(Compare, NamesTheFileThatIsOff) {
+    Example e;
+    for (std::size_t k = 0; k < e.readings.size(); ++k) {
+        e.readings[k].value = e.prediction.value.segment<2>(static_cast<Eigen::Index>(2 * k));
+        e.readings[k].origin.file = k % 2 == 0 ? "first.csv" : "second.csv";
+        e.readings[k].value(0) *= k % 2 == 0 ? 1.15 : 1.0;
+    }
+    const WhereItFails where = where_it_fails(e.readings, {}, e.prediction, {{.name = "friction"}});
+    ASSERT_FALSE(where.offending.empty());
+    EXPECT_THAT(where.offending.front().readings, HasSubstr("first.csv"));
     const Comparison c = compare(e.readings, e.prediction, 1, e.readings.size());
-    const auto trend = std::ranges::find(c.trends, "normal_stress", &Trend::covariate);
-    ASSERT_NE(trend, c.trends.end());
-    EXPECT_LT(trend->correlation[0], -0.9);  // 20 Pa counts for more where the stress is low
-    EXPECT_LT(trend->p[0], 0.02);
-    EXPECT_GT(trend->p[1], 0.05);
+    ASSERT_EQ(c.by_file.size(), 2u);
+    EXPECT_EQ(c.by_file[0].readings, 3u);
+    EXPECT_NEAR(c.by_file[0].chi2 + c.by_file[1].chi2, c.total.chi2, 1e-9 * c.total.chi2);
 }
 
 TEST(Json, GivesARunBackAsItWas) {
@@ -169,7 +224,7 @@ TEST(FitFile, HoldsWetReadingsAndCohesionLines) {
     EXPECT_GT(line["reduced_cohesion"]["stderr"], 0);
     EXPECT_GT(line["stress_ratio_intercept"]["value"], 0.2);
     // Total, fitted and predicted of compare add up.
-    const auto compared = to_json(comparison, c.cohesion_lines);
+    const auto compared = to_json(comparison, c.cohesion_lines, {});
     EXPECT_NEAR(
         compared["chi2"].get<double>(),
         compared["fitted"]["chi2"].get<double>() + compared["predicted_only"]["chi2"].get<double>(),

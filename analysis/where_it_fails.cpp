@@ -1,0 +1,43 @@
+#include "analysis/where_it_fails.h"
+
+#include <algorithm>
+
+#include "analysis/score_test.h"
+#include "analysis/study_evidence.h"
+
+namespace pendular {
+namespace {
+
+constexpr double significant = 0.05;
+
+std::vector<Offending> offending_of(const Evidence& evidence, const WeightedResiduals& residuals,
+                                    const NullDraws& draws) {
+    std::vector<ScoreTest> tests;
+    for (const Suspect& suspect : evidence.suspects) {
+        tests.push_back(score_test(residuals, {.change = suspect.columns}, false));
+    }
+    const FamilyOfTests family(tests, draws);
+    std::vector<Offending> result;
+    for (std::size_t k = 0; k < tests.size(); ++k) {
+        const double p = family.p(tests[k].p());
+        if (p < significant) {
+            result.push_back({evidence.suspects[k].name, p});
+        }
+    }
+    std::ranges::stable_sort(result, {}, &Offending::p);
+    return result;
+}
+
+}  // namespace
+
+WhereItFails where_it_fails(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
+                            const Prediction& prediction, const std::vector<Parameter>& parameters,
+                            std::uint64_t seed) {
+    const Evidence evidence = evidence_of(readings, scatter);
+    const WeightedResiduals residuals(evidence.measured, prediction);
+    const NullDraws draws(evidence.errors, seed, DiagnosisOptions{}.draws);
+    return {check_fit(residuals, entries_of(readings, parameters), covariates_of(readings), draws),
+            offending_of(evidence, residuals, draws)};
+}
+
+}  // namespace pendular
