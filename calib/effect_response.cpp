@@ -8,7 +8,7 @@ namespace {
 
 /// Length over which the response may bend, in coordinates of the order of 1.
 constexpr double length = 1.5;
-/// Variances tried, over the largest response seen.
+/// Variances tried, over the mean square of the response seen.
 constexpr double sizes[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.3, 1, 3, 10};
 
 }  // namespace
@@ -16,7 +16,7 @@ constexpr double sizes[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.3, 1, 3, 10};
 EffectResponse::EffectResponse(std::vector<ResponsePlace> places, Eigen::VectorXd amplitudes,
                                const Eigen::VectorXd& changes, const Eigen::MatrixXd& covariance)
     : places_(std::move(places)), amplitudes_(std::move(amplitudes)) {
-    const double seen = std::max(1e-12, changes.cwiseQuotient(amplitudes_).cwiseAbs2().mean());
+    const double seen = std::max(1e-12, changes.squaredNorm() / amplitudes_.squaredNorm());
     double best = -std::numeric_limits<double>::infinity();
     double best_plane = seen, best_curved = seen;
     for (const double plane : sizes) {

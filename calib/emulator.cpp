@@ -5,94 +5,27 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <tuple>
 
-#include "sim/effect.h"
+#include "calib/emulated_observables.h"
 
 namespace pendular {
-namespace {
 
 using dem::Observable;
+using namespace emulated;
 
-/// Coordinate of friction: about ln(friction), straight below 0.02, where flow changes fastest.
-constexpr double friction_scale = 0.02, friction_centre = 0.1;
-/// Coordinate of the inertial number: I^0.5.
-constexpr double exponent = 0.5;
+namespace {
 
 /// Softer beads overlap more than the correction to rigid ones was measured for.
 constexpr double softest = 300;
-/// Structure is that of beads of about this stiffness.
-constexpr double stiffness_factor = 2;
-
-/// Stress ratio and solid fraction share one process.
-constexpr Observable pair[] = {Observable::stress_ratio, Observable::solid_fraction};
-
-bool in_pair(Observable which) {
-    return which == pair[0] || which == pair[1];
-}
-
-/// The observable under whose name the process stands that answers for this one.
-Observable process_for(Observable which) {
-    return in_pair(which) ? pair[0] : which;
-}
-
-/// What an observable is emulated over, so that what is left changes little: value = offset + size
-/// x process. Capillary stresses over s22 go with 1/P*, the gap of distant pairs with the rupture
-/// distance.
-struct Unit {
-    double offset = 0, size = 1;
-    double by_inverse_pressure = 0, by_bridge_volume = 0;  ///< derivatives of `size`
-};
-
-Unit unit_at(Observable which, const FlowState& state) {
-    using enum Observable;
-    switch (which) {
-        case capillary_stress_22:
-        case capillary_pressure:
-        case capillary_shear_stress:
-        case capillary_shear_stress_contact:
-        case capillary_shear_stress_distant:
-            return {.size = state.inverse_pressure, .by_inverse_pressure = 1};
-        case distant_length: {
-            const double rupture_distance = std::cbrt(state.bridge_volume);
-            return {.offset = 1,
-                    .size = rupture_distance,
-                    .by_bridge_volume = rupture_distance / (3 * state.bridge_volume)};
-        }
-        default:
-            return {};
-    }
-}
-
-Domain domain_of(Observable which) {
-    return Emulator::of_bridges(which)                 ? Domain::bridges
-           : which == Observable::contact_coordination ? Domain::contacts
-                                                       : Domain::all_flow;
-}
-
-bool depends_on_stiffness(Observable which) {
-    return !in_pair(which) && which != Observable::mean_overlap &&
-           which != Observable::first_normal_stress_difference &&
-           which != Observable::second_normal_stress_difference;
-}
-
-/// Whether a run says something of an observable, be it with effects or without.
-bool tells(const dem::RunResult& run, Observable which) {
-    const double stiffness = run.parameters.stiffness_number / Emulator::reference_stiffness;
-    return (run.parameters.wetting || !Emulator::of_bridges(which)) &&
-           (!depends_on_stiffness(which) ||
-            (stiffness <= stiffness_factor && stiffness >= 1 / stiffness_factor));
-}
 
 /// Whether it says something of beads without effects.
 bool teaches(const dem::RunResult& run, Observable which) {
     return run.parameters.effects.empty() && tells(run, which);
 }
 
-Coordinates place_of(const FlowState& state) {
-    Coordinates at = coordinates(state, friction_centre, exponent);
-    at.x = std::log((state.friction + friction_scale) / (friction_centre + friction_scale));
-    return at;
+/// The observable under whose name the process stands that answers for this one.
+Observable process_for(Observable which) {
+    return in_pair(which) ? pair[0] : which;
 }
 
 /// What the process of an observable knows: of the pair, both.
@@ -141,37 +74,6 @@ Observations observations_of(const std::vector<dem::RunResult>& runs, Observable
 double unit_of(const Observations& known, Eigen::Index quantity) {
     return std::sqrt(known.values.col(quantity).squaredNorm() /
                      static_cast<double>(known.at.size()));
-}
-
-/// How large the amplitude of an effect comes in studies; in the units of a run at 1 kPa.
-double response_scale(const std::string& name) {
-    const Effect& effect = built_in_effect(name);
-    const EffectParameter& p = effect.parameters.front();
-    if (p.is_switch()) {
-        return 1;
-    }
-    const EffectValues scale = in_run_units({name, {p.neutral + 5 * p.matters}}, 1000,
-                                            {.diameter = 500e-6, .density = 1050});
-    const double value = scale.values.front();
-    return p.amplitude ? p.amplitude(value) : value - p.neutral;
-}
-
-/// The amplitude with which an effect grows in proportion, 0 at neutral; of a few parameters the
-/// first that is off neutral.
-double response_amplitude(const EffectValues& values) {
-    const Effect& effect = built_in_effect(values.effect);
-    const EffectParameter& p = effect.parameters.front();
-    const double value = values.values.front();
-    return p.amplitude ? p.amplitude(value) - p.amplitude(p.neutral) : value - p.neutral;
-}
-
-/// Where the response to an effect is asked; widths are those of the studies' range.
-ResponsePlace response_place(const FlowState& state, const EffectValues& values) {
-    const Coordinates at = place_of(state);
-    ResponsePlace place;
-    place << at.x, at.q / 0.1, std::log1p(10 * at.u) / 1.5, state.dry() ? 0.0 : at.v,
-        response_amplitude(values) / response_scale(values.effect);
-    return place;
 }
 
 /// A query is a sum of what a process can be asked, each with a factor.
@@ -359,109 +261,6 @@ const GaussianProcess& Emulator::process_of(Observable which) const {
         process = std::make_unique<GaussianProcess>(std::move(kernels), known);
     }
     return *process;
-}
-
-/// Queries that one response answers.
-struct Emulator::Affected {
-    const EffectResponse* response;
-    std::vector<Eigen::Index> queries;
-    std::vector<ResponsePlace> places;
-    Eigen::VectorXd amplitudes;
-    Eigen::VectorXd sizes;  ///< of the observable's unit
-};
-
-EffectResponse Emulator::learn_response(const std::string& effect, Observable which) const {
-    std::vector<Query> plain;
-    std::vector<ResponsePlace> places;
-    std::vector<double> amplitudes, told, variances, sizes;
-    for (const auto& run : runs_) {
-        const auto& effects = run.parameters.effects;
-        if (effects.size() != 1 || effects[0].effect != effect || !tells(run, which)) {
-            continue;
-        }
-        FlowState state = state_of(run.parameters);
-        places.push_back(response_place(state, effects[0]));
-        amplitudes.push_back(response_amplitude(effects[0]));
-        sizes.push_back(unit_at(which, state).size);
-        told.push_back(taught(run, which).value / sizes.back());
-        variances.push_back(noise_variance(run, which) / (sizes.back() * sizes.back()));
-        state.effects.clear();
-        plain.push_back({state, which});
-    }
-    if (plain.empty()) {
-        throw std::invalid_argument(fmt::format(
-            "no known run has the effect {}; the atlas that comes with the program has some: name "
-            "it with $PENDULAR_ATLAS, or make a campaign with {} in it",
-            effect, effect));
-    }
-    const auto vector = [](const std::vector<double>& v) {
-        return Eigen::VectorXd(
-            Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())));
-    };
-    const Eigen::VectorXd size = vector(sizes);
-    Eigen::MatrixXd covariance = size.cwiseInverse().asDiagonal() * plain_covariance(plain) *
-                                 size.cwiseInverse().asDiagonal();
-    covariance.diagonal() += vector(variances);
-    return {std::move(places), vector(amplitudes),
-            vector(told) - plain_mean(plain).cwiseQuotient(size), covariance};
-}
-
-const EffectResponse& Emulator::response_to(const std::string& effect, Observable which) const {
-    const std::pair key(effect, which);
-    auto found = responses_.find(key);
-    if (found == responses_.end()) {
-        found = responses_.emplace(key, learn_response(effect, which)).first;
-    }
-    return found->second;
-}
-
-std::vector<Emulator::Affected> Emulator::affected(const std::vector<Query>& queries) const {
-    std::map<std::pair<std::string, Observable>, Affected> by_response;
-    std::map<std::pair<std::string, Observable>, std::vector<std::pair<double, double>>> factors;
-    for (std::size_t k = 0; k < queries.size(); ++k) {
-        const Query& query = queries[k];
-        for (const EffectValues& values : query.state.effects) {
-            if (query.by) {
-                continue;
-            }
-            const std::pair key(values.effect, query.which);
-            Affected& one = by_response[key];
-            one.response = &response_to(values.effect, query.which);
-            one.queries.push_back(static_cast<Eigen::Index>(k));
-            one.places.push_back(response_place(query.state, values));
-            factors[key].emplace_back(response_amplitude(values),
-                                      unit_at(query.which, query.state).size);
-        }
-    }
-    std::vector<Affected> result;
-    for (auto& [key, one] : by_response) {
-        const auto n = static_cast<Eigen::Index>(one.queries.size());
-        one.amplitudes.resize(n), one.sizes.resize(n);
-        for (Eigen::Index k = 0; k < n; ++k) {
-            std::tie(one.amplitudes(k), one.sizes(k)) = factors[key][static_cast<std::size_t>(k)];
-        }
-        result.push_back(std::move(one));
-    }
-    return result;
-}
-
-Eigen::VectorXd Emulator::mean(const std::vector<Query>& queries) const {
-    Eigen::VectorXd result = plain_mean(queries);
-    for (const Affected& one : affected(queries)) {
-        result(one.queries) +=
-            one.sizes.cwiseProduct(one.response->mean(one.places, one.amplitudes));
-    }
-    return result;
-}
-
-Eigen::MatrixXd Emulator::covariance(const std::vector<Query>& queries) const {
-    Eigen::MatrixXd result = plain_covariance(queries);
-    for (const Affected& one : affected(queries)) {
-        result(one.queries, one.queries) += one.sizes.asDiagonal() *
-                                            one.response->covariance(one.places, one.amplitudes) *
-                                            one.sizes.asDiagonal();
-    }
-    return result;
 }
 
 Eigen::VectorXd Emulator::plain_mean(const std::vector<Query>& queries) const {

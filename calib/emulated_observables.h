@@ -1,0 +1,35 @@
+#pragma once
+
+#include "calib/emulator.h"
+
+namespace pendular::emulated {
+
+// Over which coordinates and in which units each observable is emulated.
+
+/// Coordinate of friction: about ln(friction), straight below 0.02, where flow changes fastest.
+inline constexpr double friction_scale = 0.02, friction_centre = 0.1;
+/// Coordinate of the inertial number: I^0.5.
+inline constexpr double exponent = 0.5;
+
+/// Stress ratio and solid fraction share one process.
+inline constexpr dem::Observable pair[] = {dem::Observable::stress_ratio,
+                                           dem::Observable::solid_fraction};
+bool in_pair(dem::Observable which);
+
+/// What an observable is emulated over, so that what is left changes little: value = offset + size
+/// x process. Capillary stresses over s22 go with 1/P*, the gap of distant pairs with the rupture
+/// distance.
+struct Unit {
+    double offset = 0, size = 1;
+    double by_inverse_pressure = 0, by_bridge_volume = 0;  ///< derivatives of `size`
+};
+Unit unit_at(dem::Observable which, const FlowState& state);
+
+Domain domain_of(dem::Observable which);
+
+/// Whether a run says something of an observable, be it with effects or without.
+bool tells(const dem::RunResult& run, dem::Observable which);
+
+Coordinates place_of(const FlowState& state);
+
+}  // namespace pendular::emulated
