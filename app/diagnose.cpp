@@ -96,6 +96,12 @@ int diagnose(const std::vector<std::string>& arguments) {
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
+    for (const std::string& beyond : models.beyond(diagnosis.fit.parameters(0))) {
+        console.note(fmt::format(
+            "the emulator extrapolates: {} of the runs it knows; what seems missing there may be "
+            "its own error ('pendular calibrate' orders runs there)",
+            beyond));
+    }
     const auto figures = common->out_folder() / "figures";
     draw(diagnosis_figure(diagnosis, models), figures);
     console.line(fmt::format("figure: {}", (figures / "diagnosis.png").string()));

@@ -43,6 +43,18 @@ StudyModels::StudyModels(const Study& study, std::vector<Condition> conditions,
     }
 }
 
+std::vector<std::string> StudyModels::beyond(double friction) const {
+    std::vector<std::string> texts;
+    for (const Condition& condition : conditions_) {
+        const std::string text =
+            simulation_->emulator().beyond(simulation_->state_of(friction, condition));
+        if (!text.empty() && std::ranges::find(texts, text) == texts.end()) {
+            texts.push_back(text);
+        }
+    }
+    return texts;
+}
+
 bool StudyModels::told(const Effect& effect) const {
     return !effect.of_grains() ||
            std::ranges::any_of(simulation_->runs(), [&](const dem::RunResult& run) {

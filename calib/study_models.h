@@ -36,6 +36,10 @@ class StudyModels : public ModelSpace {
     /// Effects that are neither listed nor candidates.
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
+    /// In what readings lie beyond all known runs at this friction, as in "reduced pressure 0.3 is
+    /// below 0.5"; each once, without effects.
+    std::vector<std::string> beyond(double friction) const;
+
     /// A study that lists every effect, so that runs with any of them serve it.
     static Study with_all_effects(Study study);
 

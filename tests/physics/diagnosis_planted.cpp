@@ -21,10 +21,6 @@ struct Planted {
     double value;
 };
 
-void PrintTo(const Planted& planted, std::ostream* out) {
-    *out << planted.effect << " " << planted.value;
-}
-
 const StudyModels& models() {
     static const Study study = [] {
         Study with_readings = study_with("dem");
@@ -72,32 +68,70 @@ Diagnosis diagnosed(const Planted& planted, std::uint64_t seed) {
     return diagnose(models(), evidence_of(readings_with(planted, seed), {}));
 }
 
-class PlantedEffects : public testing::TestWithParam<Planted> {};
+/// One size each, so that it can be seen: a few times what matters; switches are on.
+const std::vector<Planted> all_planted = {
+    {"torque-offset", 2e-3},  {"torque-gain", 1.1},      {"normal-force-offset", 0.15},
+    {"wall-friction", 0.15},  {"grain-weight", 1},       {"height-offset", 3e-4},
+    {"bead-loss", 0.02},      {"lid-slip", 0.5},         {"liquid-loss", 1e-3},
+    {"wet-friction", 0.03},   {"contact-angle", 0.9},    {"capillary-bridges", 0.03},
+    {"willett-bridges", 1},   {"rupture-distance", 0.3}, {"reversible-bridges", 1},
+    {"viscous-bridges", 0.1}, {"capillary-coulomb", 1},  {"rolling-resistance", 0.1},
+    {"dry-adhesion", 1e-5},   {"polydispersity", 0.2},
+};
+
+bool names(const Diagnosis& d, const std::string& effect) {
+    return std::ranges::find(d.effects, effect) != d.effects.end();
+}
+
+/// Whether a diagnosis says what it should of an effect that is there alone: by its noncentrality
+/// v, and by v (1 - cos^2), which is what its nearest rival leaves of it.
+bool right(const Diagnosis& d, const Finding& truth, const std::string& effect) {
+    constexpr double seen = 15;
+    double nearest = 0;
+    for (const Finding& other : d.scan) {
+        if (other.candidate != truth.candidate && other.test.seen() && other.identifiable) {
+            nearest =
+                std::max(nearest, std::abs(truth.test.basis.col(0).dot(other.test.basis.col(0))));
+        }
+    }
+    const double v = truth.test.predicted_drop;
+    if (v < seen && d.verdict == Verdict::inconclusive) {
+        return names(d, effect);
+    }
+    const bool alone = d.verdict == Verdict::missing && d.effects.size() == 1;
+    const bool among = d.verdict == Verdict::missing || d.verdict == Verdict::indistinguishable;
+    return names(d, effect) && (v * (1 - nearest * nearest) >= seen ? alone : among);
+}
+
+std::string told(const Planted& planted, const Diagnosis& d, const Finding& truth) {
+    std::string text = planted.effect + ": " + std::string(to_string(d.verdict));
+    for (const std::string& effect : d.effects) {
+        text += " " + effect;
+    }
+    return text + ", drop " + std::to_string(truth.test.predicted_drop) + ", refitted " +
+           std::to_string(truth.refit_drop.value_or(0)) + "\n";
+}
 
 }  // namespace
 
-TEST_P(PlantedEffects, AreNamedWithWhatTheirAdditionBrings) {
-    const Planted& planted = GetParam();
-    const Diagnosis d = diagnosed(planted, 5);
-    EXPECT_TRUE(d.verdict == Verdict::missing || d.verdict == Verdict::indistinguishable)
-        << to_string(d.verdict);
-    EXPECT_THAT(d.effects, Contains(planted.effect));
-    const auto finding =
-        std::ranges::find(d.scan, place_of(planted.effect).front(), &Finding::candidate);
-    ASSERT_TRUE(finding->refit_drop.has_value());
-    EXPECT_NEAR(finding->test.predicted_drop, *finding->refit_drop,
-                std::max(4.0, 0.2 * *finding->refit_drop));
+TEST(PlantedDiagnosis, NamesEveryEffectWithWhatItsAdditionBrings) {
+    std::size_t as_expected = 0, as_foretold = 0;
+    std::string otherwise;
+    for (const Planted& planted : all_planted) {
+        const Diagnosis d = diagnosed(planted, 5);
+        const auto truth =
+            std::ranges::find(d.scan, place_of(planted.effect).front(), &Finding::candidate);
+        const double drop = truth->refit_drop.value_or(0);
+        const bool foretold =
+            std::abs(truth->test.predicted_drop - drop) <= std::max(4.0, 0.2 * drop);
+        const bool verdict = right(d, *truth, planted.effect);
+        as_expected += verdict, as_foretold += foretold;
+        otherwise += verdict && foretold ? "" : told(planted, d, *truth);
+    }
+    // Each verdict is right in 90 to 95 % of cases.
+    EXPECT_GE(as_expected, all_planted.size() - 2) << otherwise;
+    EXPECT_GE(as_foretold, all_planted.size() - 2) << otherwise;
 }
-
-INSTANTIATE_TEST_SUITE_P(OfEveryKind, PlantedEffects,
-                         testing::Values(Planted{"torque-offset", 1e-3},
-                                         Planted{"wet-friction", 0.03},
-                                         Planted{"polydispersity", 0.2}),
-                         [](const auto& info) {
-                             std::string name = info.param.effect;
-                             std::ranges::replace(name, '-', '_');
-                             return name;
-                         });
 
 TEST(PlantedDiagnosis, TellsTheAngleFromTheTensionByNothing) {
     const Diagnosis d = diagnosed({"contact-angle", 0.9}, 5);
