@@ -65,8 +65,11 @@ int compare(const std::vector<std::string>& arguments) {
     }
     draw_cohesion_lines(c);
 
+    // Without the errors of the fitted parameters, which the checks take out themselves.
+    const Prediction at_fit =
+        model.model().predict_conditions(c.fit.parameters, conditions_of(c.readings));
     const WhereItFails where =
-        where_it_fails(c.readings, measurements.scatter, c.prediction, c.parameters);
+        where_it_fails(c.readings, measurements.scatter, at_fit, c.parameters);
     const auto json = to_json(comparison, c.cohesion_lines, where);
     write_json(out / "compare.json", json);
     console.line(fmt::format(

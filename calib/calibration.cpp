@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "calib/effect_model.h"
+#include "calib/undetermined.h"
 #include "data/input_error.h"
 #include "sim/effect_catalogue.h"
 
@@ -280,6 +281,7 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
     study_model.note_in(c);
     std::ranges::copy(simulation.notes(), std::back_inserter(c.notes));
     std::ranges::copy(warnings(c), std::back_inserter(c.notes));
+    std::ranges::copy(undetermined(c.fit, c.parameters), std::back_inserter(c.notes));
     c.cohesion = request.cohesion;
     draw_cohesion_lines(c);
     if (request.profile) {

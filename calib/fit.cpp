@@ -208,14 +208,14 @@ void polish(const Model& model, const Measured& measured, const Whitening& white
 }
 
 /// Covariance of the parameters, (J' J)^-1 of the whitened derivatives by singular values, with
-/// columns of length 1, so that it does not depend on units; a variance of zero stands for one that
-/// the residuals do not determine.
+/// columns of length 1, so that it does not depend on units; what the residuals do not determine has
+/// errors beyond any range.
 Eigen::MatrixXd parameter_covariance(const Eigen::MatrixXd& whitened_jacobian) {
     const Scaled scaled(whitened_jacobian);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.jacobian, Eigen::ComputeThinV);
     const Eigen::VectorXd& s = svd.singularValues();
-    const Eigen::VectorXd inverse =
-        (s.array() > 1e-10 * s(0)).select(s.array().inverse(), Eigen::ArrayXd::Zero(s.size()));
+    const double least = s(0) > 0 ? 1e-10 * s(0) : 1e-10;
+    const Eigen::VectorXd inverse = s.cwiseMax(least).cwiseInverse();
     const Eigen::MatrixXd root =
         scaled.length.cwiseInverse().asDiagonal() * svd.matrixV() * inverse.asDiagonal();
     return root * root.transpose();
@@ -296,7 +296,7 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     result.measurement_part = caused_by(measured.covariance);
     result.run_part = caused_by(result.prediction.run_noise);
     for (Eigen::Index k = 0; k < parameters.size(); ++k) {
-        if (!(result.covariance(k, k) > 0)) {
+        if (!(result.prediction.jacobian.col(k).squaredNorm() > 0)) {
             result.converged = false;
             result.message = "the readings do not determine " +
                              model.parameters()[static_cast<std::size_t>(k)].name;

@@ -1,5 +1,6 @@
 // The fitter on models whose answer is known in closed form.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -7,6 +8,7 @@
 #include <random>
 
 #include "calib/fit.h"
+#include "calib/undetermined.h"
 
 using namespace pendular;
 
@@ -51,6 +53,23 @@ Measured some_readings(const Linear& model, unsigned seed) {
 }
 
 }  // namespace
+
+TEST(Fit, NamesWhatTheReadingsDoNotTellApart) {
+    Linear model(6, 3, 1);
+    model.matrix.col(2) = -2 * model.matrix.col(1);
+    model.names[2].unit = "mN";
+    const Fit result = fit(model, some_readings(model, 2), Eigen::VectorXd::Constant(3, 0.1));
+    const auto sentences = undetermined(result, model.names);
+    ASSERT_EQ(sentences.size(), 1u);
+    EXPECT_THAT(sentences.front(),
+                testing::HasSubstr("do not tell p1 and p2 apart: changed in the proportion "
+                                   "1 : 0.5 mN"));
+    const Linear determined(6, 3, 1);
+    EXPECT_TRUE(undetermined(fit(determined, some_readings(determined, 2),
+                                 Eigen::VectorXd::Constant(3, 0.1)),
+                             determined.names)
+                    .empty());
+}
 
 TEST(Fit, IsGeneralisedLeastSquares) {
     const Linear model(6, 3, 1);
