@@ -112,12 +112,14 @@ class Checking {
     }
     void trends(const Covariate& covariate) {
         for (std::size_t o = 0; o < kinds_.observables.size(); ++o) {
-            Eigen::VectorXd along = ranks(covariate.values);
+            // In proportion to what was measured, and of this observable alone.
+            Eigen::VectorXd along = ranks(covariate.values).cwiseProduct(residuals_.measured());
             for (Eigen::Index k = 0; k < along.size(); ++k) {
                 if (kinds_.observable[static_cast<std::size_t>(k)] != o) along(k) = 0;
             }
-            const Eigen::VectorXd left = residuals_.project(along);
-            if (!(left.squaredNorm() > 1e-9)) continue;
+            const Eigen::VectorXd whitened = residuals_.whiten(along);
+            const Eigen::VectorXd left = residuals_.project(whitened);
+            if (!(left.squaredNorm() > 1e-9 * whitened.squaredNorm())) continue;
             const Eigen::VectorXd direction = left.normalized();
             // Signed, so that it says whether the measured values grow beyond the model's.
             Check check{.kind = Check::Kind::trend,

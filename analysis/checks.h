@@ -55,11 +55,12 @@ struct EntryKinds {
 /// draws, so that the probability of all checks together is exact: it counts how often the least p
 /// of any is as small.
 ///
-/// The score process is  S(x) = sum_{x_i <= x} J_i [W (y - f)]_i,  which ends at zero at the
-/// optimum and wanders like a Brownian bridge; its largest distance from zero over its standard
-/// deviation counts (Hjort and Koning 2002). Neighbours: r' K r with a Gaussian kernel over all
-/// covariates, at three lengths. Trends: correlation of whitened residuals with the covariate's
-/// rank.
+/// The score process is  S(x) = sum_{x_i <= x} (L^-1 J)_i (L^-1 (y - f))_i,  which ends at zero at
+/// the optimum and wanders like a Brownian bridge; its largest distance from zero over its standard
+/// deviation counts (after Hjort and Koning 2002; of whitened entries, each of which has a part of
+/// those before it where errors are correlated). Runs: of readings in their order. Neighbours:
+/// r' K r with a Gaussian kernel over all covariates, at three lengths. Trends: of the readings of
+/// one observable, in proportion to the covariate's rank.
 Checks check_fit(const WeightedResiduals& residuals, const EntryKinds& kinds,
                  const std::vector<Covariate>& covariates, const NullDraws& draws);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "analysis/explanations.h"
@@ -82,6 +83,7 @@ class Diagnostician {
     std::vector<Addition> additions_;
     std::vector<Signature> signatures_;
     std::vector<ScoreTest> suspect_tests_;
+    std::vector<Explanation> standing_suspects_;
     Diagnosis result_;
 };
 
@@ -210,7 +212,8 @@ void Diagnostician::settle_for_base() {
             result_.effects.push_back(name(finding.candidate));
         }
     }
-    const bool all_seen = result_.effects.empty() && !evidence_.errors_assumed;
+    const bool any_seen = std::ranges::any_of(result_.scan, &Finding::identifiable);
+    const bool all_seen = any_seen && result_.effects.empty() && !evidence_.errors_assumed;
     result_.verdict = all_seen ? Verdict::nothing_missing : Verdict::inconclusive;
 }
 
@@ -245,13 +248,18 @@ Eigen::VectorXd Diagnostician::start_with(const Choice& chosen,
 
 void Diagnostician::try_explanation(const Choice& chosen, std::optional<std::size_t> suspect,
                                     const Eigen::MatrixXd& columns) {
-    Explanation explanation = explanations_.refit(chosen, suspect, start_with(chosen, columns));
+    Explanation explanation;
+    try {
+        explanation = explanations_.refit(chosen, suspect, start_with(chosen, columns));
+    } catch (const std::domain_error&) {
+        return;  // so much of it that nothing real could show these readings
+    }
     explanations_.judge(explanation);
     if (chosen.size() == 1 && !suspect) {
         result_.scan[chosen.front()].refit_drop = base_.chi2 - explanation.chi2;
     }
     if (explanation.accepted) {
-        result_.confidence_set.push_back(explanation);
+        (suspect ? standing_suspects_ : result_.confidence_set).push_back(explanation);
     }
     result_.tried.push_back(std::move(explanation));
 }
@@ -310,7 +318,11 @@ void Diagnostician::search_pairs() {
 
 void Diagnostician::search() {
     search_singles();
-    if (result_.confidence_set.empty()) search_suspects();
+    search_suspects();
+    for (const Explanation& each : standing_suspects_) {
+        result_.suspects.push_back(evidence_.suspects[*each.suspect].name);
+    }
+    if (result_.confidence_set.empty()) result_.confidence_set = standing_suspects_;
     if (result_.confidence_set.empty()) search_pairs();
 }
 
@@ -322,9 +334,6 @@ void Diagnostician::conclude() {
     }
     if (set.front().suspect) {
         result_.verdict = Verdict::suspect_measurement;
-        for (const Explanation& each : set) {
-            result_.suspects.push_back(evidence_.suspects[*each.suspect].name);
-        }
         return;
     }
     // What all of them share is missing; without that, they cannot be told apart.
@@ -360,13 +369,23 @@ void Diagnostician::decide() {
     for (Finding& finding : result_.scan) {
         const bool pointed_at =
             std::ranges::find(result_.effects, name(finding.candidate)) != result_.effects.end();
-        if (!finding.identifiable) {
+        const auto in_set = [&](const Explanation& each) {
+            return std::ranges::find(each.chosen, finding.candidate) != each.chosen.end();
+        };
+        const auto unsettled = [&](const Explanation& each) {
+            return each.chosen == Choice{finding.candidate} && !each.fit.converged;
+        };
+        if (!base && pointed_at) {
+            finding.decision = result_.verdict == Verdict::missing ? "missing" : "may be missing";
+        } else if (!base && std::ranges::any_of(result_.confidence_set, in_set)) {
+            finding.decision = "may be missing too";
+        } else if (std::ranges::any_of(result_.tried, unsettled)) {
+            finding.decision = "its fit did not settle";
+        } else if (!finding.identifiable) {
             finding.decision = "cannot be seen";
         } else if (base) {
             finding.decision =
                 finding.power < options_.wanted_power ? "cannot be excluded" : "absent";
-        } else if (pointed_at) {
-            finding.decision = result_.verdict == Verdict::missing ? "missing" : "may be missing";
         } else {
             finding.decision = finding.refit_drop ? "does not explain it" : "no sign of it";
         }

@@ -71,8 +71,8 @@ struct Finding {
 /// What is missing from a model, if anything.
 struct Diagnosis {
     Verdict verdict = Verdict::inconclusive;
-    std::vector<std::string> effects;         ///< that the verdict points at
-    std::vector<std::string> suspects;        ///< likewise
+    std::vector<std::string> effects;   ///< that the verdict points at
+    std::vector<std::string> suspects;  ///< each of which, if off, would explain the readings too
     std::vector<Explanation> confidence_set;  ///< the smallest models that stand
     std::vector<Explanation> tried;           ///< all that were refitted
     std::vector<Finding> scan;                ///< a finding a candidate, most telling first

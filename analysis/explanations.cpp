@@ -88,6 +88,23 @@ Explanation Explanations::refit(const Choice& chosen, std::optional<std::size_t>
     return result;
 }
 
+WeightedResiduals Explanations::residuals_of(const Explanation& explanation) const {
+    Prediction prediction = explanation.fit.prediction;
+    const Model& model = space_.with(explanation.chosen);
+    const Supported supported = model.supported();
+    for (std::size_t k = 0; k < model.parameters().size(); ++k) {
+        const Parameter& p = model.parameters()[k];
+        const auto i = static_cast<Eigen::Index>(k);
+        const double least = std::max(p.lower, supported.lower(i)),
+                     greatest = std::min(p.upper, supported.upper(i)),
+                     close = 1e-6 * (greatest - least), at = explanation.fit.parameters(i);
+        if (at - least < close || greatest - at < close) {
+            prediction.jacobian.col(i).setZero();
+        }
+    }
+    return {evidence_.measured, prediction};
+}
+
 double Explanations::lack_of_fit_p(const WeightedResiduals& residuals) const {
     const Eigen::MatrixXd means = residuals.means_over(evidence_.conditions);
     const double observed = (means.transpose() * residuals.residuals()).squaredNorm();

@@ -21,9 +21,8 @@ class Explanations {
     /// Tests a refitted model and says whether it stands.
     void judge(Explanation& explanation) const;
 
-    WeightedResiduals residuals_of(const Explanation& explanation) const {
-        return {evidence_.measured, explanation.fit.prediction};
-    }
+    /// Parameters at the end of their range take nothing over: they cannot move.
+    WeightedResiduals residuals_of(const Explanation& explanation) const;
     double lack_of_fit_p(const WeightedResiduals& residuals) const;
     /// Of each suspect but this one.
     std::vector<ScoreTest> suspect_tests(const WeightedResiduals& residuals,

@@ -26,7 +26,7 @@ void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const S
                     const Eigen::VectorXd& projected, bool is_switch) {
     const double v = projected.squaredNorm();
     double u = projected.dot(residuals.residuals()), noise = 0;
-    test.information = v;
+    test.length = test.information = v;
     if (signature.errors.change.size() > 0) {
         u += trace_of_projected(residuals, signature.errors.with_without);
         test.information -= trace_of_projected(residuals, signature.errors.change);
@@ -70,7 +70,7 @@ ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signat
     test.estimate = decomposed.solve(residuals.residuals());
     test.statistic = (test.basis.transpose() * residuals.residuals()).squaredNorm();
     test.predicted_drop = test.statistic;
-    test.information = projected.col(0).squaredNorm();
+    test.length = test.information = projected.col(0).squaredNorm();
     test.standard_error = 1 / std::sqrt(test.information);
     return test;
 }
@@ -100,7 +100,8 @@ Eigen::VectorXd ScoreTest::drawn(const NullDraws& draws) const {
 }
 
 double ScoreTest::power(double amplitude, double limit) const {
-    const double away = std::abs(amplitude) * std::sqrt(std::max(0.0, information));
+    const double away =
+        length > 0 ? std::abs(amplitude) * std::max(0.0, information) / std::sqrt(length) : 0.0;
     const double needed = critical(limit);
     if (one_sided) {
         return boost::math::cdf(boost::math::normal(), away - std::sqrt(needed));
@@ -118,7 +119,7 @@ double ScoreTest::detectable(double wanted, double limit) const {
     // The other tail of a two-sided test counts for nothing at powers worth asking for.
     const double away =
         std::sqrt(critical(limit)) + boost::math::quantile(boost::math::normal(), wanted);
-    return away / std::sqrt(information);
+    return away * std::sqrt(length) / information;
 }
 
 FamilyOfTests::FamilyOfTests(const std::vector<ScoreTest>& tests, const NullDraws& draws) {
@@ -144,7 +145,7 @@ double FamilyOfTests::p(double smallest) const {
 
 double FamilyOfTests::limit(double probability) const {
     // By halving: p() falls with its argument.
-    double low = 1e-12, high = 1;
+    double low = 1e-300, high = 1;
     for (int halving = 0; halving < 60 && high / low > 1.001; ++halving) {
         const double middle = std::sqrt(low * high);
         (p(middle) < probability ? low : high) = middle;

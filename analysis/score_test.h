@@ -23,8 +23,10 @@ struct ScoreTest {
     double standard_error = 0;  ///< of the first amplitude
     double statistic = 0;       ///< chi2 of as many degrees of freedom as the basis has columns
     double predicted_drop = 0;  ///< of chi2
-    double information = 0;     ///< v_c: 1/variance of the amplitude
-    double absorbed = 0;        ///< part of g'g that the calibrated parameters take over
+    double length = 0;          ///< v
+    double information =
+        0;                ///< v_c: an amplitude A makes the statistic's noncentrality A^2 v_c^2/v
+    double absorbed = 0;  ///< part of g'g that the calibrated parameters take over
     bool one_sided = false;
 
     /// Whether the readings tell anything of it.

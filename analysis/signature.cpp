@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace pendular {
@@ -19,7 +20,12 @@ Eigen::VectorXd Addition::change_at(const Eigen::VectorXd& values) const {
     more.push_back(added_);
     Eigen::VectorXd all(parameters_.size() + values.size());
     all << parameters_, values;
-    return space_.with(more).values(all) - values_;
+    try {
+        return space_.with(more).values(all) - values_;
+    } catch (const std::domain_error&) {
+        // Nothing real could show these readings with so much of it: no change that can be seen.
+        return Eigen::VectorXd::Constant(values_.size(), std::nan(""));
+    }
 }
 
 Eigen::VectorXd Addition::neutral() const {
@@ -70,7 +76,7 @@ Signature Addition::signature(bool with_errors) const {
             result.change /= result.taken_at;
         }
     }
-    if (with_errors && result.change.cols() == 1) {
+    if (with_errors && result.change.cols() == 1 && result.change.allFinite()) {
         result.errors = space_.change_errors(chosen_, parameters_, added_, seen_at);
         result.errors.change /= result.taken_at * result.taken_at;
         result.errors.with_without /= result.taken_at;
@@ -81,8 +87,9 @@ Signature Addition::signature(bool with_errors) const {
 void Addition::retake(Signature& signature, double amplitude) const {
     const double value = value_at(amplitude, signature.one_sided);
     const double taken_at = amplitude_at(value, signature.one_sided);
-    if (taken_at != 0) {
-        signature.change = change_at(Eigen::VectorXd::Constant(1, value)) / taken_at;
+    const Eigen::VectorXd change = change_at(Eigen::VectorXd::Constant(1, value));
+    if (taken_at != 0 && change.allFinite()) {
+        signature.change = change / taken_at;
         signature.taken_at = taken_at;
     }
 }

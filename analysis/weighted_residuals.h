@@ -20,6 +20,8 @@ class WeightedResiduals {
 
     Eigen::Index size() const { return residuals_.size(); }
     const Eigen::VectorXd& residuals() const { return residuals_; }
+    /// y.
+    const Eigen::VectorXd& measured() const { return measured_; }
     double chi2() const { return residuals_.squaredNorm(); }
 
     /// L^-1 times columns of changes in the units of the readings.

@@ -23,8 +23,8 @@ struct WhereItFails {
     std::vector<Offending> offending;  ///< those with p < 0.05, the worst first
 };
 
-/// `prediction` of the model at the calibrated `parameters`, with its slopes and the covariance that
-/// the simulation causes. Limits are from random errors with this seed.
+/// `prediction` of the model at the calibrated `parameters`, with its slopes and the covariance
+/// that the simulation causes. Limits are from random errors with this seed.
 WhereItFails where_it_fails(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                             const Prediction& prediction, const std::vector<Parameter>& parameters,
                             std::uint64_t seed = 1);

@@ -96,6 +96,17 @@ int diagnose(const std::vector<std::string>& arguments) {
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
+    for (const LeftAside& aside : models.left_aside()) {
+        if (aside.untold) {
+            console.note(fmt::format("{} was not tested: {}", aside.effect, aside.why));
+        }
+    }
+    if (!diagnosis.fit.converged) {
+        console.note(
+            fmt::format("the fit did not converge ({}): the verdict is of a model that is "
+                        "not at its best; 'pendular calibrate' says more",
+                        diagnosis.fit.message));
+    }
     for (const std::string& beyond : models.beyond(diagnosis.fit.parameters(0))) {
         console.note(fmt::format(
             "the emulator extrapolates: {} of the runs it knows; what seems missing there may be "

@@ -64,7 +64,12 @@ class WhitenedResiduals : public ceres::CostFunction {
             ++refused_;
             return false;
         }
-        const Prediction prediction = model_.predict_mean(at);
+        Prediction prediction;
+        try {
+            prediction = model_.predict_mean(at);
+        } catch (const std::domain_error&) {
+            return false;  // an effect so large that nothing real could show the readings
+        }
         if (!prediction.value.allFinite() || !prediction.jacobian.allFinite()) {
             return false;
         }
@@ -208,8 +213,8 @@ void polish(const Model& model, const Measured& measured, const Whitening& white
 }
 
 /// Covariance of the parameters, (J' J)^-1 of the whitened derivatives by singular values, with
-/// columns of length 1, so that it does not depend on units; what the residuals do not determine has
-/// errors beyond any range.
+/// columns of length 1, so that it does not depend on units; what the residuals do not determine
+/// has errors beyond any range.
 Eigen::MatrixXd parameter_covariance(const Eigen::MatrixXd& whitened_jacobian) {
     const Scaled scaled(whitened_jacobian);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.jacobian, Eigen::ComputeThinV);

@@ -67,7 +67,8 @@ void StudyModels::add_candidate(const Effect& effect) {
     if (const auto why = why_not(effect, study_)) {
         left_aside_.push_back({effect.name, *why});
     } else if (!told(effect)) {
-        left_aside_.push_back({effect.name, "no known run has it alone"});
+        left_aside_.push_back(
+            {effect.name, "no known run has it alone; 'pendular campaign' makes such runs", true});
     } else {
         Candidate candidate{effect.name, effect.parameters};
         if (effect.on_with_liquid && study_.liquid) {

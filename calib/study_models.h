@@ -17,6 +17,7 @@ namespace pendular {
 /// An effect that is no candidate, and why.
 struct LeftAside {
     std::string effect, why;
+    bool untold = false;  ///< it applies, but no run tells what it does
 };
 
 /// The emulated model of a study, with the effects that the study lists, and every further effect

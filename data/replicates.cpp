@@ -110,7 +110,12 @@ Eigen::Matrix2d estimated_covariance(const Reading& reading, const ReplicateScat
 
 bool are_replicates(const Reading& a, const Reading& b) {
     constexpr double rounding = 1e-9;
-    return std::abs(a.condition.liquid_content - b.condition.liquid_content) <= rounding &&
+    const bool same_filling =
+        a.condition.bead_volume && b.condition.bead_volume
+            ? close(*a.condition.bead_volume, *b.condition.bead_volume)
+            : a.condition.bead_volume.has_value() == b.condition.bead_volume.has_value();
+    return same_filling &&
+           std::abs(a.condition.liquid_content - b.condition.liquid_content) <= rounding &&
            close(a.condition.normal_stress, b.condition.normal_stress) &&
            close(a.condition.inertial_number, b.condition.inertial_number);
 }

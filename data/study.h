@@ -10,6 +10,7 @@
 #include "data/grains.h"
 #include "data/input_error.h"
 #include "data/reading.h"
+#include "data/rig.h"
 
 namespace pendular {
 
@@ -48,6 +49,7 @@ struct Study {
     std::vector<Source> sources;      ///< in run order
     ModelChoice model;
     std::vector<WrittenEffect> written_effects;
+    std::optional<Rig> rig;
 };
 
 /// Reads STUDY/study.toml (or the file itself). Every key is checked; quantities are strings with

@@ -104,15 +104,32 @@ double StudyTable::quantity_from_text(std::string_view key, const toml::node& no
     }
 }
 
-std::optional<double> StudyTable::quantity(std::string_view key, std::string_view unit) const {
-    const toml::node* const node = table_->get(key);
-    if (!node) return std::nullopt;
+double StudyTable::quantity_of(std::string_view key, const toml::node& node,
+                               std::string_view unit) const {
     const Unit expected(unit);
-    if (!node->is_number()) return quantity_from_text(key, *node, expected);
+    if (!node.is_number()) return quantity_from_text(key, node, expected);
     if (!expected.same_dimension(Unit("1")))
         refuse(key, fmt::format("has no unit; write \"{} {}\" or another unit of the same kind",
-                                *node->value<double>(), unit));
-    return finite_number(key, *node);
+                                *node.value<double>(), unit));
+    return finite_number(key, node);
+}
+
+std::optional<double> StudyTable::quantity(std::string_view key, std::string_view unit) const {
+    const toml::node* const node = table_->get(key);
+    return node ? std::optional(quantity_of(key, *node, unit)) : std::nullopt;
+}
+
+std::vector<double> StudyTable::quantities(std::string_view key, std::string_view unit) const {
+    std::vector<double> result;
+    const toml::node* const node = table_->get(key);
+    if (node && node->is_array()) {
+        for (const toml::node& element : *node->as_array())
+            result.push_back(quantity_of(key, element, unit));
+        if (result.empty()) refuse(key, "is empty; write at least one value");
+    } else if (node) {
+        result.push_back(quantity_of(key, *node, unit));
+    }
+    return result;
 }
 
 std::optional<double> StudyTable::quantity_in(std::string_view key, const Unit& unit) const {

@@ -60,6 +60,10 @@ class StudyTable {
     /// The same where the value must be positive too.
     double positive_quantity(std::string_view key, std::string_view unit) const;
 
+    /// Values in SI units, one or an array of them, each as for `quantity`; empty where the key is
+    /// not there.
+    std::vector<double> quantities(std::string_view key, std::string_view unit) const;
+
     /// Plain numbers: one, or an array of them; empty where the key is not there.
     std::vector<double> numbers(std::string_view key) const;
 
@@ -81,6 +85,7 @@ class StudyTable {
 
     Position position_of(const toml::node& node) const;
     double finite_number(std::string_view key, const toml::node& node) const;
+    double quantity_of(std::string_view key, const toml::node& node, std::string_view unit) const;
     double quantity_from_text(std::string_view key, const toml::node& node,
                               const Unit& expected) const;
 

@@ -125,6 +125,9 @@ std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) 
 }
 
 std::string inconclusive_line(const Diagnosis& d) {
+    if (d.effects.empty() && !d.errors_assumed) {
+        return "Nothing seems missing, but these readings could not show any of the known effects.";
+    }
     if (d.effects.empty()) {
         return "Nothing seems missing, but the errors of the readings are assumed, not measured: "
                "that says nothing.";
@@ -257,7 +260,7 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space,
     std::vector<std::string> lines;
     switch (d.verdict) {
         case Verdict::missing:
-            for (const std::string& effect : names_of(*best_of(d.confidence_set), space)) {
+            for (const std::string& effect : d.effects) {
                 lines.push_back(fmt::format("next: pendular add {} {}", study, effect));
             }
             break;
@@ -274,12 +277,14 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space,
             for (const std::string& effect : d.effects) {
                 const Finding& finding = finding_of(d, space, effect);
                 const EffectParameter& p = parameter_of(space, finding);
+                const std::string unit = p.unit == "1" ? "" : " " + p.unit;
                 lines.push_back(
                     p.is_switch()
                         ? fmt::format("  {} would be seen in {:.0f} of 100 such studies", effect,
                                       100 * finding.power)
-                        : fmt::format("  {} is seen from {:.2g} {} on; {:.2g} would matter", effect,
-                                      finding.detectable, p.unit == "1" ? "" : p.unit, p.matters));
+                        : fmt::format(
+                              "  {} is seen where it is off by {:.2g}{}; {:.2g}{} would matter",
+                              effect, finding.detectable, unit, p.matters, unit));
             }
             lines.push_back("next: more readings, replicates or conditions");
             break;
@@ -297,6 +302,11 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space,
             break;
         default:
             break;
+    }
+    if (!d.suspects.empty() && d.verdict != Verdict::suspect_measurement) {
+        lines.push_back(fmt::format(
+            "{}, if off, would explain it as well: repeat {} before you trust an effect",
+            joined(d.suspects, "or"), d.suspects.size() == 1 ? "them" : "those"));
     }
     if (d.errors_assumed) {
         lines.push_back(

@@ -3,70 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
-#include <random>
-
 #include "analysis/diagnosis.h"
-#include "analysis/study_evidence.h"
-#include "calib/study_models.h"
-#include "tests/unit/effect_study.h"
+#include "tests/physics/planted_readings.h"
 
 using namespace pendular;
 using ::testing::Contains;
 
 namespace {
-
-struct Planted {
-    std::string effect;
-    double value;
-};
-
-const StudyModels& models() {
-    static const Study study = [] {
-        Study with_readings = study_with("dem");
-        with_readings.sources = {{.liquid_content = 0.0}, {.liquid_content = 0.03}};
-        return with_readings;
-    }();
-    static const StudyModels shared(
-        study, conditions(), fidelity_named("quick"),
-        {EmulatedSimulation::serving(StudyModels::with_all_effects(study), fidelity_named("quick"),
-                                     all_shipped_runs()),
-         shipped_scales(), false});
-    return shared;
-}
-
-Choice place_of(const std::string& effect) {
-    const auto& all = models().candidates();
-    const auto found = std::ranges::find(all, effect, &Candidate::name);
-    return {static_cast<std::size_t>(found - all.begin())};
-}
-
-/// What is read where the effect is on; without one, where nothing is missing.
-std::vector<Reading> readings_with(const Planted& planted, std::uint64_t seed) {
-    const Choice on = planted.effect.empty() ? Choice{} : place_of(planted.effect);
-    const Model& truth = models().with(on);
-    Eigen::VectorXd parameters(static_cast<Eigen::Index>(truth.parameters().size()));
-    parameters(0) = planted_friction;
-    parameters.tail(parameters.size() - 1).setConstant(planted.value);
-    const Eigen::VectorXd values = truth.values(parameters);
-    std::mt19937_64 random(seed);
-    std::normal_distribution<double> normal;
-    std::vector<Reading> readings;
-    for (const Condition& condition : conditions()) {
-        const auto at = 2 * static_cast<Eigen::Index>(readings.size());
-        Reading reading{.condition = condition};
-        const Eigen::Vector2d errors(0.01 * values(at), 0.002 * values(at + 1));
-        reading.value = values.segment<2>(at) +
-                        Eigen::Vector2d(errors(0) * normal(random), errors(1) * normal(random));
-        reading.covariance = errors.cwiseAbs2().asDiagonal();
-        readings.push_back(reading);
-    }
-    return readings;
-}
-
-Diagnosis diagnosed(const Planted& planted, std::uint64_t seed) {
-    return diagnose(models(), evidence_of(readings_with(planted, seed), {}));
-}
 
 /// One size each, so that it can be seen: a few times what matters; switches are on.
 const std::vector<Planted> all_planted = {
@@ -78,6 +21,10 @@ const std::vector<Planted> all_planted = {
     {"viscous-bridges", 0.1}, {"capillary-coulomb", 1},  {"rolling-resistance", 0.1},
     {"dry-adhesion", 1e-5},   {"polydispersity", 0.2},
 };
+
+Diagnosis diagnosed(const Planted& planted, std::uint64_t seed) {
+    return diagnose(models(), evidence_of(readings_with(planted, seed), {}));
+}
 
 bool names(const Diagnosis& d, const std::string& effect) {
     return std::ranges::find(d.effects, effect) != d.effects.end();

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "data/input_error.h"
 #include "tests/unit/line_study.h"
@@ -65,13 +66,94 @@ TEST(Diagnosis, FindsAPairWhereNoSingleEffectExplains) {
 
 TEST(Diagnosis, SuspectsOneConditionRatherThanAnEffect) {
     const LinearSpace space = line_and();
-    Measuring measuring(16);
+    Measuring measuring(6);
     Eigen::VectorXd truth = plain();
     truth.segment<2>(12).array() += 7;  // condition 6
+    int right = 0;
+    for (unsigned study = 1; study <= 20; ++study) {
+        const Diagnosis d = diagnose(space, measuring.of(truth), quickly(study));
+        right += d.verdict == Verdict::suspect_measurement && d.effects.empty() &&
+                 d.suspects == std::vector<std::string>{"condition 6"};
+    }
+    EXPECT_GE(right, 16);  // 19 expected
+}
+
+TEST(Diagnosis, SaysWhatElseWouldExplainTheReadings) {
+    // The jump is one condition alone.
+    const LinearSpace space =
+        line_and({column("last", [](double x) { return x > 0.95 ? 1.0 : 0.0; })});
+    Eigen::VectorXd truth = plain();
+    truth.tail(replicates).array() += 8;
+    Measuring measuring(21);
     const Diagnosis d = diagnose(space, measuring.of(truth), quickly());
-    EXPECT_EQ(d.verdict, Verdict::suspect_measurement);
-    EXPECT_THAT(d.suspects, ElementsAre("condition 6"));
-    EXPECT_TRUE(d.effects.empty());
+    EXPECT_EQ(d.verdict, Verdict::missing);
+    EXPECT_THAT(d.effects, ElementsAre("last"));
+    EXPECT_THAT(d.suspects, ElementsAre("condition 14"));
+}
+
+TEST(Diagnosis, DoesNotTakeAnEffectAtItsBoundForAnExplanation) {
+    LinearSpace::Column bowl = column("bowl", [](double x) { return x * x; });
+    bowl.parameter.lower = 0;
+    Eigen::MatrixXd base(entries, 2);
+    base << Eigen::VectorXd::Ones(entries), over_places([](double x) { return x; });
+    const LinearSpace space(base, {bowl, column("wave", [](double x) { return std::sin(9 * x); }),
+                                   column("jump", [](double x) { return x > 0.3 ? 1.0 : 0.0; })});
+    Measuring measuring(22);
+    const Diagnosis d = diagnose(
+        space, measuring.of(plain() - 8 * over_places([](double x) { return x * x; })), quickly());
+    EXPECT_EQ(d.verdict, Verdict::unknown);
+}
+
+TEST(Diagnosis, LeavesAsideWhatIsTooLargeToBeReal) {
+    // The parabola would explain it, but only with more of it than can be.
+    LinearSpace::Column parabola = column("parabola", [](double x) { return x * x; });
+    parabola.possible = 3;
+    LinearSpace::Column never = column("never", [](double x) { return std::cos(5 * x); });
+    never.possible = 0.5;  // less than the size that matters
+    const LinearSpace space(Eigen::MatrixXd::Ones(entries, 1), {parabola, never});
+    Measuring measuring(23);
+    const Diagnosis d = diagnose(
+        space, measuring.of(over_places([](double x) { return 5 + 12 * x * x; })), quickly());
+    EXPECT_EQ(d.verdict, Verdict::unknown);
+    EXPECT_EQ(d.scan.size(), 2u);
+}
+
+TEST(ScoreTest, TakesOutWhatErrorsOfTheModelAdd) {
+    // Errors of the prediction and of the change, correlated by 0.8.
+    constexpr double of_prediction = 0.5, of_change = 0.1, together = 0.8;
+    const Eigen::VectorXd change = over_places([](double x) { return 0.5 * std::cos(2 * x); });
+    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(entries, entries);
+    std::mt19937_64 random(24);
+    std::normal_distribution<double> normal;
+    const auto draw = [&] {
+        return Eigen::VectorXd(
+            Eigen::VectorXd::NullaryExpr(entries, [&] { return normal(random); }));
+    };
+    double corrected = 0, uncorrected = 0;
+    constexpr int studies = 2000;
+    for (int study = 0; study < studies; ++study) {
+        const Eigen::VectorXd shared = draw();
+        const Eigen::VectorXd off = of_prediction * shared,
+                              seen = change +
+                                     of_change * (together * shared +
+                                                  std::sqrt(1 - together * together) * draw());
+        const Prediction prediction{plain() + off,
+                                    Eigen::MatrixXd::Ones(entries, 1),
+                                    of_prediction * of_prediction * one,
+                                    {}};
+        const WeightedResiduals residuals({plain() + draw(), one}, prediction);
+        Signature signature{.change = seen};
+        uncorrected += score_test(residuals, signature, false).estimate(0);
+        signature.errors = {of_change * of_change * one,
+                            together * of_prediction * of_change * one};
+        const ScoreTest test = score_test(residuals, signature, false);
+        ASSERT_GT(test.information, 0);
+        corrected += test.estimate(0) * test.information;  // U - b
+    }
+    // Nothing is missing: U - b is zero on average, U is far from it.
+    const double scatter = std::sqrt(entries * 0.3 / studies);
+    EXPECT_NEAR(corrected / studies, 0, 3 * scatter);
+    EXPECT_LT(uncorrected / studies, -0.3);
 }
 
 TEST(Diagnosis, SaysWhereItKnowsNoExplanation) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@ class LinearSpace : public ModelSpace {
         Eigen::VectorXd values;
         EffectParameter parameter = {
             .name = "amplitude", .lower = -1e6, .upper = 1e6, .neutral = 0, .matters = 1};
+        double possible = 1e9;  ///< beyond this size nothing real could be measured
     };
     LinearSpace(Eigen::MatrixXd base, std::vector<Column> columns)
         : base_(std::move(base)), columns_(std::move(columns)) {
@@ -49,6 +51,8 @@ class LinearSpace : public ModelSpace {
                 }
                 columns_.conservativeResize(Eigen::NoChange, columns_.cols() + 1);
                 columns_.rightCols(1) = column.values;
+                possible_.conservativeResize(possible_.size() + 1);
+                possible_(possible_.size() - 1) = column.possible;
                 add_parameter({.name = column.name,
                                .lower = column.parameter.lower,
                                .upper = column.parameter.upper,
@@ -58,6 +62,10 @@ class LinearSpace : public ModelSpace {
         const std::vector<Parameter>& parameters() const override { return parameters_; }
         Prediction predict(const Eigen::VectorXd& parameters) const override {
             const auto n = columns_.rows();
+            if (possible_.size() > 0 &&
+                (parameters.tail(possible_.size()).cwiseAbs() - possible_).maxCoeff() > 0) {
+                throw std::domain_error("so much of it that nothing real shows this");
+            }
             return {columns_ * parameters + constant_, columns_, Eigen::MatrixXd::Zero(n, n),
                     Eigen::MatrixXd::Zero(n, n)};
         }
@@ -71,7 +79,7 @@ class LinearSpace : public ModelSpace {
         void add_parameter(Parameter parameter) { parameters_.push_back(std::move(parameter)); }
 
         Eigen::MatrixXd columns_;
-        Eigen::VectorXd constant_;
+        Eigen::VectorXd constant_, possible_;
         std::vector<Parameter> parameters_;
     };
 

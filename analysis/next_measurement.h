@@ -1,0 +1,74 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calib/model.h"
+#include "data/reading.h"
+
+namespace pendular {
+
+/// A model that may be the right one, with what its fit says of its parameters.
+struct Rival {
+    std::string name;
+    const FlowModel* model = nullptr;
+    Eigen::VectorXd parameters;
+    Eigen::MatrixXd covariance;
+};
+
+/// A point that could be measured, and what a reading there costs.
+struct Point {
+    Condition condition;
+    double first_cost = 0;  ///< before the first reading
+    double cost = 1;        ///< of each reading
+};
+
+/// What a rival says of a point: (shear stress [Pa], solid fraction [1]).
+struct Forecast {
+    Eigen::Vector2d value;
+    Eigen::Matrix2d from_parameters;  ///< covariance by errors of its parameters
+    Eigen::Matrix2d from_simulation;  ///< by those of the simulation
+};
+
+/// What measuring at one point would tell.
+struct Plan {
+    std::size_t point = 0;
+    std::vector<Forecast> forecasts;  ///< of each rival
+    Eigen::Matrix2d noise;            ///< covariance of one reading
+    /// Fewest readings with which rivals are told apart as far as they can be here; 0: none are.
+    int repeats = 0;
+    /// Pairs of rivals that these tell apart.
+    std::vector<std::pair<std::size_t, std::size_t>> separated;
+    double separation = 0;  ///< criterion below, summed over pairs, at the most readings allowed
+    double cost = 0;
+};
+
+/// Noncentrality of two observables at which rivals are told apart in 4 of 5 cases at 5 %.
+inline constexpr double telling_noncentrality = 9.63;
+
+/// Plans of all points, the most telling first. With n readings of covariance V/n, rivals i and j,
+///     T = D' S^-1 D + tr(2 V S^-1)/n,   D = f_i - f_j,
+///     S = 2 V/n + J_i C_i J_i' + J_j C_j J_j' + 2 C_f,
+/// C_f of the simulation, whose errors both share. They are told apart where D' S_1^-1 D with only
+/// one V/n and C_f in S_1, since one measurement faces both, reaches `telling_noncentrality`.
+/// First come plans that separate more pairs, then cheaper ones, then those of larger T.
+/// `relative_noise`: standard errors of one reading, over the values.
+/// Source: Buzzi-Ferraris and Forzatti, Chem. Eng. Sci. 38 (1983) 225.
+std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
+                                   const std::vector<Point>& points,
+                                   const Eigen::Vector2d& relative_noise, int most_repeats);
+
+/// What a number of readings at one point would make of a model's parameters.
+struct Sharpening {
+    std::size_t point = 0;
+    Forecast forecast;
+    Eigen::VectorXd standard_errors;  ///< of the parameters, afterwards
+    double gain = 0;  ///< sum over parameters of ln(standard error before/after), per cost
+};
+
+/// Of all points, the most gainful first:
+///     C' = (C^-1 + J' (V/n + C_f)^-1 J)^-1.
+std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<Point>& points,
+                                         const Eigen::Vector2d& relative_noise, int repeats);
+
+}  // namespace pendular

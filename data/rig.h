@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "data/grains.h"
+
+namespace pendular {
+
+class StudyTable;
+
+/// Ends of what can be set, the least first.
+struct Span {
+    double least = 0, greatest = 0;
+};
+
+/// What can be measured next on a study's rig: [rig] in study.toml.
+struct Rig {
+    Span normal_stress;                         ///< [Pa]
+    std::optional<Span> inertial_number;        ///< [1]; one of these two
+    std::optional<Span> shear_rate;             ///< [1/s]
+    std::vector<double> liquid_contents = {0};  ///< Phi_L/Phi_S [1]
+    /// Of the beads in the cell [m^3]; empty: what the study's cell holds.
+    std::vector<double> bead_volumes = {};
+    int repeats = 5;          ///< most readings at one point
+    double wet_cost = 1;      ///< of a wet reading, in dry ones
+    double filling_cost = 0;  ///< of filling the cell with another amount of beads, in dry readings
+};
+
+/// [rig] of a study; empty where there is none.
+/// @throws InputError at what is missing, unknown or impossible
+std::optional<Rig> read_rig(const StudyTable& root, const Grains& grains, bool has_liquid);
+
+}  // namespace pendular

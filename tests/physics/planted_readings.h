@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "analysis/study_evidence.h"
+#include "calib/study_models.h"
+#include "tests/unit/effect_study.h"
+
+// Readings of the laboratory that the emulator itself predicts, with an effect on or complete.
+namespace pendular {
+
+struct Planted {
+    std::string effect;
+    double value;
+};
+
+inline const StudyModels& models() {
+    static const Study study = [] {
+        Study with_readings = study_with("dem");
+        with_readings.sources = {{.liquid_content = 0.0}, {.liquid_content = 0.03}};
+        return with_readings;
+    }();
+    static const StudyModels shared(
+        study, conditions(), fidelity_named("quick"),
+        {EmulatedSimulation::serving(StudyModels::with_all_effects(study), fidelity_named("quick"),
+                                     all_shipped_runs()),
+         shipped_scales(), false});
+    return shared;
+}
+
+inline Choice place_of(const std::string& effect) {
+    const auto& all = models().candidates();
+    const auto found = std::ranges::find(all, effect, &Candidate::name);
+    return {static_cast<std::size_t>(found - all.begin())};
+}
+
+/// What is read where the effect is on; without one, where nothing is missing. `simulation_errs`:
+/// the truth is off the emulator as its own errors allow.
+inline std::vector<Reading> readings_with(const Planted& planted, std::uint64_t seed,
+                                          bool simulation_errs = false) {
+    const Choice on = planted.effect.empty() ? Choice{} : place_of(planted.effect);
+    const Model& truth = models().with(on);
+    Eigen::VectorXd parameters(static_cast<Eigen::Index>(truth.parameters().size()));
+    parameters(0) = planted_friction;
+    parameters.tail(parameters.size() - 1).setConstant(planted.value);
+    Eigen::VectorXd values = truth.values(parameters);
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    if (simulation_errs) {
+        Eigen::MatrixXd covariance = truth.predict(parameters).covariance;
+        covariance.diagonal() *= 1 + 1e-6;  // some readings are predicted alike
+        const Eigen::MatrixXd lower = covariance.llt().matrixL();
+        values +=
+            lower * Eigen::VectorXd::NullaryExpr(values.size(), [&] { return normal(random); });
+    }
+    std::vector<Reading> readings;
+    for (const Condition& condition : conditions()) {
+        const auto at = 2 * static_cast<Eigen::Index>(readings.size());
+        Reading reading{.condition = condition};
+        const Eigen::Vector2d errors(0.01 * values(at), 0.002 * values(at + 1));
+        reading.value = values.segment<2>(at) +
+                        Eigen::Vector2d(errors(0) * normal(random), errors(1) * normal(random));
+        reading.covariance = errors.cwiseAbs2().asDiagonal();
+        readings.push_back(reading);
+    }
+    return readings;
+}
+
+}  // namespace pendular
