@@ -3,10 +3,24 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 namespace pendular {
 namespace {
+
+/// Even steps of the logarithm from one end to the other.
+std::vector<double> steps(const Span& span, int count) {
+    if (span.greatest <= span.least * (1 + 1e-9)) {
+        return {span.least};
+    }
+    std::vector<double> values;
+    for (int k = 0; k < count; ++k) {
+        values.push_back(span.least * std::pow(span.greatest / span.least,
+                                               static_cast<double>(k) / (count - 1)));
+    }
+    return values;
+}
 
 /// Of one rival at all points, with the slopes by its parameters.
 struct Forecasts {
@@ -86,6 +100,79 @@ Plan plan_for(std::size_t point, const std::vector<Forecasts>& forecasts,
 }
 
 }  // namespace
+
+std::vector<Point> points_of(const Rig& rig, const Study& study, double time) {
+    constexpr int stresses = 7, rates = 4;
+    constexpr double typical_solid_fraction = 0.6;
+    std::vector<std::optional<double>> fillings(rig.bead_volumes.begin(), rig.bead_volumes.end());
+    if (fillings.empty()) {
+        fillings.push_back(study.cell && study.cell->bead_volume > 0
+                               ? std::optional(study.cell->bead_volume)
+                               : std::nullopt);
+    }
+    std::vector<Point> points;
+    const auto add = [&](double stress, double number, double content,
+                         const std::optional<double>& filling) {
+        Point point{.condition = {.normal_stress = stress,
+                                  .inertial_number = number,
+                                  .liquid_content = content,
+                                  .bead_volume = filling,
+                                  .time = time},
+                    .cost = content > 0 ? rig.wet_cost : 1};
+        if (filling && study.cell) {
+            AnnularCell cell = *study.cell;
+            const bool other = std::abs(*filling / cell.bead_volume - 1) > 0.02;
+            point.first_cost = cell.bead_volume > 0 && other ? rig.filling_cost : 0;
+            cell.bead_volume = *filling;
+            point.condition.height = height(typical_solid_fraction, cell);
+        }
+        points.push_back(point);
+    };
+    for (const auto& filling : fillings) {
+        for (const double content : rig.liquid_contents) {
+            for (const double rate :
+                 steps(rig.shear_rate ? *rig.shear_rate : *rig.inertial_number, rates)) {
+                for (const double stress : steps(rig.normal_stress, stresses)) {
+                    add(stress, rig.shear_rate ? inertial_number(rate, stress, study.grains) : rate,
+                        content, filling);
+                }
+            }
+        }
+    }
+    return points;
+}
+
+Rig rig_of(const std::vector<Reading>& readings) {
+    Rig rig{.normal_stress = {INFINITY, 0}, .inertial_number = Span{INFINITY, 0}};
+    rig.liquid_contents.clear();
+    for (const Reading& reading : readings) {
+        const Condition& c = reading.condition;
+        const auto widen = [](Span& span, double value) {
+            span = {std::min(span.least, value), std::max(span.greatest, value)};
+        };
+        widen(rig.normal_stress, c.normal_stress);
+        widen(*rig.inertial_number, c.inertial_number);
+        if (std::ranges::none_of(rig.liquid_contents, [&](double known) {
+                return std::abs(known - c.liquid_content) < 1e-9;
+            })) {
+            rig.liquid_contents.push_back(c.liquid_content);
+        }
+    }
+    if (rig.inertial_number->least <= 0) {
+        // Steps of the logarithm do not begin at rest.
+        constexpr double slow = 1e-3;
+        rig.inertial_number = Span{slow, std::max(slow, rig.inertial_number->greatest)};
+    }
+    return rig;
+}
+
+Eigen::Vector2d relative_errors(const std::vector<Reading>& readings) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const Reading& reading : readings) {
+        sum += reading.covariance.diagonal().cwiseQuotient(reading.value.cwiseAbs2());
+    }
+    return (sum / static_cast<double>(readings.size())).cwiseSqrt();
+}
 
 std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
                                    const std::vector<Point>& points,

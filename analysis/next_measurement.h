@@ -5,6 +5,7 @@
 
 #include "calib/model.h"
 #include "data/reading.h"
+#include "data/study.h"
 
 namespace pendular {
 
@@ -22,6 +23,17 @@ struct Point {
     double first_cost = 0;  ///< before the first reading
     double cost = 1;        ///< of each reading
 };
+
+/// What a rig can be set to, on a grid: normal stresses and rates in even steps of their logarithm,
+/// every liquid content and filling. Readings would be taken at `time` [s].
+std::vector<Point> points_of(const Rig& rig, const Study& study, double time);
+
+/// The rig of a study that names none: what its readings span.
+Rig rig_of(const std::vector<Reading>& readings);
+
+/// Standard errors of one reading, shear stress and solid fraction, over the values: the root mean
+/// square of those that were made.
+Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 
 /// What a rival says of a point: (shear stress [Pa], solid fraction [1]).
 struct Forecast {

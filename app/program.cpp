@@ -13,7 +13,7 @@
 namespace pendular::app {
 namespace {
 
-constexpr std::array<Command, 12> commands = {{
+constexpr std::array<Command, 13> commands = {{
     {"import", "recordings to readings: stresses and solid fractions with their errors", import},
     {"simulate", "one discrete-element run of steady shear and its observables", simulate},
     {"predict", "what known runs say of any state, at once, with errors; curves", predict},
@@ -21,6 +21,7 @@ constexpr std::array<Command, 12> commands = {{
      calibrate},
     {"compare", "model beside measurement: misfit by observable and condition, figures", compare},
     {"diagnose", "which physical effect is missing, if any, and how sure that is", diagnose},
+    {"next", "the measurement that would tell most: rivals apart, parameters sharper", next},
     {"add", "an effect into a study: fitted, with the error before and after", add},
     {"drop", "an effect out of a study: fitted, with the error before and after", drop},
     {"effects", "what a model may lack: the catalogue of effects, one entry whole", effects},

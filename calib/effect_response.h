@@ -12,7 +12,8 @@ using ResponsePlace = Eigen::Vector<double, 5>;
 
 /// What an effect on grains adds to an observable, from runs with the effect less what the emulator
 /// says of the same states without:
-///     change = b y(z, b),  b the effect's amplitude, times 1/P* where dry beads do not feel it,
+///     change = b y(z, b),  b the effect's amplitude,
+/// times 1/P* where it acts through capillary forces,
 /// y a Gaussian process: a plane with coefficients hardly known plus a squared exponential. It
 /// vanishes at neutral and is smooth there. Its two sizes have the greatest likelihood on a grid.
 /// Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), section 2.7.

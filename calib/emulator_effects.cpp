@@ -37,12 +37,18 @@ double response_amplitude(const EffectValues& values) {
     return p.amplitude ? p.amplitude(value) - p.amplitude(p.neutral) : value - p.neutral;
 }
 
-/// What the response of an observable to an effect goes in proportion to. An effect on wet beads
-/// alone changes flow the less the weaker capillarity is.
+/// Whether an effect changes what capillary forces do, and so fades with them. One that adds forces
+/// of its own between wet beads, as viscosity, does not.
+bool fades(const Effect& effect) {
+    const auto* pairs = std::get_if<dem::ChangePairs>(&effect.change);
+    return effect.touches == Touches::wet && pairs != nullptr && pairs->add == nullptr;
+}
+
+/// What the response of an observable to an effect goes in proportion to.
 double response_size(const EffectValues& values, const FlowState& state, Observable which) {
-    const bool fades = built_in_effect(values.effect).touches == Touches::wet &&
-                       domain_of(which) == Domain::all_flow;
-    return response_amplitude(values) * (fades ? state.inverse_pressure : 1);
+    const bool with_pressure =
+        domain_of(which) == Domain::all_flow && fades(built_in_effect(values.effect));
+    return response_amplitude(values) * (with_pressure ? state.inverse_pressure : 1);
 }
 
 /// Where the response to an effect is asked; widths are those of the studies' range.

@@ -46,13 +46,16 @@ StudyModels::StudyModels(const Study& study, std::vector<Condition> conditions,
 std::vector<std::string> StudyModels::beyond(double friction) const {
     std::vector<std::string> texts;
     for (const Condition& condition : conditions_) {
-        const std::string text =
-            simulation_->emulator().beyond(simulation_->state_of(friction, condition));
+        const std::string text = beyond(friction, condition);
         if (!text.empty() && std::ranges::find(texts, text) == texts.end()) {
             texts.push_back(text);
         }
     }
     return texts;
+}
+
+std::string StudyModels::beyond(double friction, const Condition& condition) const {
+    return simulation_->emulator().beyond(simulation_->state_of(friction, condition));
 }
 
 bool StudyModels::told(const Effect& effect) const {

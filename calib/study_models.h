@@ -40,6 +40,8 @@ class StudyModels : public ModelSpace {
     /// In what readings lie beyond all known runs at this friction, as in "reduced pressure 0.3 is
     /// below 0.5"; each once, without effects.
     std::vector<std::string> beyond(double friction) const;
+    /// The same of one condition; empty where it does not.
+    std::string beyond(double friction, const Condition& condition) const;
 
     /// A study that lists every effect, so that runs with any of them serve it.
     static Study with_all_effects(Study study);

@@ -18,17 +18,27 @@ struct Planted {
     double value;
 };
 
-inline const StudyModels& models() {
+inline const Study& planted_study() {
     static const Study study = [] {
         Study with_readings = study_with("dem");
         with_readings.sources = {{.liquid_content = 0.0}, {.liquid_content = 0.03}};
         return with_readings;
     }();
-    static const StudyModels shared(
-        study, conditions(), fidelity_named("quick"),
-        {EmulatedSimulation::serving(StudyModels::with_all_effects(study), fidelity_named("quick"),
-                                     all_shipped_runs()),
-         shipped_scales(), false});
+    return study;
+}
+
+inline StudyModels models_of(const std::vector<Condition>& conditions) {
+    const Fidelity quick = fidelity_named("quick");
+    return {planted_study(),
+            conditions,
+            quick,
+            {EmulatedSimulation::serving(StudyModels::with_all_effects(planted_study()), quick,
+                                         all_shipped_runs()),
+             shipped_scales(), false}};
+}
+
+inline const StudyModels& models() {
+    static const StudyModels shared = models_of(conditions());
     return shared;
 }
 
@@ -38,15 +48,39 @@ inline Choice place_of(const std::string& effect) {
     return {static_cast<std::size_t>(found - all.begin())};
 }
 
+/// Readings at conditions whose true values are these, with errors of 1 % in shear stress and 0.2 %
+/// in solid fraction.
+inline std::vector<Reading> scattered(const std::vector<Condition>& conditions,
+                                      const Eigen::VectorXd& values, std::mt19937_64& random) {
+    std::normal_distribution<double> normal;
+    std::vector<Reading> readings;
+    for (const Condition& condition : conditions) {
+        const auto at = 2 * static_cast<Eigen::Index>(readings.size());
+        Reading reading{.condition = condition};
+        const Eigen::Vector2d errors(0.01 * values(at), 0.002 * values(at + 1));
+        reading.value = values.segment<2>(at) +
+                        Eigen::Vector2d(errors(0) * normal(random), errors(1) * normal(random));
+        reading.covariance = errors.cwiseAbs2().asDiagonal();
+        readings.push_back(reading);
+    }
+    return readings;
+}
+
+/// The parameters where the effect is on.
+inline Eigen::VectorXd truth_of(const Planted& planted, const Model& model) {
+    Eigen::VectorXd parameters(static_cast<Eigen::Index>(model.parameters().size()));
+    parameters(0) = planted_friction;
+    parameters.tail(parameters.size() - 1).setConstant(planted.value);
+    return parameters;
+}
+
 /// What is read where the effect is on; without one, where nothing is missing. `simulation_errs`:
 /// the truth is off the emulator as its own errors allow.
 inline std::vector<Reading> readings_with(const Planted& planted, std::uint64_t seed,
                                           bool simulation_errs = false) {
     const Choice on = planted.effect.empty() ? Choice{} : place_of(planted.effect);
     const Model& truth = models().with(on);
-    Eigen::VectorXd parameters(static_cast<Eigen::Index>(truth.parameters().size()));
-    parameters(0) = planted_friction;
-    parameters.tail(parameters.size() - 1).setConstant(planted.value);
+    const Eigen::VectorXd parameters = truth_of(planted, truth);
     Eigen::VectorXd values = truth.values(parameters);
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
@@ -57,17 +91,7 @@ inline std::vector<Reading> readings_with(const Planted& planted, std::uint64_t 
         values +=
             lower * Eigen::VectorXd::NullaryExpr(values.size(), [&] { return normal(random); });
     }
-    std::vector<Reading> readings;
-    for (const Condition& condition : conditions()) {
-        const auto at = 2 * static_cast<Eigen::Index>(readings.size());
-        Reading reading{.condition = condition};
-        const Eigen::Vector2d errors(0.01 * values(at), 0.002 * values(at + 1));
-        reading.value = values.segment<2>(at) +
-                        Eigen::Vector2d(errors(0) * normal(random), errors(1) * normal(random));
-        reading.covariance = errors.cwiseAbs2().asDiagonal();
-        readings.push_back(reading);
-    }
-    return readings;
+    return scattered(conditions(), values, random);
 }
 
 }  // namespace pendular

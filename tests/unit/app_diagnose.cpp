@@ -75,3 +75,32 @@ TEST_F(DiagnoseCommand, SaysWhatCannotBeDiagnosed) {
     EXPECT_THAT(run.errors, AllOf(HasSubstr("study.toml"), HasSubstr("at one condition"),
                                   HasSubstr("measure at two normal stresses")));
 }
+
+TEST_F(DiagnoseCommand, SaysWhatToMeasureNext) {
+    const std::string path = study(
+        "300,79.1,0.8,0.6189,0.0012,0.003\n"
+        "1000,258.0,2.6,0.6198,0.0012,0.003\n"
+        "3000,774.0,7.7,0.6203,0.0012,0.003\n"
+        "300,86.5,0.9,0.6138,0.0012,0.03\n"
+        "1000,286.0,2.9,0.6127,0.0012,0.03\n"
+        "3000,855.0,8.6,0.6141,0.0012,0.03\n");
+    std::ofstream(folder_.path() / "study.toml", std::ios::app)
+        << "[rig]\nnormal_stress = [\"0.2 kPa\", \"5 kPa\"]\ninertial_number = [0.003, 0.03]\n";
+    const Outcome run = run_pendular("next " + path + " --quiet --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    EXPECT_GE(json.at("point").at("normal_stress"), 200);
+    EXPECT_TRUE(json.contains("rivals"));
+    EXPECT_TRUE(json.contains("repeats"));
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "next.json"));
+    EXPECT_THAT(run_pendular("next --help").output, HasSubstr("[rig]"));
+}
+
+TEST_F(DiagnoseCommand, RefusesARigThatCannotBe) {
+    const std::string path = study("300,79.1,0.8,0.6189,0.0012,0.003\n");
+    std::ofstream(folder_.path() / "study.toml", std::ios::app)
+        << "[rig]\nnormal_stress = \"2 kg\"\ninertial_number = 0.01\n";
+    const Outcome run = run_pendular("next " + path);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.errors, AllOf(HasSubstr("study.toml:"), HasSubstr("normal_stress")));
+}

@@ -1,0 +1,137 @@
+// `pendular next`: the measurement that would tell most.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/next_measurement.h"
+#include "app/command.h"
+#include "app/console.h"
+#include "app/study_diagnosis.h"
+#include "data/input_error.h"
+#include "reports/json.h"
+#include "reports/next_report.h"
+
+namespace pendular::app {
+namespace {
+
+const char* const about =
+    R"(Says what to measure next. Diagnoses the study; where several models explain its readings
+alike, looks over everything the rig can be set to for the point at which they differ most beyond
+their errors, and says how many readings tell them apart, or that none would. Where one model
+stands, the point that sharpens its parameters most. The rig stands in study.toml; without it, what
+the readings span is taken:
+
+  [rig]
+  normal_stress = ["0.1 kPa", "5 kPa"]
+  inertial_number = [0.003, 0.1]          # or shear_rate = ["0.05 1/s", "5 1/s"]
+  liquid_contents = [0, 0.007, 0.03]
+  bead_mass = ["30 g", "60 g"]            # fillings of the cell
+  repeats = 5                             # most readings at one point
+  wet_cost = 2                            # of a wet reading, in dry ones (default 1)
+  filling_cost = 3                        # of another filling (default 0))";
+
+std::string name_of(const Explanation& explanation, const StudyModels& models) {
+    std::string name;
+    for (const std::size_t k : explanation.chosen) {
+        name += (name.empty() ? "" : " + ") + models.candidates()[k].name;
+    }
+    return name.empty() ? "the model as it is" : name;
+}
+
+/// The models that stand; where none does, the one as it is.
+std::vector<Rival> rivals_of(const StudyDiagnosis& d) {
+    std::vector<Rival> rivals;
+    for (const Explanation& each : d.diagnosis.confidence_set) {
+        if (!each.suspect) {
+            rivals.push_back({name_of(each, *d.models), &d.models->with(each.chosen),
+                              each.fit.parameters, each.fit.covariance});
+        }
+    }
+    if (rivals.empty()) {
+        rivals.push_back({"the model as it is", &d.models->with({}), d.diagnosis.fit.parameters,
+                          d.diagnosis.fit.covariance});
+    }
+    return rivals;
+}
+
+double last_time(const std::vector<Reading>& readings) {
+    double last = 0;
+    for (const Reading& reading : readings) {
+        last = std::max(last, reading.condition.time);
+    }
+    return last;
+}
+
+}  // namespace
+
+int next(const std::vector<std::string>& arguments) {
+    Options options("next STUDY [options]", about,
+                    "  pendular next my-study\n"
+                    "  pendular next my-study --json - --quiet\n",
+                    true);
+    std::int64_t seed = 1;
+    options.add("seed", &seed, "seed of the random errors of the diagnosis (default 1)");
+    const auto common = options.parse(arguments);
+    if (!common) {
+        return done;
+    }
+    Console console(*common);
+    const StudyDiagnosis d = diagnosed(*common, checked_seed(seed));
+    const Study& study = d.input.study;
+    const Rig rig = study.rig.value_or(rig_of(d.readings));
+    NextMeasurement next{.study = study,
+                         .rivals = rivals_of(d),
+                         .points = points_of(rig, study, last_time(d.readings)),
+                         .plans = {},
+                         .sharpenings = {},
+                         .most_repeats = rig.repeats};
+    const double friction = next.rivals.front().parameters(0);
+    const auto dropped = std::erase_if(next.points, [&](const Point& point) {
+        return !d.models->beyond(friction, point.condition).empty();
+    });
+    if (next.points.empty()) {
+        throw InputError({study.file.string()},
+                         "[rig]: all of it lies beyond the runs that are known; 'pendular "
+                         "campaign' makes runs there");
+    }
+    const Eigen::Vector2d errors = relative_errors(d.readings);
+    if (next.rivals.size() > 1) {
+        next.plans = separating_plans(next.rivals, next.points, errors, rig.repeats);
+    } else {
+        next.sharpenings = sharpening_plans(next.rivals.front(), next.points, errors, rig.repeats);
+    }
+    auto json = to_json(next);
+    json["verdict"] = to_string(d.diagnosis.verdict);
+    write_json(common->out_folder() / "next.json", json);
+    for (const std::string& line : next_lines(next)) {
+        console.line(line);
+    }
+    if (d.diagnosis.verdict == Verdict::unknown ||
+        d.diagnosis.verdict == Verdict::suspect_measurement) {
+        console.note("the diagnosis is " + std::string(to_string(d.diagnosis.verdict)) +
+                     ": what sharpens the parameters does not mend that; see 'pendular diagnose'");
+    }
+    if (!study.rig) {
+        console.note(
+            "the study has no [rig]: what its readings span was taken ('pendular next "
+            "--help' shows one)");
+    }
+    if (dropped > 0) {
+        console.note(
+            fmt::format("{} of {} points lie beyond the runs that are known and were left "
+                        "out",
+                        dropped, dropped + next.points.size()));
+    }
+    if (!next.plans.empty()) {
+        draw(next_figure(next), common->out_folder() / "figures");
+        console.line(
+            fmt::format("figure: {}", (common->out_folder() / "figures" / "next.png").string()));
+    }
+    console.json(json);
+    return done;
+}
+
+}  // namespace pendular::app

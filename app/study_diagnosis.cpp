@@ -1,0 +1,58 @@
+#include "app/study_diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "analysis/compare.h"
+#include "analysis/study_evidence.h"
+#include "app/interrupt.h"
+#include "app/stored_runs.h"
+#include "calib/calibration.h"
+#include "data/input_error.h"
+
+namespace pendular::app {
+namespace {
+
+KnownRuns known_for(const Study& study, const CommonOptions& options) {
+    const auto store = open_store(options);
+    auto known = known_runs(StudyModels::with_all_effects(study), options.fidelity, store.get());
+    if (!known) {
+        throw InputError({study.file.string()},
+                         "neither the atlas nor the store has enough runs that can serve this "
+                         "study; set PENDULAR_ATLAS to the atlas, or make runs with 'pendular "
+                         "calibrate'");
+    }
+    return std::move(*known);
+}
+
+}  // namespace
+
+StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed) {
+    StudyDiagnosis result{.input = read_input(options.study)};
+    const Study& study = result.input.study;
+    result.readings = dry_first(result.input.measurements);
+    check_range(result.readings, study, options.fidelity);
+    if (condition_groups(result.readings).size() < 2) {
+        throw InputError({study.file.string()},
+                         "all readings are at one condition, where every effect looks like every "
+                         "other: measure at two normal stresses at least");
+    }
+    result.models = std::make_unique<StudyModels>(study, conditions_of(result.readings),
+                                                  options.fidelity, known_for(study, options));
+    result.evidence = evidence_of(result.readings, result.input.measurements.scatter);
+    const InterruptGuard guard;
+    DiagnosisOptions own{.seed = seed};
+    own.progress = [&](std::string_view what, std::size_t at, std::size_t of) {
+        if (guard.token().stop_requested()) {
+            throw dem::Interrupted();
+        }
+        if (!options.quiet && at == 0) {
+            fmt::print(stderr, "{}: {}\n", what, of);
+        }
+    };
+    result.diagnosis = diagnose(*result.models, result.evidence, own);
+    return result;
+}
+
+}  // namespace pendular::app

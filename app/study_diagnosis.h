@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "analysis/diagnosis.h"
+#include "app/options.h"
+#include "app/study_input.h"
+#include "calib/study_models.h"
+
+namespace pendular::app {
+
+/// A study with everything its diagnosis is made from.
+struct StudyDiagnosis {
+    StudyInput input;
+    std::vector<Reading> readings;  ///< dry first
+    std::unique_ptr<StudyModels> models;
+    Evidence evidence;
+    Diagnosis diagnosis;
+};
+
+/// Reads and diagnoses a study, from the atlas and all stored runs, with its stages on standard
+/// error.
+/// @throws InputError for what is wrong in its files or cannot be diagnosed
+/// @throws dem::Interrupted after Ctrl-C
+StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed);
+
+}  // namespace pendular::app

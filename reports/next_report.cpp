@@ -1,0 +1,240 @@
+#include "reports/next_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "analysis/study_evidence.h"
+#include "reports/shown.h"
+#include "reports/with_error.h"
+
+namespace pendular {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double mass_of(const Condition& c, const Study& study) {
+    return *c.bead_volume * study.grains.density;
+}
+
+/// "300 Pa, I 0.03 (1.2 1/s), dry, 60 g of beads".
+std::string where(const Condition& c, const Study& study) {
+    std::string text =
+        fmt::format("{:.4g} Pa, I {:.2g} ({:.3g} 1/s)", c.normal_stress, c.inertial_number,
+                    shear_rate_at(c.inertial_number, c.normal_stress, study.grains));
+    text += c.dry() ? ", dry" : fmt::format(", liquid content {:.3g}", c.liquid_content);
+    return c.bead_volume ? text + fmt::format(", {:.3g} g of beads", 1e3 * mass_of(c, study))
+                         : text;
+}
+
+std::string readings(int count) {
+    return count == 1 ? "1 reading" : fmt::format("{} readings", count);
+}
+
+Eigen::Vector2d error_of(const Forecast& forecast) {
+    return (forecast.from_parameters + forecast.from_simulation).diagonal().cwiseSqrt();
+}
+
+std::vector<std::string> pair_names(const NextMeasurement& next, bool separated) {
+    std::vector<std::string> names;
+    const auto& known = next.plans.front().separated;
+    for (std::size_t i = 0; i < next.rivals.size(); ++i) {
+        for (std::size_t j = i + 1; j < next.rivals.size(); ++j) {
+            const bool is = std::ranges::find(known, std::pair(i, j)) != known.end();
+            if (is == separated) {
+                names.push_back(fmt::format("{} and {}", next.rivals[i].name, next.rivals[j].name));
+            }
+        }
+    }
+    return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names, "; "));
+}
+
+std::vector<std::string> separating_lines(const NextMeasurement& next) {
+    const Plan& best = next.plans.front();
+    const Condition& c = next.points[best.point].condition;
+    std::vector<std::string> lines;
+    if (best.separated.empty()) {
+        lines.push_back(fmt::format(
+            "Not separable with this rig: {}, by up to {} at one point. The most telling is {}.",
+            joined(pair_names(next, false)), readings(next.most_repeats), where(c, next.study)));
+    } else {
+        lines.push_back(fmt::format("Measure {} at {}: that tells {} apart.",
+                                    readings(best.repeats), where(c, next.study),
+                                    joined(pair_names(next, true))));
+    }
+    lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", "if it is", "shear stress [Pa]",
+                                "solid fraction [1]"));
+    for (std::size_t k = 0; k < next.rivals.size(); ++k) {
+        const Forecast& forecast = best.forecasts[k];
+        const Eigen::Vector2d error = error_of(forecast);
+        lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", next.rivals[k].name,
+                                    with_error(forecast.value(0), error(0)),
+                                    with_error(forecast.value(1), error(1))));
+    }
+    const Eigen::Vector2d noise = best.noise.diagonal().cwiseSqrt();
+    lines.push_back(
+        fmt::format("  (one reading scatters by {:.2g} Pa and {:.2g})", noise(0), noise(1)));
+    if (!best.separated.empty() && !pair_names(next, false).empty()) {
+        lines.push_back(fmt::format("not told apart there: {}", joined(pair_names(next, false))));
+    }
+    return lines;
+}
+
+std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
+    const Sharpening& best = next.sharpenings.front();
+    const Rival& model = next.rivals.front();
+    std::vector<std::string> lines = {fmt::format(
+        "No rivals to tell apart. What sharpens the parameters most: {} at {}.",
+        readings(next.most_repeats), where(next.points[best.point].condition, next.study))};
+    const auto& parameters = model.model->parameters();
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        lines.push_back(fmt::format("  {}: standard error {:.2g} -> {:.2g}{}", parameters[k].name,
+                                    std::sqrt(model.covariance(i, i)), best.standard_errors(i),
+                                    parameters[k].unit == "1" ? "" : " " + parameters[k].unit));
+    }
+    return lines;
+}
+
+Json point_json(const Point& point, const Study& study) {
+    const Condition& c = point.condition;
+    Json json = {{"normal_stress", c.normal_stress},
+                 {"inertial_number", c.inertial_number},
+                 {"shear_rate", shear_rate_at(c.inertial_number, c.normal_stress, study.grains)},
+                 {"liquid_content", c.liquid_content}};
+    if (c.bead_volume) {
+        json["bead_mass"] = mass_of(c, study);
+    }
+    return json;
+}
+
+Json number(double value, double error) {
+    return {{"value", value}, {"stderr", error}};
+}
+
+Json forecast_json(const std::string& name, const Forecast& forecast) {
+    const Eigen::Vector2d error = error_of(forecast);
+    return {{"rival", name},
+            {"shear_stress", number(forecast.value(0), error(0))},
+            {"solid_fraction", number(forecast.value(1), error(1))}};
+}
+
+Json plan_json(const NextMeasurement& next, const Plan& plan) {
+    Json json = {{"point", point_json(next.points[plan.point], next.study)},
+                 {"repeats", plan.repeats},
+                 {"cost", plan.cost},
+                 {"criterion", plan.separation},
+                 {"separated", Json::array()},
+                 {"forecasts", Json::array()}};
+    for (const auto& [i, j] : plan.separated) {
+        json["separated"].push_back({next.rivals[i].name, next.rivals[j].name});
+    }
+    for (std::size_t k = 0; k < next.rivals.size(); ++k) {
+        json["forecasts"].push_back(forecast_json(next.rivals[k].name, plan.forecasts[k]));
+    }
+    return json;
+}
+
+bool beside(const Condition& a, const Condition& b, const Study& study, bool same_rate) {
+    const auto rate = [&](const Condition& c) {
+        return shear_rate_at(c.inertial_number, c.normal_stress, study.grains);
+    };
+    const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-6 * std::abs(y); };
+    return a.liquid_content == b.liquid_content && a.bead_volume == b.bead_volume &&
+           (same_rate ? close(rate(a), rate(b)) : close(a.inertial_number, b.inertial_number));
+}
+
+}  // namespace
+
+std::vector<std::string> next_lines(const NextMeasurement& next) {
+    return next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
+}
+
+Json to_json(const NextMeasurement& next) {
+    Json json = {{"rivals", Json::array()}};
+    for (const Rival& rival : next.rivals) {
+        json["rivals"].push_back(rival.name);
+    }
+    if (!next.plans.empty()) {
+        constexpr std::size_t others = 5;
+        json["separable"] = !next.plans.front().separated.empty();
+        json.update(plan_json(next, next.plans.front()));
+        json["others"] = Json::array();
+        for (std::size_t k = 1; k < std::min(next.plans.size(), others); ++k) {
+            json["others"].push_back(plan_json(next, next.plans[k]));
+        }
+        return json;
+    }
+    const Sharpening& best = next.sharpenings.front();
+    json["point"] = point_json(next.points[best.point], next.study);
+    json["repeats"] = next.most_repeats;
+    json["standard_errors"] = Json::object();
+    const auto& parameters = next.rivals.front().model->parameters();
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        json["standard_errors"][parameters[k].name] = {
+            {"before", std::sqrt(next.rivals.front().covariance(i, i))},
+            {"after", best.standard_errors(i)}};
+    }
+    return json;
+}
+
+Figure next_figure(const NextMeasurement& next) {
+    Figure figure{.name = "next",
+                  .title = "What the rivals say, and where to measure",
+                  .panels = {},
+                  .stacked = true};
+    if (next.plans.empty()) {
+        return figure;
+    }
+    const std::vector<std::string> colours = {model_colour, calibrated_colour, "#2e8b57", "#8e44ad",
+                                              "#d68910"};
+    const Condition& at = next.points[next.plans.front().point].condition;
+    const bool same_rate = next.study.rig && next.study.rig->shear_rate;
+    std::vector<const Plan*> along;
+    for (const Plan& plan : next.plans) {
+        if (beside(next.points[plan.point].condition, at, next.study, same_rate)) {
+            along.push_back(&plan);
+        }
+    }
+    std::ranges::sort(along, {}, &Plan::point);
+    for (const std::size_t o : {0u, 1u}) {
+        Panel panel{.x_label = "normal stress σ_{22} [Pa]",
+                    .y_label = o == 0 ? stress_ratio_label : solid_fraction_label,
+                    .log_x = true};
+        panel.references.push_back({"to be measured", at.normal_stress, 0, true, measured_colour});
+        for (std::size_t k = 0; k < std::min(next.rivals.size(), colours.size()); ++k) {
+            Curve band{.label = "± 1 standard error",
+                       .style = Curve::Style::band,
+                       .colour = colours[k],
+                       .in_key = false};
+            for (const Plan* plan : along) {
+                const double stress = next.points[plan->point].condition.normal_stress;
+                const auto i = static_cast<Eigen::Index>(o);
+                const double unit = o == 0 ? stress : 1;
+                band.x.push_back(stress);
+                band.y.push_back(plan->forecasts[k].value(i) / unit);
+                band.y_error.push_back(error_of(plan->forecasts[k])(i) / unit);
+            }
+            Curve line = band;
+            line.label = next.rivals[k].name;
+            line.style = Curve::Style::line;
+            line.y_error.clear();
+            line.in_key = true;
+            panel.curves.push_back(band);
+            panel.curves.push_back(line);
+        }
+        panel.key = o == 0 ? Key::top_right : Key::none;
+        panel.headroom = o == 0 ? 0.3 : 0;
+        figure.panels.push_back(panel);
+    }
+    return figure;
+}
+
+}  // namespace pendular

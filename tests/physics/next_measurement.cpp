@@ -1,0 +1,84 @@
+// A pair that the readings cannot tell apart, the measurement that `next` asks for, and what it
+// brings.
+#include "analysis/next_measurement.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/diagnosis.h"
+#include "tests/physics/planted_readings.h"
+
+using namespace pendular;
+using testing::Contains;
+using testing::Not;
+
+namespace {
+
+std::vector<Rival> rivals_of(const Diagnosis& d) {
+    std::vector<Rival> rivals;
+    for (const Explanation& each : d.confidence_set) {
+        rivals.push_back({models().candidates()[each.chosen.front()].name,
+                          &models().with(each.chosen), each.fit.parameters, each.fit.covariance});
+    }
+    return rivals;
+}
+
+Rig rig() {
+    return {.normal_stress = {150, 5000},
+            .inertial_number = Span{3e-3, 3e-2},
+            .liquid_contents = {0, 0.03},
+            .bead_volumes = {20e-3 / 1050, 60e-3 / 1050},
+            .repeats = 12};
+}
+
+}  // namespace
+
+TEST(NextMeasurement, TellsAHeightOffsetFromLostBeads) {
+    // The gap shows too small, as it is where beads are lost.
+    const Planted planted{"height-offset", -2e-4};
+    const std::vector<Reading> before = readings_with(planted, 5);
+    const Diagnosis d = diagnose(models(), evidence_of(before, {}));
+    ASSERT_EQ(d.verdict, Verdict::indistinguishable);
+    ASSERT_THAT(d.effects, Contains("bead-loss"));
+
+    const std::vector<Point> points = points_of(rig(), planted_study(), 1000);
+    const auto plans =
+        separating_plans(rivals_of(d), points, relative_errors(before), rig().repeats);
+    const Plan& plan = plans.front();
+    ASSERT_GE(plan.repeats, 1);
+    // Another filling: a fixed height is another part of the whole.
+    EXPECT_NEAR(*points[plan.point].condition.bead_volume, 20e-3 / 1050, 1e-12);
+
+    // It is measured, and the two are told apart.
+    std::vector<Condition> all = conditions();
+    all.insert(all.end(), static_cast<std::size_t>(plan.repeats), points[plan.point].condition);
+    const StudyModels more = models_of(all);
+    const Model& truth = more.with(place_of(planted.effect));
+    const Eigen::VectorXd values = truth.values(truth_of(planted, truth));
+    std::mt19937_64 random(6);
+    const std::vector<Condition> fresh(all.begin() + static_cast<std::ptrdiff_t>(before.size()),
+                                       all.end());
+    std::vector<Reading> readings = before;
+    for (Reading& reading :
+         scattered(fresh, values.tail(2 * static_cast<Eigen::Index>(fresh.size())), random)) {
+        readings.push_back(reading);
+    }
+    const Diagnosis after = diagnose(more, evidence_of(readings, {}));
+    EXPECT_THAT(after.effects, Contains("height-offset"));
+    EXPECT_THAT(after.effects, Not(Contains("bead-loss")));
+}
+
+TEST(NextMeasurement, CannotTellTheAngleFromTheTension) {
+    const Diagnosis d =
+        diagnose(models(), evidence_of(readings_with({"contact-angle", 0.9}, 5), {}));
+    std::vector<Rival> rivals;
+    for (Rival& rival : rivals_of(d)) {
+        if (rival.name == "contact-angle" || rival.name == "capillary-bridges") {
+            rivals.push_back(rival);
+        }
+    }
+    ASSERT_EQ(rivals.size(), 2u);
+    const auto plans = separating_plans(rivals, points_of(rig(), planted_study(), 1000),
+                                        Eigen::Vector2d(0.01, 0.002), rig().repeats);
+    EXPECT_TRUE(plans.front().separated.empty());
+}

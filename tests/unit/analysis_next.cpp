@@ -1,0 +1,171 @@
+// The next measurement between models whose predictions are known in closed form.
+#include "analysis/next_measurement.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <fstream>
+#include <random>
+
+#include "data/input_error.h"
+#include "data/study.h"
+#include "tests/unit/data_support.h"
+
+namespace pendular {
+namespace {
+
+/// Shear stress theta s22 + offset, solid fraction 0.6.
+class Offset : public FlowModel {
+  public:
+    explicit Offset(double offset, double simulation_error = 0)
+        : offset_(offset), error_(simulation_error) {}
+    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    Prediction predict_conditions(const Eigen::VectorXd& parameters,
+                                  const std::vector<Condition>& conditions) const override {
+        const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
+        Prediction result{Eigen::VectorXd(n), Eigen::MatrixXd::Zero(n, 1),
+                          Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
+        for (Eigen::Index k = 0; k < n; k += 2) {
+            const double stress = conditions[static_cast<std::size_t>(k / 2)].normal_stress;
+            result.value.segment<2>(k) << parameters(0) * stress + offset_, 0.6;
+            result.jacobian(k, 0) = stress;
+            result.covariance(k, k) = std::pow(error_ * stress, 2);
+        }
+        return result;
+    }
+    void improve(const Eigen::VectorXd&, double) override {}
+    void learn_wet(const Eigen::VectorXd&, int) override {}
+    Supported supported() const override {
+        return {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
+    }
+
+  private:
+    double offset_, error_;
+    std::vector<Parameter> parameters_ = {{.name = "friction", .lower = 0, .upper = 1}};
+};
+
+Rival rival(const std::string& name, const FlowModel& model, double friction, double error) {
+    return {name, &model, Eigen::VectorXd::Constant(1, friction),
+            Eigen::MatrixXd::Constant(1, 1, error * error)};
+}
+
+std::vector<Point> at(const std::vector<double>& stresses) {
+    std::vector<Point> points;
+    for (const double stress : stresses) {
+        points.push_back({.condition = {.normal_stress = stress, .inertial_number = 0.01}});
+    }
+    return points;
+}
+
+const Eigen::Vector2d noise(0.01, 0.002);
+
+}  // namespace
+
+TEST(NextMeasurement, IsWhereRivalsDifferMost) {
+    // 3 Pa more, or a friction that makes up for it at 1 kPa.
+    const Offset plain(0), with_offset(3);
+    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 1e-4),
+                                       rival("b", with_offset, 0.3, 1e-4)};
+    const auto points = at({100, 300, 1000, 3000});
+    const auto plans = separating_plans(rivals, points, noise, 10);
+    EXPECT_EQ(points[plans.front().point].condition.normal_stress, 100);
+    // 2.7 Pa of 30 with 1 %: 81 x 9.63 would be needed for less than one reading.
+    EXPECT_EQ(plans.front().repeats, 1);
+    ASSERT_EQ(plans.front().separated.size(), 1u);
+    // Where they agree, no number of readings helps.
+    const auto same = std::ranges::find_if(plans, [&](const Plan& plan) {
+        return points[plan.point].condition.normal_stress == 1000;
+    });
+    EXPECT_EQ(same->repeats, 0);
+    EXPECT_TRUE(same->separated.empty());
+}
+
+TEST(NextMeasurement, TakesAsManyReadingsAsTellThemApart) {
+    const Offset plain(0), with_offset(3);
+    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 1e-6),
+                                       rival("b", with_offset, 0.3, 1e-6)};
+    const auto plans = separating_plans(rivals, at({500}), noise, 30);
+    // They differ by 1.5 Pa with 1.515 Pa of noise: n (1.5/1.515)^2 = 9.63.
+    EXPECT_EQ(plans.front().repeats, 10);
+    EXPECT_EQ(separating_plans(rivals, at({500}), noise, 9).front().repeats, 0);
+    // That many tell them apart in 4 of 5 cases at 5 %.
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    int told = 0;
+    for (int study = 0; study < 1000; ++study) {
+        const double error = 1.515 / std::sqrt(10.0);
+        const double x = 1.5 / error + normal(random), y = normal(random);
+        told += x * x + y * y > 5.99;  // the right one is b, judged by a
+    }
+    EXPECT_NEAR(told, 800, 45);
+}
+
+TEST(NextMeasurement, IsNotWhereTheSimulationIsTooUncertain) {
+    const Offset plain(0, 0.05), with_offset(3, 0.05);
+    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 1e-4),
+                                       rival("b", with_offset, 0.3, 1e-4)};
+    EXPECT_TRUE(separating_plans(rivals, at({100, 300}), noise, 100).front().separated.empty());
+}
+
+TEST(NextMeasurement, WeighsItsCost) {
+    const Offset plain(0), with_offset(3);
+    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 1e-4),
+                                       rival("b", with_offset, 0.3, 1e-4)};
+    auto points = at({100, 150});
+    points[0].first_cost = 5;  // another filling
+    const auto plans = separating_plans(rivals, points, noise, 10);
+    EXPECT_EQ(plans.front().point, 1u);
+    EXPECT_EQ(plans.front().cost, plans.front().repeats);
+}
+
+TEST(NextMeasurement, SharpensAParameterAsMuchAsItSays) {
+    const Offset model(0);
+    const auto plans = sharpening_plans(rival("a", model, 0.3, 0.003), at({1000}), noise, 4);
+    // 0.003 with 0.003/2 from four readings of 1 %.
+    const double expected = 1 / std::sqrt(1 / (0.003 * 0.003) + 4 / (0.003 * 0.003));
+    EXPECT_NEAR(plans.front().standard_errors(0), expected, 1e-9);
+}
+
+TEST(Rig, IsReadWithItsUnits) {
+    const TemporaryFolder folder;
+    const auto study = [&](const std::string& rig) {
+        std::ofstream(folder.path() / "points.csv")
+            << "normal_stress [Pa],shear_stress [Pa],solid_fraction,inertial_number\n"
+               "1000,300,0.6,0.01\n";
+        std::ofstream(folder.path() / "study.toml")
+            << "[grains]\ndiameter = \"500 um\"\ndensity = \"1000 kg/m^3\"\n[[readings]]\n"
+               "file = \"points.csv\"\nliquid_content = 0.0\n[rig]\n"
+            << rig;
+        return read_study(folder.path());
+    };
+    const Study read = study(
+        "normal_stress = [\"0.1 kPa\", \"5 kPa\"]\nshear_rate = \"2 1/s\"\n"
+        "bead_mass = [\"30 g\", \"60 g\"]\nrepeats = 3\n");
+    EXPECT_EQ(read.rig->normal_stress.least, 100);
+    EXPECT_EQ(read.rig->shear_rate->greatest, 2);
+    EXPECT_NEAR(read.rig->bead_volumes.at(1), 6e-5, 1e-12);
+    EXPECT_EQ(points_of(*read.rig, read, 0).size(), 2u * 7u);
+
+    const auto refusal = [&](const std::string& rig) {
+        try {
+            study(rig);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_THAT(refusal("inertial_number = 0.01\n"), testing::HasSubstr("lacks 'normal_stress'"));
+    EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\n"),
+                testing::HasSubstr("either 'inertial_number' or 'shear_rate'"));
+    EXPECT_THAT(refusal("normal_stress = \"1 mN\"\ninertial_number = 0.01\n"),
+                testing::HasSubstr("study.toml:8:17"));
+    EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\n"
+                        "liquid_contents = [0, 0.03]\n"),
+                testing::HasSubstr("no [liquid]"));
+    EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\nrepeat = 3\n"),
+                testing::HasSubstr("repeats"));
+}
+
+}  // namespace pendular
