@@ -42,6 +42,16 @@ TEST(Replicates, AreTheSameConditionWithinTwoPercent) {
     EXPECT_THAT(counts, testing::ElementsAre(2, 2, 1, 1, 1));
 }
 
+TEST(Replicates, AreOfTheSameFilling) {
+    Reading a = reading(1000, 0.3, 0.6, 0.01), b = a;
+    a.condition.bead_volume = 60e-6;
+    EXPECT_FALSE(are_replicates(a, b));  // of one it is not known
+    b.condition.bead_volume = 60.5e-6;
+    EXPECT_TRUE(are_replicates(a, b));
+    b.condition.bead_volume = 30e-6;  // where the beads' weight counts for less
+    EXPECT_FALSE(are_replicates(a, b));
+}
+
 TEST(Replicates, AddTheScatterTheirOwnErrorsDoNotExplain) {
     // Two replicates at +-2 % of the ratio: s_rep^2 = 2 x 2 %^2; errors of 1 % explain 1 %^2.
     // Equal set points; a third condition without replicates gets the same excess. One pair:
