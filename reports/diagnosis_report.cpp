@@ -269,9 +269,8 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space,
                 lines.push_back(fmt::format(
                     "what they do to these readings is alike: cosine {:.3f}", d.cosines(0, 1)));
             }
-            lines.push_back(
-                "next: measure where they differ ('pendular effects NAME' shows what "
-                "each acts through), or settle one of them by hand");
+            lines.push_back(fmt::format(
+                "next: 'pendular next {}' says what to measure to tell them apart", study));
             break;
         case Verdict::inconclusive:
             for (const std::string& effect : d.effects) {

@@ -235,7 +235,6 @@ dem::RunResult run_from_json(const Json& json) {
     p.strain = json.at("strain");
     p.seed = json.at("seed");
     p.start = std::stoull(json.value("start", "0"), nullptr, 16);
-    p.effects = dem::effects_from(json.value("effects_in_run_units", ""));
     for (const auto& [name, error] : json.at("precision").items()) {
         p.precision.push_back({dem::observable_named(name), error});
     }

@@ -148,14 +148,16 @@ TEST(Compare, NamesTheFileThatIsOff) {
 }
 
 TEST(Json, GivesARunBackAsItWas) {
-    const auto run = dem::run({.friction = 0.2,
-                               .inertial_number = 0.05,
-                               .stiffness_number = 300,
-                               .beads = 100,
-                               .strain = 1,
-                               .seed = 5,
-                               .precision = {{dem::Observable::solid_fraction, 1e-9}}});
+    auto run = dem::run({.friction = 0.2,
+                         .inertial_number = 0.05,
+                         .stiffness_number = 300,
+                         .beads = 100,
+                         .strain = 1,
+                         .seed = 5,
+                         .precision = {{dem::Observable::solid_fraction, 1e-9}}});
+    run.parameters.effects = {{"polydispersity", {0.1}}, {"rolling-resistance", {0.2}}};
     const auto back = run_from_json(nlohmann::ordered_json::parse(to_json(run).dump()));
+    EXPECT_EQ(back.parameters.effects, run.parameters.effects);
     for (std::size_t k = 0; k < dem::observable_count; ++k) {
         EXPECT_EQ(back.means[k].value, run.means[k].value);
         EXPECT_EQ(back.means[k].standard_error, run.means[k].standard_error);
