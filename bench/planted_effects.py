@@ -116,12 +116,15 @@ def study_one(pendular, lab, work, name):
         return row
     found = next(each for each in before["scan"] if each["effect"] == name)
     row |= {"power": found["power"], "p": found["p"], "predicted_drop": found["predicted_drop"],
-            "refit_drop": found["refit_drop"], "estimate": found["estimate"]["value"],
-            "standard_error": found["estimate"]["stderr"]}  # fmt: skip
+            "refit_drop": found["refit_drop"]}  # fmt: skip
     run([pendular, "add", work, name, "--quiet"])
     ladder = json.loads((work / "out/ladder.json").read_text())["rungs"]
     start, end = ladder[0], ladder[-1]
-    floor = scatter(json.loads((work / "out/fit.json").read_text()))
+    fit = json.loads((work / "out/fit.json").read_text())
+    floor = scatter(fit)
+    for parameter, value in fit["parameters"].items():
+        kind = "friction" if parameter == "friction" else "effect"
+        row |= {kind: value["value"], f"{kind}_stderr": value["stderr"]}
     after = diagnose(pendular, work, work / "after.json")
     row |= {"chi2_before": start["chi2"], "chi2_after": end["chi2"], "dof_after": end["dof"],
             "p_after": chi2_p(end["chi2"], end["dof"])}  # fmt: skip
