@@ -11,6 +11,7 @@ import argparse
 import csv
 import json
 import math
+import os
 import shutil
 import subprocess
 import sys
@@ -147,6 +148,8 @@ def main():
                         help="only laboratories that are there already; simulates nothing")  # fmt: skip
     options = parser.parse_args()
     options.work.mkdir(parents=True, exist_ok=True)
+    # The atlas alone is known, as to a newcomer.
+    os.environ["PENDULAR_STORE"] = str(options.work / "store.sqlite")
     rows = []
     for name, seed, hidden in LABS:
         lab = options.work / "labs" / name

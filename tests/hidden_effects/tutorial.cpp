@@ -1,0 +1,66 @@
+// The tutorial: every command of examples/hidden-effect/README.md, in its order, on a copy.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/unit/app_support.h"
+
+using namespace pendular;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path example = fs::path(PENDULAR_SOURCE_DIR) / "examples/hidden-effect";
+
+/// Lines that begin with the program's name, without it.
+std::vector<std::string> commands() {
+    std::ifstream file(example / "README.md");
+    std::vector<std::string> found;
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("pendular ")) {
+            found.push_back(line.substr(9));
+        }
+    }
+    return found;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    const auto at = text.find(what);
+    return at == std::string::npos ? text : text.replace(at, what.size(), by);
+}
+
+}  // namespace
+
+TEST(Tutorial, DoesWhatItSays) {
+    const TemporaryFolder folder;
+    const std::string study = (folder.path() / "hidden-effect").string();
+    fs::copy(example, study, fs::copy_options::recursive);
+    fs::remove(fs::path(study) / "truth.json");
+    const auto all = commands();
+    ASSERT_EQ(all.size(), 10u);
+    std::map<std::string, std::vector<std::string>> said;
+    for (const std::string& command : all) {
+        const Outcome outcome =
+            run_pendular(replaced(command, "examples/hidden-effect", study) + " --quiet");
+        ASSERT_EQ(outcome.code, 0) << command << "\n" << outcome.errors;
+        said[command.substr(0, command.find(' '))].push_back(outcome.output);
+    }
+    EXPECT_THAT(said["import"][0], HasSubstr("readings: 24"));
+    EXPECT_THAT(said["calibrate"][0], HasSubstr("friction = 0.19"));
+    EXPECT_THAT(said["compare"][0], HasSubstr("falls with liquid content"));
+    EXPECT_THAT(said["diagnose"][0], HasSubstr("Missing: wall-friction (0.1466"));
+    EXPECT_THAT(said["effects"][0], HasSubstr("Janssen"));
+    EXPECT_THAT(said["add"][0], HasSubstr("wall-friction added: chi2/dof 55.9 -> 0.70"));
+    EXPECT_THAT(said["compare"][1], HasSubstr("p = 0.14 for all together"));
+    EXPECT_THAT(said["diagnose"][1], HasSubstr("Nothing seems missing"));
+    EXPECT_THAT(said["next"][0], HasSubstr("30 g of beads"));
+    EXPECT_THAT(said["drop"][0], HasSubstr("wall-friction dropped"));
+    EXPECT_TRUE(fs::exists(fs::path(study) / "out/figures/ladder.png"));
+}
