@@ -1,7 +1,7 @@
 // The whole way by command line, on recordings of virtual laboratories whose truth stands in
 // truths/ and is read last: calibrate, compare, diagnose, add what it names, and see the error fall
-// until nothing more is found missing. Truths are simulated, with seeds, bead numbers and inertial
-// numbers other than those of the atlas.
+// until nothing more is found missing. Truths are simulated, with seeds and conditions
+// other than those of the atlas, of as many beads.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
