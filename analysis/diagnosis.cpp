@@ -4,7 +4,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <future>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -22,6 +24,8 @@ constexpr int most_sharpenings = 3;
 constexpr double worth_refitting = 0.05;
 /// A switch is identifiable if it is seen at least so often.
 constexpr double hardly_seen = 0.1;
+/// Refits for which another instance of the space is worth making.
+constexpr std::size_t worth_another_thread = 3;
 
 /// One diagnosis from its fit to its verdict.
 class Diagnostician {
@@ -66,8 +70,15 @@ class Diagnostician {
     void search_singles();
     void search_suspects();
     void search_pairs();
-    void try_explanation(const Choice& chosen, std::optional<std::size_t> suspect,
-                         const Eigen::MatrixXd& columns);
+    /// A model to be refitted.
+    struct Trial {
+        Choice chosen;
+        std::optional<std::size_t> suspect;
+        Eigen::VectorXd start;
+    };
+    /// Refits and judges them, side by side where there are further instances of the space.
+    void try_all(std::string_view what, const std::vector<Trial>& trials);
+    void take(Explanation explanation);
     Eigen::VectorXd start_with(const Choice& chosen, const Eigen::MatrixXd& columns) const;
     void conclude();
     void compare_signatures();
@@ -78,6 +89,7 @@ class Diagnostician {
     const Evidence& evidence_;
     const DiagnosisOptions& options_;
     Explanations explanations_;
+    std::vector<std::unique_ptr<ModelSpace>> other_spaces_;  ///< of further threads, once needed
     Explanation base_;
     std::optional<WeightedResiduals> residuals_;
     std::vector<Addition> additions_;
@@ -246,36 +258,76 @@ Eigen::VectorXd Diagnostician::start_with(const Choice& chosen,
     return start;
 }
 
-void Diagnostician::try_explanation(const Choice& chosen, std::optional<std::size_t> suspect,
-                                    const Eigen::MatrixXd& columns) {
-    Explanation explanation;
+/// Refitted and judged; none where so much of it is wanted that nothing real could show these
+/// readings.
+std::optional<Explanation> explained(const Explanations& explanations, const Choice& chosen,
+                                     std::optional<std::size_t> suspect,
+                                     const Eigen::VectorXd& start) {
     try {
-        explanation = explanations_.refit(chosen, suspect, start_with(chosen, columns));
+        Explanation explanation = explanations.refit(chosen, suspect, start);
+        explanations.judge(explanation);
+        return explanation;
     } catch (const std::domain_error&) {
-        return;  // so much of it that nothing real could show these readings
+        return {};
     }
-    explanations_.judge(explanation);
-    if (chosen.size() == 1 && !suspect) {
-        result_.scan[chosen.front()].refit_drop = base_.chi2 - explanation.chi2;
+}
+
+void Diagnostician::try_all(std::string_view what, const std::vector<Trial>& trials) {
+    std::vector<std::optional<Explanation>> found(trials.size());
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&](const Explanations& explanations, const auto& before_each) {
+        for (std::size_t k = next++; k < trials.size(); k = next++) {
+            before_each(k);
+            found[k] =
+                explained(explanations, trials[k].chosen, trials[k].suspect, trials[k].start);
+        }
+    };
+    const std::size_t threads =
+        options_.another ? std::min(options_.threads, trials.size() / worth_another_thread) : 1;
+    other_spaces_.resize(std::max(other_spaces_.size(), threads));
+    std::vector<std::future<void>> helpers;
+    for (std::size_t thread = 1; thread < threads; ++thread) {
+        helpers.push_back(std::async(std::launch::async, [&, thread] {
+            auto& space = other_spaces_[thread];
+            if (!space) space = options_.another();
+            work(Explanations(explanations_, *space), [](std::size_t) {});
+        }));
+    }
+    try {
+        work(explanations_, [&](std::size_t k) { say(what, k, trials.size()); });
+    } catch (...) {
+        next = trials.size();  // the others end soon, and are waited for
+        throw;
+    }
+    for (auto& helper : helpers) {
+        helper.get();
+    }
+    say(what, trials.size(), trials.size());
+    for (auto& each : found) {
+        if (each) take(std::move(*each));
+    }
+}
+
+void Diagnostician::take(Explanation explanation) {
+    if (explanation.chosen.size() == 1 && !explanation.suspect) {
+        result_.scan[explanation.chosen.front()].refit_drop = base_.chi2 - explanation.chi2;
     }
     if (explanation.accepted) {
-        (suspect ? standing_suspects_ : result_.confidence_set).push_back(explanation);
+        (explanation.suspect ? standing_suspects_ : result_.confidence_set).push_back(explanation);
     }
     result_.tried.push_back(std::move(explanation));
 }
 
 void Diagnostician::search_singles() {
-    std::vector<std::size_t> worth;
+    std::vector<Trial> trials;
     for (const Finding& finding : result_.scan) {
         if (finding.test.seen() && finding.test.p() < worth_refitting) {
-            worth.push_back(finding.candidate);
+            const Choice chosen = {finding.candidate};
+            trials.push_back(
+                {chosen, {}, start_with(chosen, signatures_[finding.candidate].change)});
         }
     }
-    for (std::size_t done = 0; done < worth.size(); ++done) {
-        say("refits", done, worth.size());
-        try_explanation({worth[done]}, {}, signatures_[worth[done]].change);
-    }
-    say("refits", worth.size(), worth.size());
+    try_all("refits", trials);
 }
 
 void Diagnostician::search_suspects() {
@@ -285,10 +337,11 @@ void Diagnostician::search_suspects() {
     }
     std::ranges::sort(worth, {}, [&](std::size_t k) { return suspect_tests_[k].p(); });
     worth.resize(std::min(worth.size(), options_.most_suspects));
-    for (std::size_t done = 0; done < worth.size(); ++done) {
-        say("suspects", done, worth.size());
-        try_explanation({}, worth[done], evidence_.suspects[worth[done]].columns);
+    std::vector<Trial> trials;
+    for (const std::size_t k : worth) {
+        trials.push_back({{}, k, start_with({}, evidence_.suspects[k].columns)});
     }
+    try_all("suspects", trials);
 }
 
 void Diagnostician::search_pairs() {
@@ -310,10 +363,11 @@ void Diagnostician::search_pairs() {
     }
     std::ranges::sort(pairs, std::greater<>(), &Pair::drop);
     pairs.resize(std::min(pairs.size(), options_.most_pairs));
-    for (std::size_t done = 0; done < pairs.size(); ++done) {
-        say("pairs", done, pairs.size());
-        try_explanation(pairs[done].chosen, {}, pairs[done].columns);
+    std::vector<Trial> trials;
+    for (const Pair& pair : pairs) {
+        trials.push_back({pair.chosen, {}, start_with(pair.chosen, pair.columns)});
     }
+    try_all("pairs", trials);
 }
 
 void Diagnostician::search() {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -99,6 +100,10 @@ struct DiagnosisOptions {
     std::size_t most_suspects = 12;  ///< likewise
     std::optional<Eigen::VectorXd> start = {};
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
+    /// Makes another instance of the space for each further thread, since no two may ask the same.
+    /// What is found does not depend on how many there are.
+    std::function<std::unique_ptr<ModelSpace>()> another = {};
+    std::size_t threads = 1;  ///< of refits; 1 where `another` is empty
 };
 
 /// Says whether a model lacks something, and what: fits it, tests what is left for every

@@ -24,6 +24,9 @@ class WithSuspect : public Model {
     Prediction predict_mean(const Eigen::VectorXd& parameters) const override {
         return shifted(inside_.predict_mean(own(parameters)), parameters);
     }
+    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const override {
+        return inside_.values(own(parameters)) + columns_ * parameters.tail(columns_.cols());
+    }
     void improve(const Eigen::VectorXd& /*parameters*/, double /*excess*/) override {}
     Supported supported() const override {
         const Supported range = inside_.supported();
@@ -54,7 +57,7 @@ class WithSuspect : public Model {
 };
 
 /// To far less than a standard error: what the fit of a study goes to would take minutes.
-constexpr FitEffort quick{.most_steps = 12, .tolerance = 1e-8, .settled = 1e-5, .elsewhere = false};
+constexpr FitEffort quick{.most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
 
 /// A model that lacks this much below the significance is not fitted to its last digits.
 constexpr double hopeless = 0.1;
@@ -69,6 +72,13 @@ Explanations::Explanations(const ModelSpace& space, const Evidence& evidence,
       draws_(evidence.errors, options.seed, options.draws) {
     errors.resize(space.candidates().size());
 }
+
+Explanations::Explanations(const Explanations& like, const ModelSpace& space)
+    : errors(like.errors),
+      space_(space),
+      evidence_(like.evidence_),
+      options_(like.options_),
+      draws_(like.draws_) {}
 
 Explanation Explanations::refit(const Choice& chosen, std::optional<std::size_t> suspect,
                                 const Eigen::VectorXd& start) const {

@@ -13,6 +13,8 @@ class Explanations {
     /// The arguments must outlive it.
     Explanations(const ModelSpace& space, const Evidence& evidence,
                  const DiagnosisOptions& options);
+    /// The same, asking another instance of the space.
+    Explanations(const Explanations& like, const ModelSpace& space);
 
     /// The model with these candidates, and perhaps a suspect's error besides, fitted from these
     /// starts of its parameters.

@@ -23,6 +23,9 @@ class AtConditions : public Model {
     Prediction predict_mean(const Eigen::VectorXd& parameters) const override {
         return model_.predict_mean_conditions(parameters, conditions_);
     }
+    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const override {
+        return model_.values_of_conditions(parameters, conditions_);
+    }
     void improve(const Eigen::VectorXd&, double) override {}
     Supported supported() const override { return model_.supported(); }
 

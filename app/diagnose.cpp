@@ -33,6 +33,7 @@ int diagnose(const std::vector<std::string>& arguments) {
                     "  pendular diagnose my-study\n"
                     "  pendular diagnose my-study --json - --quiet\n",
                     true);
+    options.set_threads(0, "refits done side by side");
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random errors that set the limits (default 1)");
     const auto common = options.parse(arguments);

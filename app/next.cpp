@@ -33,30 +33,6 @@ the readings span is taken:
   wet_cost = 2                            # of a wet reading, in dry ones (default 1)
   filling_cost = 3                        # of another filling (default 0))";
 
-std::string name_of(const Explanation& explanation, const StudyModels& models) {
-    std::string name;
-    for (const std::size_t k : explanation.chosen) {
-        name += (name.empty() ? "" : " + ") + models.candidates()[k].name;
-    }
-    return name.empty() ? "the model as it is" : name;
-}
-
-/// The models that stand; where none does, the one as it is.
-std::vector<Rival> rivals_of(const StudyDiagnosis& d) {
-    std::vector<Rival> rivals;
-    for (const Explanation& each : d.diagnosis.confidence_set) {
-        if (!each.suspect) {
-            rivals.push_back({name_of(each, *d.models), &d.models->with(each.chosen),
-                              each.fit.parameters, each.fit.covariance});
-        }
-    }
-    if (rivals.empty()) {
-        rivals.push_back({"the model as it is", &d.models->with({}), d.diagnosis.fit.parameters,
-                          d.diagnosis.fit.covariance});
-    }
-    return rivals;
-}
-
 double last_time(const std::vector<Reading>& readings) {
     double last = 0;
     for (const Reading& reading : readings) {
@@ -72,6 +48,7 @@ int next(const std::vector<std::string>& arguments) {
                     "  pendular next my-study\n"
                     "  pendular next my-study --json - --quiet\n",
                     true);
+    options.set_threads(0, "refits done side by side");
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random errors of the diagnosis (default 1)");
     const auto common = options.parse(arguments);
@@ -83,7 +60,7 @@ int next(const std::vector<std::string>& arguments) {
     const Study& study = d.input.study;
     const Rig rig = study.rig.value_or(rig_of(d.readings));
     NextMeasurement next{.study = study,
-                         .rivals = rivals_of(d),
+                         .rivals = rivals_of(d.diagnosis, *d.models),
                          .points = points_of(rig, study, last_time(d.readings)),
                          .plans = {},
                          .sharpenings = {},

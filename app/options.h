@@ -51,7 +51,7 @@ class Options {
     }
     /// Puts the options added from now on under a heading of their own.
     void begin_section(const std::string& heading) { sections_.emplace_back(heading, 100); }
-    /// What --threads means to this command, if not runs side by side on all cores.
+    /// What --threads means to this command, if not runs side by side; 0: all cores.
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
 
 #include "analysis/compare.h"
@@ -13,6 +14,14 @@
 
 namespace pendular::app {
 namespace {
+
+std::string name_of(const Explanation& explanation, const StudyModels& models) {
+    std::string name;
+    for (const std::size_t k : explanation.chosen) {
+        name += (name.empty() ? "" : " + ") + models.candidates()[k].name;
+    }
+    return name.empty() ? "the model as it is" : name;
+}
 
 KnownRuns known_for(const Study& study, const CommonOptions& options) {
     const auto store = open_store(options);
@@ -38,8 +47,12 @@ StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed) {
                          "all readings are at one condition, where every effect looks like every "
                          "other: measure at two normal stresses at least");
     }
-    result.models = std::make_unique<StudyModels>(study, conditions_of(result.readings),
-                                                  options.fidelity, known_for(study, options));
+    const KnownRuns known = known_for(study, options);
+    const auto models = [&] {
+        return std::make_unique<StudyModels>(study, conditions_of(result.readings),
+                                             options.fidelity, known);
+    };
+    result.models = models();
     result.evidence = evidence_of(result.readings, result.input.measurements.scatter);
     const InterruptGuard guard;
     DiagnosisOptions own{.seed = seed};
@@ -51,8 +64,25 @@ StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed) {
             fmt::print(stderr, "{}: {}\n", what, of);
         }
     };
+    own.another = models;
+    own.threads = static_cast<std::size_t>(options.threads);
     result.diagnosis = diagnose(*result.models, result.evidence, own);
     return result;
+}
+
+std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models) {
+    std::vector<Rival> rivals;
+    for (const Explanation& each : diagnosis.confidence_set) {
+        if (!each.suspect) {
+            rivals.push_back({name_of(each, models), &models.with(each.chosen), each.fit.parameters,
+                              each.fit.covariance});
+        }
+    }
+    if (rivals.empty()) {
+        rivals.push_back({"the model as it is", &models.with({}), diagnosis.fit.parameters,
+                          diagnosis.fit.covariance});
+    }
+    return rivals;
 }
 
 }  // namespace pendular::app

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/diagnosis.h"
+#include "analysis/next_measurement.h"
 #include "app/options.h"
 #include "app/study_input.h"
 #include "calib/study_models.h"
@@ -25,5 +26,8 @@ struct StudyDiagnosis {
 /// @throws InputError for what is wrong in its files or cannot be diagnosed
 /// @throws dem::Interrupted after Ctrl-C
 StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed);
+
+/// The models that stand, to be told apart; where none does, the one as it is.
+std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models);
 
 }  // namespace pendular::app

@@ -152,7 +152,7 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
         }
         Eigen::VectorXd values = predicted;
         if (!changed.empty()) {
-            const Eigen::VectorXd anew = inside_.predict_mean_conditions(own_there, changed).value;
+            const Eigen::VectorXd anew = inside_.values_of_conditions(own_there, changed);
             for (std::size_t k = 0; k < places.size(); ++k) {
                 values.segment<2>(places[k]) = anew.segment<2>(2 * static_cast<Eigen::Index>(k));
             }
@@ -200,11 +200,11 @@ Prediction EffectModel::ask_inside(const Eigen::VectorXd& parameters,
     return result;
 }
 
-Eigen::VectorXd EffectModel::values(const Eigen::VectorXd& parameters) const {
-    const Truths truths = truths_at(parameters, conditions());
-    return shown(
-        truths,
-        inside_.predict_mean_conditions(inside_parameters(parameters), truths.imposed).value);
+Eigen::VectorXd EffectModel::values_of_conditions(const Eigen::VectorXd& parameters,
+                                                  const std::vector<Condition>& conditions) const {
+    const Truths truths = truths_at(parameters, conditions);
+    return shown(truths,
+                 inside_.values_of_conditions(inside_parameters(parameters), truths.imposed));
 }
 
 ModelSpace::ChangeErrors EffectModel::change_errors(

@@ -34,7 +34,8 @@ class EffectModel : public FlowModel {
                                        const std::vector<Condition>& conditions) const override {
         return ask_inside(parameters, conditions, &FlowModel::predict_mean_conditions);
     }
-    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const override;
+    Eigen::VectorXd values_of_conditions(const Eigen::VectorXd& parameters,
+                                         const std::vector<Condition>& conditions) const override;
     void improve(const Eigen::VectorXd& parameters, double excess) override;
     void learn_wet(const Eigen::VectorXd& parameters, int turns) override;
     Supported supported() const override;

@@ -177,6 +177,10 @@ struct EmulatedSimulation::Errors {
     Eigen::VectorXd stiffness;         ///< standard error of the correction, common to all
 };
 
+double EmulatedSimulation::stiffness_left(const Condition& condition) const {
+    return stiffness_share(Emulator::reference_stiffness, condition, study_.grains, fidelity_);
+}
+
 Prediction EmulatedSimulation::predict_states(const std::vector<FlowState>& states,
                                               const std::vector<Condition>& conditions,
                                               Errors* errors) const {
@@ -207,8 +211,7 @@ Prediction EmulatedSimulation::predict_states(const std::vector<FlowState>& stat
                         : Eigen::Vector3d(state.bridge_volume * said.segment<3>(9 * k + 6));
         // From rigid beads to those of the study: of the shift at the reference stiffness a part
         // 1 - share is there.
-        const double share =
-            stiffness_share(Emulator::reference_stiffness, condition, study_.grains, fidelity_);
+        const double share = stiffness_left(condition);
         const double shift = dem::rigidity_shift(value(1), value(2));
         const auto with_stiffness = [&](const Eigen::Vector3d& change) {
             return Eigen::Vector2d(
@@ -244,6 +247,28 @@ Prediction EmulatedSimulation::predict_states(const std::vector<FlowState>& stat
 Prediction EmulatedSimulation::predict_mean_conditions(
     const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions) const {
     return predict_states(states_of(parameters(0), conditions), conditions, nullptr);
+}
+
+Eigen::VectorXd EmulatedSimulation::values_of_conditions(
+    const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions) const {
+    std::vector<Query> queries;
+    for (const FlowState& state : states_of(parameters(0), conditions)) {
+        for (const Observable which :
+             {Observable::stress_ratio, Observable::solid_fraction, Observable::mean_overlap}) {
+            queries.push_back({state, which});
+        }
+    }
+    const Eigen::VectorXd said = emulator_.mean(queries);
+    const auto n = static_cast<Eigen::Index>(conditions.size());
+    Eigen::VectorXd values(2 * n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Condition& condition = conditions[static_cast<std::size_t>(k)];
+        const Eigen::Vector3d value = said.segment<3>(3 * k);
+        const double shift = dem::rigidity_shift(value(1), value(2));
+        values.segment<2>(2 * k) << condition.normal_stress * value(0),
+            value(1) + (1 - stiffness_left(condition)) * shift;
+    }
+    return values;
 }
 
 Prediction EmulatedSimulation::predict_conditions(const Eigen::VectorXd& parameters,

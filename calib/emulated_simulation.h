@@ -46,6 +46,8 @@ class EmulatedSimulation : public SimulationModel {
                                   const std::vector<Condition>& conditions) const override;
     Prediction predict_mean_conditions(const Eigen::VectorXd& parameters,
                                        const std::vector<Condition>& conditions) const override;
+    Eigen::VectorXd values_of_conditions(const Eigen::VectorXd& parameters,
+                                         const std::vector<Condition>& conditions) const override;
     /// The first time it orders what lies beyond the known runs, later what confirms.
     void improve(const Eigen::VectorXd& parameters, double excess) override;
     void learn_wet(const Eigen::VectorXd& parameters, int turns) override;
@@ -77,6 +79,9 @@ class EmulatedSimulation : public SimulationModel {
     struct Errors;
     Prediction predict_states(const std::vector<FlowState>& states,
                               const std::vector<Condition>& conditions, Errors* errors) const;
+    /// Of the shift of the solid fraction at the reference stiffness, the part that the beads of a
+    /// reading do not show.
+    double stiffness_left(const Condition& condition) const;
     std::vector<FlowState> states_of(double friction,
                                      const std::vector<Condition>& conditions) const;
     bool has_grain_effects() const;

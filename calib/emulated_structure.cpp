@@ -29,7 +29,7 @@ StructureResponse coordination(const Emulator& emulator, const FlowState& state)
 double bridge_volume_of(const Emulator& emulator, double liquid_content, FlowState state) {
     // ln V0 + ln Z(V0) = ln(pi Phi_L/(3 Phi_S)), by Newton's method: the error of the next step is
     // about the square of this one.
-    constexpr double tolerance = 1e-7;
+    constexpr double tolerance = 1e-4;
     state.bridge_volume = dem::bridge_volume(liquid_content, dem::typical_coordination);
     for (int k = 0; k < 50; ++k) {
         const StructureResponse z = coordination(emulator, state);

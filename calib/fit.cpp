@@ -64,18 +64,23 @@ class WhitenedResiduals : public ceres::CostFunction {
             ++refused_;
             return false;
         }
+        const bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
         Prediction prediction;
         try {
-            prediction = model_.predict_mean(at);
+            if (derivatives) {
+                prediction = model_.predict_mean(at);
+            } else {
+                prediction.value = model_.values(at);
+            }
         } catch (const std::domain_error&) {
             return false;  // an effect so large that nothing real could show the readings
         }
         if (!prediction.value.allFinite() || !prediction.jacobian.allFinite()) {
-            return false;
+            return false;  // an empty matrix is finite
         }
         Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) =
             whitening_.apply(measured_.value - prediction.value);
-        if (jacobians != nullptr && jacobians[0] != nullptr) {
+        if (derivatives) {
             Eigen::Map<RowMajor>(jacobians[0], num_residuals(), n) =
                 -whitening_.apply(prediction.jacobian);
         }

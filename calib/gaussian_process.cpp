@@ -79,6 +79,8 @@ Eigen::VectorXd GaussianProcess::mean(const std::vector<Asked>& asked) const {
         std::array<double, 1 + coordinate_count> sums;
     };
     std::vector<Place> places;
+    const bool derivatives = std::ranges::any_of(
+        asked, [](const Asked& one) { return one.functional.derivative != Functional::value; });
     Eigen::VectorXd result(static_cast<Eigen::Index>(asked.size()));
     for (std::size_t c = 0; c < asked.size(); ++c) {
         const auto quantity = static_cast<std::size_t>(asked[c].quantity);
@@ -87,8 +89,9 @@ Eigen::VectorXd GaussianProcess::mean(const std::vector<Asked>& asked) const {
             return known.quantity == asked[c].quantity && known.at == asked[c].functional.at;
         });
         if (place == places.end()) {
-            place = places.insert(place, {asked[c].quantity, asked[c].functional.at,
-                                          kernels_[quantity].sums(sums_over_[quantity], at)});
+            place = places.insert(place,
+                                  {asked[c].quantity, asked[c].functional.at,
+                                   kernels_[quantity].sums(sums_over_[quantity], at, derivatives)});
         }
         // The polynomial by its coefficients: summed over the runs it would lose digits.
         result(static_cast<Eigen::Index>(c)) =

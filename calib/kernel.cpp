@@ -150,8 +150,8 @@ Kernel::Known Kernel::known(const std::vector<Prepared>& values,
     return known;
 }
 
-std::array<double, 1 + coordinate_count> Kernel::sums(const Known& known,
-                                                      const Prepared& at) const {
+std::array<double, 1 + coordinate_count> Kernel::sums(const Known& known, const Prepared& at,
+                                                      bool with_derivatives) const {
     std::array<double, 1 + coordinate_count> result{};
     std::array<Eigen::ArrayXd, coordinate_count> apart;
     for (std::size_t k = 0; k < coordinate_count; ++k) {
@@ -174,7 +174,7 @@ std::array<double, 1 + coordinate_count> Kernel::sums(const Known& known,
         const double sum = term.sum();
         result[0] += amplitude_there * sum;
         result[1 + pressure] += linear ? sum : 0;
-        for (std::size_t k = 0; k < coordinate_count; ++k) {
+        for (std::size_t k = 0; with_derivatives && k < coordinate_count; ++k) {
             if (part.inverse_squares[k] > 0) {
                 result[1 + k] += amplitude_there * at.stretch[k] * part.inverse_squares[k] *
                                  (term * apart[k]).sum();

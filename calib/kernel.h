@@ -82,8 +82,9 @@ class Kernel {
     };
     Known known(const std::vector<Prepared>& values, const Eigen::VectorXd& weights) const;
     /// The sum of weight x of_processes(known, at), then its derivatives by the coordinates of
-    /// `at`.
-    std::array<double, 1 + coordinate_count> sums(const Known& known, const Prepared& at) const;
+    /// `at`, which are garbage where they are not asked for.
+    std::array<double, 1 + coordinate_count> sums(const Known& known, const Prepared& at,
+                                                  bool with_derivatives) const;
 
     /// Covariance matrix of functionals.
     Eigen::MatrixXd matrix(const std::vector<Prepared>& of) const;

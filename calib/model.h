@@ -78,6 +78,10 @@ class FlowModel : public Model {
         return predict_mean_conditions(parameters, conditions_);
     }
 
+    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const final {
+        return values_of_conditions(parameters, conditions_);
+    }
+
     /// Predictions at `parameters` of readings at these conditions.
     virtual Prediction predict_conditions(const Eigen::VectorXd& parameters,
                                           const std::vector<Condition>& conditions) const = 0;
@@ -86,6 +90,12 @@ class FlowModel : public Model {
     virtual Prediction predict_mean_conditions(const Eigen::VectorXd& parameters,
                                                const std::vector<Condition>& conditions) const {
         return predict_conditions(parameters, conditions);
+    }
+
+    /// The values alone.
+    virtual Eigen::VectorXd values_of_conditions(const Eigen::VectorXd& parameters,
+                                                 const std::vector<Condition>& conditions) const {
+        return predict_mean_conditions(parameters, conditions).value;
     }
 
     /// Makes wet runs around `parameters`, `turns` more for each wet setting; predictions of dry

@@ -207,6 +207,36 @@ nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace&
     return json;
 }
 
+/// How alike are what the effects do, after the calibrated parameters.
+std::string alike_line(const Diagnosis& d) {
+    if (d.effects.size() == 2) {
+        return fmt::format("what they do to these readings is alike: cosine {:.3f}",
+                           d.cosines(0, 1));
+    }
+    Eigen::MatrixXd others = d.cosines;
+    others.diagonal().setOnes();
+    Eigen::Index one = 0, other = 0;
+    const double least = others.minCoeff(&one, &other);
+    const auto name = [&](Eigen::Index k) { return d.effects[static_cast<std::size_t>(k)]; };
+    return fmt::format(
+        "what they do to these readings is alike: cosines from {:.3f} ({} and {}) upwards", least,
+        name(other), name(one));
+}
+
+/// Of each effect that the verdict points at with each other.
+nlohmann::ordered_json cosines_of(const Diagnosis& d) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (Eigen::Index i = 0; i < d.cosines.rows(); ++i) {
+        for (Eigen::Index k = 0; k < d.cosines.cols(); ++k) {
+            if (i != k) {
+                json[d.effects[static_cast<std::size_t>(i)]]
+                    [d.effects[static_cast<std::size_t>(k)]] = d.cosines(i, k);
+            }
+        }
+    }
+    return json;
+}
+
 }  // namespace
 
 std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Checks& checks) {
@@ -265,10 +295,7 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space,
             }
             break;
         case Verdict::indistinguishable:
-            if (d.cosines.rows() == 2) {
-                lines.push_back(fmt::format(
-                    "what they do to these readings is alike: cosine {:.3f}", d.cosines(0, 1)));
-            }
+            lines.push_back(alike_line(d));
             lines.push_back(fmt::format(
                 "next: 'pendular next {}' says what to measure to tell them apart", study));
             break;
@@ -344,6 +371,7 @@ nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
             {"effects", d.effects},
             {"suspects", d.suspects},
             {"confidence_set", sets},
+            {"cosines", cosines_of(d)},
             {"chi2", d.chi2},
             {"dof", d.dof},
             {"lack_of_fit_p", d.lack_of_fit_p},

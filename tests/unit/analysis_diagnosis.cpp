@@ -64,6 +64,44 @@ TEST(Diagnosis, FindsAPairWhereNoSingleEffectExplains) {
     EXPECT_THAT(d.effects, UnorderedElementsAre("parabola", "wave"));
 }
 
+TEST(Diagnosis, FindsTheSameInSeveralThreads) {
+    const LinearSpace space = line_and();
+    Measuring measuring(5);
+    const Evidence evidence = measuring.of(
+        plain() + over_places([](double x) { return 8 * x * x + 3 * std::sin(9.4 * x); }));
+    DiagnosisOptions options = quickly();
+    const Diagnosis alone = diagnose(space, evidence, options);
+    int made = 0;
+    options.threads = 2;
+    options.another = [&] {
+        ++made;
+        return std::make_unique<LinearSpace>(line_and());
+    };
+    const Diagnosis together = diagnose(space, evidence, options);
+    EXPECT_EQ(made, 1);
+    ASSERT_EQ(together.tried.size(), alone.tried.size());
+    for (std::size_t k = 0; k < alone.tried.size(); ++k) {
+        EXPECT_EQ(together.tried[k].chosen, alone.tried[k].chosen);
+        EXPECT_EQ(together.tried[k].chi2, alone.tried[k].chi2);
+        EXPECT_EQ(together.tried[k].accepted, alone.tried[k].accepted);
+    }
+    EXPECT_EQ(together.effects, alone.effects);
+}
+
+TEST(Diagnosis, EndsItsThreadsWhereItIsInterrupted) {
+    const LinearSpace space = line_and();
+    Measuring measuring(5);
+    DiagnosisOptions options = quickly();
+    options.threads = 2;
+    options.another = [] { return std::make_unique<LinearSpace>(line_and()); };
+    options.progress = [](std::string_view what, std::size_t, std::size_t) {
+        if (what == "suspects") throw std::runtime_error("enough");
+    };
+    const Evidence evidence = measuring.of(
+        plain() + over_places([](double x) { return 8 * x * x + 3 * std::sin(9.4 * x); }));
+    EXPECT_THROW(diagnose(space, evidence, options), std::runtime_error);
+}
+
 TEST(Diagnosis, SuspectsOneConditionRatherThanAnEffect) {
     const LinearSpace space = line_and();
     Measuring measuring(6);
