@@ -110,6 +110,8 @@ void declare(Options& options, LabPlan& plan, Words& words) {
     options.add("noise", &plan.instrument.noise,
                 "scatter of a step's means [1]: 1 (default) for 1 % in torque and 0.2 % in solid "
                 "fraction, in proportion otherwise");
+    options.add("drift", &plan.instrument.drift,
+                "of torque and solid fraction over a recording, in the same units (default 0)");
     options.add("dry-normal-stresses", &words.dry_normal_stresses,
                 "with their unit (default \"0.3, 1, 3 kPa\")");
     options.add("wet-normal-stresses", &words.wet_normal_stresses,

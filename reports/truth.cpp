@@ -12,6 +12,7 @@ using Json = nlohmann::ordered_json;
 Json plan_json(const LabPlan& plan) {
     return {{"seed", plan.seed},
             {"noise", plan.instrument.noise},
+            {"drift", plan.instrument.drift},
             {"rows", plan.instrument.rows},
             {"replicates", plan.replicates},
             {"fidelity", plan.fidelity.name},

@@ -57,6 +57,10 @@ void check_instrument(const LabPlan& plan) {
         throw InputError(fmt::format("--noise {:g} is not between 0 and {:g}",
                                      plan.instrument.noise, largest_noise));
     }
+    if (!(plan.instrument.drift >= 0 && plan.instrument.drift <= largest_noise)) {
+        throw InputError(fmt::format("--drift {:g} is not between 0 and {:g}",
+                                     plan.instrument.drift, largest_noise));
+    }
     if (plan.instrument.rows < fewest_rows || plan.instrument.rows > most_rows) {
         throw InputError(fmt::format("--rows {} is not between {} and {}", plan.instrument.rows,
                                      fewest_rows, most_rows));

@@ -154,10 +154,16 @@ double time_steps(std::vector<Condition>& steps, const Grains& grains, const Ins
 Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell, const Grains& grains,
                  const Instrument& instrument, std::uint64_t seed) {
     InstrumentNoise random(seed);
+    InstrumentNoise drifting(seed + 1);  // apart, so that recordings without drift stay as they are
+    const double of_torque = instrument.drift * torque_scatter * drifting();
+    const double of_height = instrument.drift * solid_fraction_scatter * drifting();
     Recording recording;
-    for (const TrueState& state : steps) {
-        append_step(recording, level_of(state, cell, grains, instrument, random), instrument,
-                    random);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        const double course = steps.size() > 1 ? static_cast<double>(k) / (steps.size() - 1) : 0;
+        Level level = level_of(steps[k], cell, grains, instrument, random);
+        level.torque *= 1 + of_torque * course;
+        level.height *= 1 + of_height * course;
+        append_step(recording, level, instrument, random);
     }
     return recording;
 }

@@ -31,6 +31,9 @@ struct Instrument {
     double noise =
         1;  ///< scatter: 1 for 1 % in torque and 0.2 % in solid fraction; 0: the simulations' alone
     int rows = 400;  ///< of each step
+    /// By how much torque and solid fraction drift from the first step of a recording to the last,
+    /// standard deviation, in the scatters above.
+    double drift = 0;
 };
 
 /// Gives each step of a recording the mean time of its steady part [s], for a recording that begins

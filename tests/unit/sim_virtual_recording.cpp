@@ -157,6 +157,26 @@ TEST(VirtualRecording, AddsNoFactorWhereTheSimulationScattersEnough) {
     expect_scatter(fraction, count, 0.25 * solid_fraction_scatter, "solid fraction");
 }
 
+TEST(VirtualRecording, DriftsFromItsFirstStepToItsLast) {
+    const std::vector<TrueState> states(3, state(0, 0));
+    double torque = 0, fraction = 0;
+    constexpr int recordings = 100;
+    for (std::uint64_t seed = 1; seed <= recordings; ++seed) {
+        const Recording still = record(states, cell, grains, {.noise = 1}, seed);
+        const Recording drifting = record(states, cell, grains, {.noise = 1, .drift = 2}, seed);
+        // The rest is the same: only the course of the level differs.
+        EXPECT_EQ(still.torque.front(), drifting.torque.front());
+        const double end = drifting.torque.back() / still.torque.back() - 1;
+        const auto middle = still.size() / 2;
+        EXPECT_NEAR(drifting.torque[middle] / still.torque[middle] - 1, end / 2, 1e-12);
+        torque += end * end;
+        const double height = drifting.height.back() / still.height.back() - 1;
+        fraction += height * height;
+    }
+    expect_scatter(torque, recordings, 2 * torque_scatter, "torque");
+    expect_scatter(fraction, recordings, 2 * solid_fraction_scatter, "solid fraction");
+}
+
 TEST(VirtualRecording, IsTheSameForTheSameSeed) {
     const std::vector<TrueState> states(2, state(0, 0));
     const auto csv = [&](std::uint64_t seed) {

@@ -1,0 +1,92 @@
+// `pendular-bench`: long benchmarks of the whole program.
+#include <fmt/format.h>
+
+#include <boost/program_options.hpp>
+#include <iostream>
+#include <string>
+
+#include "bench/hidden_effects/hidden_effects.h"
+#include "data/input_error.h"
+#include "sim/dem/simulation_error.h"
+
+namespace po = boost::program_options;
+using namespace pendular;
+
+namespace {
+
+const char* const about =
+    R"(pendular-bench hidden-effects [options]
+
+Hides every effect in simulated laboratories, at several sizes, lets the program find it, and writes
+what came of it: hidden_effects.txt (what was found, and how often it was right), a row for each
+study and figures. Truths are simulated with other seeds, beads and set points than any run that the
+program knows. Simulations and finished studies stay in the work folder: the same command goes on
+where it was stopped.
+
+Examples:
+  pendular-bench hidden-effects
+  pendular-bench hidden-effects --only lid-slip --studies 2 --results /tmp
+
+)";
+
+int run(int count, char** words) {
+    bench::HiddenEffectsOptions options;
+    std::string command, work, truths, results, only;
+    po::options_description shown("Options", 100);
+    shown.add_options()("help", "this text")("work",
+                                             po::value(&work)->default_value(options.work.string()),
+                                             "folder of simulations and finished studies")(
+        "truths", po::value(&truths)->default_value(options.truths.string()),
+        "what is hidden, a row each")("results",
+                                      po::value(&results)->default_value(options.results.string()),
+                                      "folder to write to")(
+        "only", po::value(&only), "beginnings of the names of some truths, separated by commas")(
+        "studies", po::value(&options.studies)->default_value(options.studies),
+        "recordings, with noise of their own, of each truth")(
+        "complete-studies",
+        po::value(&options.complete_studies)->default_value(options.complete_studies),
+        "likewise of the complete model")("threads", po::value(&options.threads)->default_value(2),
+                                          "runs or studies side by side")(
+        "plan", "choose the truths anew, which makes old simulations useless")(
+        "simulate-only", "make simulations, diagnose nothing");
+    po::options_description hidden;
+    hidden.add_options()("command", po::value(&command));
+    po::options_description all;
+    all.add(shown).add(hidden);
+    po::positional_options_description place;
+    place.add("command", 1);
+    po::variables_map given;
+    po::store(po::command_line_parser(count, words).options(all).positional(place).run(), given);
+    po::notify(given);
+    if (given.contains("help") || command.empty()) {
+        std::cout << about << shown;
+        return command.empty() && !given.contains("help") ? 2 : 0;
+    }
+    if (command != "hidden-effects") {
+        throw InputError(fmt::format("unknown benchmark '{}'; there is hidden-effects", command));
+    }
+    options.work = work, options.truths = truths, options.results = results;
+    for (std::size_t at = 0; at < only.size();) {
+        const std::size_t end = std::min(only.find(',', at), only.size());
+        options.only.push_back(only.substr(at, end - at));
+        at = end + 1;
+    }
+    options.plan = given.contains("plan");
+    options.diagnose = !given.contains("simulate-only");
+    bench::hidden_effects(options);
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    try {
+        return run(count, words);
+    } catch (const dem::Interrupted&) {
+        std::cerr << "interrupted; the same command goes on from there\n";
+        return 130;
+    } catch (const std::exception& error) {
+        std::cerr << "error: " << error.what() << '\n';
+        return 2;
+    }
+}

@@ -1,0 +1,358 @@
+#include "bench/hidden_effects/report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "data/csv.h"
+#include "data/robust.h"
+#include "data/text_file.h"
+#include "reports/figure.h"
+#include "sim/virtual_recording.h"
+
+namespace pendular::bench {
+namespace {
+
+/// v (1 - cos^2) from which on an effect ought to be named alone, and up to which it cannot be.
+constexpr double well_separated = 15, hardly_separated = 4;
+
+struct Study {
+    const Truth* truth;
+    const Outcome* outcome;
+};
+using Studies = std::vector<Study>;
+using Test = std::function<bool(const Study&)>;
+
+Studies those(const Studies& studies, const Test& test) {
+    Studies result;
+    std::ranges::copy_if(studies, std::back_inserter(result), test);
+    return result;
+}
+
+std::string percent(double share) {
+    return fmt::format("{:.1f} %", 100 * share);
+}
+
+/// "12 of 20 (60.0 %; 36.1 to 80.9 %)", with the 95 % interval of Clopper and Pearson.
+std::string rate(const Studies& studies, const Test& test) {
+    const auto of = static_cast<double>(studies.size());
+    if (studies.empty()) return "none measured";
+    const auto count = static_cast<double>(std::ranges::count_if(studies, test));
+    using Law = boost::math::binomial_distribution<>;
+    return fmt::format("{:.0f} of {:.0f} ({}; {} to {})", count, of, percent(count / of),
+                       percent(Law::find_lower_bound_on_p(of, count, 0.025)),
+                       percent(Law::find_upper_bound_on_p(of, count, 0.025)));
+}
+
+bool verdict_is(const Study& s, std::string_view verdict) {
+    return s.outcome->verdict == verdict;
+}
+bool flagged(const Study& s) {
+    return verdict_is(s, "unknown") || verdict_is(s, "suspect-measurement");
+}
+bool alarms(const Study& s) {
+    return !verdict_is(s, "nothing-missing") && !verdict_is(s, "inconclusive");
+}
+bool names_truth(const Study& s) {
+    return !s.truth->hidden.empty() && s.outcome->named.size() == s.truth->hidden.size() &&
+           std::ranges::all_of(s.outcome->named,
+                               [&](const std::string& name) { return s.truth->hides(name); });
+}
+bool points_at_truth(const Study& s) {
+    return std::ranges::any_of(s.outcome->named,
+                               [&](const std::string& name) { return s.truth->hides(name); });
+}
+bool right(const Study& s) {
+    return verdict_is(s, "missing") && names_truth(s);
+}
+/// Something else is named, or everything called well: whoever believes it is misled.
+bool confidently_wrong(const Study& s) {
+    if (verdict_is(s, "nothing-missing")) return !s.truth->hidden.empty();
+    return verdict_is(s, "missing") &&
+           !std::ranges::all_of(s.outcome->named,
+                                [&](const std::string& name) { return s.truth->hides(name); });
+}
+bool single(const Study& s) {
+    return s.truth->kind == Truth::Kind::effect;
+}
+bool of_catalogue(const Study& s) {
+    return s.truth->kind != Truth::Kind::outside;
+}
+/// The noncentrality that was wanted: 10, 25, 60, or 0 for a switch, which has the one it has.
+double wanted(const Study& s) {
+    const auto at = s.truth->name.rfind(" at ");
+    return at == std::string::npos ? 0 : std::stod(s.truth->name.substr(at + 4));
+}
+
+/// What a confusion matrix has a column for.
+std::string said(const Study& s) {
+    if (!alarms(s)) return "nothing";
+    if (verdict_is(s, "missing")) return fmt::format("{}", fmt::join(s.outcome->named, " + "));
+    return s.outcome->verdict;
+}
+
+std::vector<std::string> rows_of(const std::vector<Truth>& truths, const Studies& studies) {
+    std::vector<std::string> rows;
+    for (const Truth& truth : truths) {
+        if (std::ranges::any_of(studies, [&](const Study& s) { return s.truth == &truth; })) {
+            rows.push_back(truth.name);
+        }
+    }
+    return rows;
+}
+
+using Confusion = std::map<std::pair<std::string, std::string>, std::size_t>;
+
+Confusion confusion_of(const Studies& studies) {
+    Confusion counts;
+    for (const Study& s : studies) {
+        ++counts[{s.truth->name, said(s)}];
+    }
+    return counts;
+}
+
+/// Nothing first, then single effects and pairs, then what is not named.
+std::vector<std::string> columns_of(const Confusion& counts) {
+    const std::vector<std::string> last = {"indistinguishable", "suspect-measurement", "unknown"};
+    std::set<std::string> named;
+    for (const auto& [cell, count] : counts) {
+        if (cell.second != "nothing" && std::ranges::find(last, cell.second) == last.end()) {
+            named.insert(cell.second);
+        }
+    }
+    std::vector<std::string> columns = {"nothing"};
+    columns.insert(columns.end(), named.begin(), named.end());
+    columns.insert(columns.end(), last.begin(), last.end());
+    return columns;
+}
+
+void write_confusion(const std::filesystem::path& file, const std::vector<std::string>& rows,
+                     const std::vector<std::string>& columns, const Confusion& counts) {
+    std::string text = fmt::format("truth,{}\n", fmt::join(columns, ","));
+    for (const std::string& row : rows) {
+        text += row;
+        for (const std::string& column : columns) {
+            const auto found = counts.find({row, column});
+            text += fmt::format(",{}", found == counts.end() ? 0 : found->second);
+        }
+        text += '\n';
+    }
+    write_whole(file, text);
+}
+
+double median_of(const Studies& studies, const std::function<double(const Study&)>& value) {
+    std::vector<double> values;
+    std::ranges::transform(studies, std::back_inserter(values), value);
+    return values.empty() ? NAN : median(values);
+}
+
+/// The figures that the benchmark is for, each with how it is counted.
+std::vector<std::string> figures_of(const Studies& all) {
+    std::vector<std::string> lines;
+    const auto add = [&](const std::string& what, const std::string& value) {
+        lines.push_back(fmt::format("{:<78} {}", what, value));
+    };
+    const auto complete =
+        those(all, [](const Study& s) { return s.truth->kind == Truth::Kind::complete; });
+    const auto catalogue = those(all, of_catalogue);
+    add("false alarms, of complete laboratories", rate(complete, alarms));
+    add("confidently wrong, of all laboratories of the catalogue",
+        rate(catalogue, confidently_wrong));
+    add("confidence set holds the truth, of all laboratories of the catalogue",
+        rate(catalogue, [](const Study& s) { return s.outcome->set_has_truth; }));
+    add("  of those with something hidden, where it was noticed",
+        rate(those(catalogue, [](const Study& s) { return !s.truth->hidden.empty() && alarms(s); }),
+             [](const Study& s) { return s.outcome->set_has_truth; }));
+    const auto noticed =
+        those(catalogue, [](const Study& s) { return !s.truth->hidden.empty() && alarms(s); });
+    add("  median size of the set there",
+        fmt::format("{:g}", median_of(noticed, [](const Study& s) {
+                        return static_cast<double>(s.outcome->set_size);
+                    })));
+    for (const double v : {10.0, 25.0, 60.0}) {
+        const auto here = those(all, [&](const Study& s) { return single(s) && wanted(s) == v; });
+        add(fmt::format("noticed at noncentrality {:g}", v), rate(here, alarms));
+    }
+    const auto strong = those(all, [](const Study& s) {
+        return single(s) && (wanted(s) == 60 || (wanted(s) == 0 && s.truth->noncentrality >= 60));
+    });
+    const auto apart =
+        those(strong, [](const Study& s) { return s.truth->separation >= well_separated; });
+    add("right single verdict from noncentrality 60 on, v (1 - cos^2) >= 15", rate(apart, right));
+    add("  or indistinguishable, with the truth in it", rate(apart, [](const Study& s) {
+            return right(s) || (verdict_is(s, "indistinguishable") && points_at_truth(s));
+        }));
+    const auto alike =
+        those(strong, [](const Study& s) { return s.truth->separation <= hardly_separated; });
+    add("indistinguishable with the truth in it, v (1 - cos^2) <= 4",
+        rate(alike, [](const Study& s) {
+            return verdict_is(s, "indistinguishable") && points_at_truth(s);
+        }));
+    add("truths outside the catalogue: flagged unknown or suspect-measurement",
+        rate(those(all, [](const Study& s) { return s.truth->kind == Truth::Kind::outside; }),
+             flagged));
+    add("  noticed at all",
+        rate(those(all, [](const Study& s) { return s.truth->kind == Truth::Kind::outside; }),
+             alarms));
+    const auto refitted = those(all, [](const Study& s) {
+        return single(s) && s.outcome->foretold_drop && s.outcome->refitted_drop;
+    });
+    add("foretold drop of chi2 within max(20 %, 4) of the refitted one",
+        rate(refitted, [](const Study& s) {
+            const double actual = *s.outcome->refitted_drop;
+            return std::abs(*s.outcome->foretold_drop - actual) <= std::max(0.2 * actual, 4.0);
+        }));
+    const auto added = those(all, [](const Study& s) { return s.outcome->added.has_value(); });
+    add("after add of what a right verdict names: the error of conditions left out fell",
+        rate(those(added, right), [](const Study& s) {
+            const auto& a = *s.outcome->added;
+            const auto size = [](const std::array<double, 2>& rms) {
+                return std::hypot(rms[0] / torque_scatter, rms[1] / solid_fraction_scatter);
+            };
+            return size(a.left_out_after) < size(a.left_out_before);
+        }));
+    add("after add of what is hidden, where the set has it: p of chi2 above 0.01",
+        rate(added, [](const Study& s) { return s.outcome->added->p > 0.01; }));
+    const auto over_floor = [](std::size_t k) {
+        return [k](const Study& s) {
+            return s.outcome->added->rms_after[k] / s.outcome->added->scatter[k];
+        };
+    };
+    add("  median RMS error over the scatter of replicates, shear stress",
+        fmt::format("{:.3f}", median_of(added, over_floor(0))));
+    add("  of solid fraction", fmt::format("{:.3f}", median_of(added, over_floor(1))));
+    return lines;
+}
+
+/// What further measurements settled, by how they were chosen. `next` says itself where its rig
+/// separates nothing; the same studies count for the random choice.
+std::vector<std::string> resolved_lines(const std::vector<Resolution>& resolutions) {
+    std::vector<std::string> lines;
+    const auto hopeless = [&](const Resolution& r) {
+        return std::ranges::any_of(resolutions, [&](const Resolution& other) {
+            return other.policy == Policy::next && other.truth == r.truth &&
+                   other.study == r.study && !other.separable;
+        });
+    };
+    for (const Policy policy : {Policy::next, Policy::random}) {
+        std::vector<Resolution> here;
+        std::ranges::copy_if(resolutions, std::back_inserter(here), [&](const Resolution& r) {
+            return r.policy == policy && !hopeless(r);
+        });
+        const auto right = static_cast<double>(std::ranges::count_if(here, &Resolution::right));
+        std::vector<double> measurements;
+        for (const Resolution& r : here) {
+            if (r.right) measurements.push_back(r.measurements);
+        }
+        lines.push_back(fmt::format(
+            "{:<78} {}",
+            fmt::format("told apart, and rightly, within 12 further measurements chosen by {}",
+                        policy == Policy::next ? "next" : "chance"),
+            here.empty() ? "none measured"
+                         : fmt::format("{:.0f} of {} ({}), median of measurements {:g}", right,
+                                       here.size(), percent(right / here.size()),
+                                       measurements.empty() ? NAN : median(measurements))));
+    }
+    lines.push_back(fmt::format(
+        "{:<78} {}", "  left out: studies of which next says that the rig separates nothing",
+        std::ranges::count_if(resolutions, [](const Resolution& r) {
+            return r.policy == Policy::next && !r.separable;
+        })));
+    return lines;
+}
+
+std::vector<std::string> table_of(const std::vector<Truth>& truths, const Studies& all) {
+    std::vector<std::string> lines = {fmt::format(
+        "{:<40} {:>6} {:>8} {:>8} {:>9} {:>8} {:>9} {:>10}  {}", "truth", "v", "v(1-c^2)",
+        "studies", "noticed", "right", "in set", "wrong", "most like, by the emulator")};
+    for (const Truth& truth : truths) {
+        const auto here = those(all, [&](const Study& s) { return s.truth == &truth; });
+        if (here.empty()) continue;
+        const auto count = [&](const Test& test) { return std::ranges::count_if(here, test); };
+        lines.push_back(fmt::format(
+            "{:<40} {:>6.3g} {:>8} {:>8} {:>9} {:>8} {:>9} {:>10}  {}", truth.name,
+            truth.noncentrality,
+            truth.kind == Truth::Kind::effect ? fmt::format("{:.2g}", truth.separation) : "",
+            here.size(), count(alarms), count(right),
+            count([](const Study& s) { return s.outcome->set_has_truth; }),
+            count(confidently_wrong), truth.most_like));
+    }
+    return lines;
+}
+
+/// Shares of what was said of single effects, by noncentrality.
+void draw_shares(const Studies& all, const std::filesystem::path& folder) {
+    Figure figure{.name = "hidden_effects",
+                  .title = "Single hidden effects: what the verdict said",
+                  .panels = {}};
+    Panel panel{.x_label = "noncentrality v after refitting the friction",
+                .y_label = "share of laboratories [%]",
+                .key = Key::outside,
+                .y_range = std::pair(0.0, 100.0)};
+    const std::vector<std::tuple<std::string, Test, std::string>> kinds = {
+        {"noticed", alarms, "#000000"},
+        {"truth in the confidence set", [](const Study& s) { return s.outcome->set_has_truth; },
+         "#0072B2"},
+        {"right and alone", right, "#009E73"},
+        {"confidently wrong", confidently_wrong, "#D55E00"}};
+    for (const auto& [label, test, colour] : kinds) {
+        Curve points{.label = label, .colour = colour};
+        Curve line{.label = label, .style = Curve::Style::line, .colour = colour, .in_key = false};
+        for (const double v : {0.0, 10.0, 25.0, 60.0}) {
+            const auto here = those(all, [&](const Study& s) {
+                return v == 0 ? s.truth->kind == Truth::Kind::complete
+                              : single(s) && wanted(s) == v;
+            });
+            if (here.empty()) continue;
+            const double share = static_cast<double>(std::ranges::count_if(here, test)) /
+                                 static_cast<double>(here.size());
+            points.x.push_back(v);
+            points.y.push_back(100 * share);
+            points.y_error.push_back(
+                100 * std::sqrt(share * (1 - share) / static_cast<double>(here.size())));
+        }
+        line.x = points.x, line.y = points.y;
+        panel.curves.push_back(line);
+        panel.curves.push_back(points);
+    }
+    figure.panels.push_back(panel);
+    draw(figure, folder);
+}
+
+}  // namespace
+
+void write_report(const std::vector<Truth>& truths, const std::vector<Outcome>& outcomes,
+                  const std::vector<Resolution>& resolutions, const std::filesystem::path& folder) {
+    Studies all;
+    for (const Truth& truth : truths) {
+        for (const Outcome& outcome : outcomes) {
+            if (outcome.truth == truth.name) all.push_back({&truth, &outcome});
+        }
+    }
+    const auto rows = rows_of(truths, all);
+    const Confusion counts = confusion_of(all);
+    write_confusion(folder / "hidden_effects_confusion.csv", rows, columns_of(counts), counts);
+    write_outcomes(folder / "hidden_effects.csv", outcomes);
+    std::string text = fmt::format(
+        "pendular-bench hidden-effects, pendular {}: {} studies of {} of {} truths\n"
+        "Counts with their 95 % interval. Studies of one truth share its simulations and differ in "
+        "the noise of the\ninstrument, so that they are no independent trials of the "
+        "simulations.\n\n",
+        PENDULAR_VERSION, all.size(), rows.size(), truths.size());
+    write_resolutions(folder / "hidden_effects_next.csv", resolutions);
+    for (const auto& lines :
+         {figures_of(all), resolved_lines(resolutions), {""}, table_of(truths, all)}) {
+        text += fmt::format("{}\n", fmt::join(lines, "\n"));
+    }
+    write_whole(folder / "hidden_effects.txt", text);
+    fmt::print("{}", text);
+    draw_shares(all, folder);
+}
+
+}  // namespace pendular::bench

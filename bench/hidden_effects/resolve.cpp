@@ -1,0 +1,191 @@
+#include "bench/hidden_effects/resolve.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <random>
+#include <sstream>
+
+#include "analysis/next_measurement.h"
+#include "analysis/study_evidence.h"
+#include "app/stored_runs.h"
+#include "app/study_diagnosis.h"
+#include "bench/hidden_effects/rig.h"
+#include "bench/hidden_effects/walk.h"
+#include "calib/calibration.h"
+#include "data/csv.h"
+#include "data/number.h"
+#include "data/text_file.h"
+
+namespace pendular::bench {
+namespace {
+
+Rig rig_of_laboratory(const LabPlan& plan) {
+    const auto beads = [&](double mass) { return mass / plan.grains.density; };
+    return {.normal_stress = {120, 5000},
+            .inertial_number = Span{5e-3, 0.08},
+            .liquid_contents = {0, 0.004, 0.014, 0.04},
+            .bead_volumes = {beads(20e-3), beads(60e-3), beads(150e-3)},
+            .repeats = 6};
+}
+
+/// One study on which measurements go on.
+class Campaign {
+  public:
+    Campaign(const Truth& truth, const LabResult& laboratory, int study, const Workers& workers,
+             const std::filesystem::path& folder)
+        : truth_(truth), plan_(laboratory.plan), study_(study), workers_(workers), folder_(folder) {
+        write_whole_folder(folder, recordings_with_noise(laboratory, study));
+    }
+    ~Campaign() { std::filesystem::remove_all(folder_); }
+    Campaign(const Campaign&) = delete;
+    Campaign& operator=(const Campaign&) = delete;
+
+    void diagnose() {
+        input_ = app::read_input(folder_);
+        readings_ = dry_first(input_->measurements);
+        models_.emplace(
+            input_->study, conditions_of(readings_), truth_fidelity(),
+            app::known_runs(StudyModels::with_all_effects(input_->study), truth_fidelity(), nullptr)
+                .value());
+        diagnosis_ =
+            pendular::diagnose(*models_, evidence_of(readings_, input_->measurements.scatter));
+    }
+    const Diagnosis& diagnosis() const { return diagnosis_; }
+
+    std::vector<Point> points() const {
+        std::vector<Point> points = points_of(rig_of_laboratory(plan_), input_->study, 100);
+        std::erase_if(points, [&](const Point& point) {
+            return !models_->beyond(diagnosis_.fit.parameters(0), point.condition).empty();
+        });
+        return points;
+    }
+    Plan plan(const std::vector<Point>& points) const {
+        return separating_plans(app::rivals_of(diagnosis_, *models_), points,
+                                relative_errors(readings_), rig_of_laboratory(plan_).repeats)
+            .front();
+    }
+
+    /// Records so many readings at a point, with noise of their own.
+    void measure(const Condition& at, int readings) {
+        LabPlan plan = plan_;
+        plan.seed = 1000 + static_cast<std::uint64_t>(study_);
+        plan.replicates = readings;
+        plan.inertial_numbers = {at.inertial_number};
+        plan.cell.bead_volume = at.bead_volume.value_or(plan.cell.bead_volume);
+        plan.dry_normal_stresses = {at.dry() ? at.normal_stress : 1000};
+        plan.wet_normal_stresses = {at.normal_stress};
+        plan.liquid_contents.clear();
+        if (!at.dry()) plan.liquid_contents = {at.liquid_content};
+        if (at.dry()) {
+            std::erase_if(plan.effects, [](const ActiveEffect& active) {
+                return active.effect->touches == Touches::wet;
+            });
+        }
+        const LabResult more = simulate_lab(plan, workers_);
+        std::string study = read_text(folder_ / "study.toml");
+        const auto files = recordings_with_noise(more, study_ + 1000 * ++measured_);
+        std::string entries;
+        for (const LabRecording& recording : more.recordings) {
+            if ((recording.liquid_content == 0) != at.dry()) continue;
+            const std::string name = fmt::format("more_{}_{}", measured_, recording.file);
+            write_whole(folder_ / name, files.at(recording.file));
+            entries += fmt::format(
+                "[[recording]]\nfile = \"{}\"\nliquid_content = {}\nbead_mass = \"{:.7g} g\"\n\n",
+                name, at.liquid_content, 1e3 * plan.cell.bead_volume * plan.grains.density);
+        }
+        study.insert(study.find("[model]"), entries);
+        write_whole(folder_ / "study.toml", study);
+    }
+
+  private:
+    const Truth& truth_;
+    LabPlan plan_;
+    int study_;
+    const Workers& workers_;
+    std::filesystem::path folder_;
+    int measured_ = 0;
+    std::optional<app::StudyInput> input_;
+    std::vector<Reading> readings_;
+    std::optional<StudyModels> models_;
+    Diagnosis diagnosis_;
+};
+
+}  // namespace
+
+std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory, int study,
+                                Policy policy, int most_measurements, const Workers& workers,
+                                const std::filesystem::path& folder) {
+    Campaign campaign(truth, laboratory, study, workers, folder);
+    campaign.diagnose();
+    if (campaign.diagnosis().verdict != Verdict::indistinguishable) return {};
+    Resolution result{.truth = truth.name,
+                      .study = study,
+                      .policy = policy,
+                      .rivals = campaign.diagnosis().confidence_set.size()};
+    std::mt19937_64 random(static_cast<std::uint64_t>(study) + 17);
+    while (campaign.diagnosis().verdict == Verdict::indistinguishable &&
+           result.measurements < most_measurements) {
+        const std::vector<Point> points = campaign.points();
+        const int left = most_measurements - result.measurements;
+        if (policy == Policy::next) {
+            const Plan plan = campaign.plan(points);
+            if (plan.repeats == 0) {
+                result.separable = result.measurements > 0;
+                break;
+            }
+            const int repeats = std::min(plan.repeats, left);
+            campaign.measure(points[plan.point].condition, repeats);
+            result.measurements += repeats;
+        } else {
+            std::uniform_int_distribution<std::size_t> any(0, points.size() - 1);
+            campaign.measure(points[any(random)].condition, 1);
+            ++result.measurements;
+        }
+        campaign.diagnose();
+    }
+    const Diagnosis& d = campaign.diagnosis();
+    result.verdict = to_string(d.verdict);
+    result.named = d.effects;
+    result.right =
+        d.verdict == Verdict::missing && d.effects.size() == truth.hidden.size() &&
+        std::ranges::all_of(d.effects, [&](const auto& name) { return truth.hides(name); });
+    return {result};
+}
+
+std::vector<Resolution> read_resolutions(const std::filesystem::path& file) {
+    std::vector<Resolution> resolutions;
+    if (!std::filesystem::exists(file)) return resolutions;
+    const Table table = read_table(file);
+    for (const Row& row : table.rows) {
+        const auto text = [&](std::size_t k) { return row.cells.at(k).text; };
+        const auto number = [&](std::size_t k) { return parse_number(text(k)).value_or(0); };
+        std::istringstream named(text(7));
+        resolutions.push_back({.truth = text(0),
+                               .study = static_cast<int>(number(1)),
+                               .policy = text(2) == "next" ? Policy::next : Policy::random,
+                               .rivals = static_cast<std::size_t>(number(3)),
+                               .separable = number(4) == 1,
+                               .measurements = static_cast<int>(number(5)),
+                               .verdict = text(6),
+                               .named = {std::istream_iterator<std::string>(named), {}},
+                               .right = number(8) == 1});
+    }
+    return resolutions;
+}
+
+void write_resolutions(const std::filesystem::path& file,
+                       const std::vector<Resolution>& resolutions) {
+    std::string text = "truth,study,policy,rivals,separable,measurements,verdict,named,right\n";
+    for (const Resolution& r : resolutions) {
+        text += fmt::format("{},{},{},{},{:d},{},{},{},{:d}\n", r.truth, r.study,
+                            r.policy == Policy::next ? "next" : "random", r.rivals, r.separable,
+                            r.measurements, r.verdict, fmt::join(r.named, " "), r.right);
+    }
+    write_whole(file, text);
+}
+
+}  // namespace pendular::bench

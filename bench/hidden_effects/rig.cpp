@@ -1,0 +1,51 @@
+#include "bench/hidden_effects/rig.h"
+
+namespace pendular::bench {
+
+Fidelity truth_fidelity() {
+    return {.name = "hidden-effects",
+            .beads = 800,
+            .stiffness_number = 1500,
+            .lowest_inertial_number = 3e-3,
+            .strain = 3};
+}
+
+LabPlan rig(double friction, std::uint64_t world) {
+    LabPlan plan{.friction = friction,
+                 .dry_normal_stresses = {280, 900, 3200},
+                 .wet_normal_stresses = {280, 1800},
+                 .liquid_contents = {0.006, 0.014, 0.03},
+                 .inertial_numbers = {0.013, 0.045},
+                 .fidelity = truth_fidelity(),
+                 .seed = world};
+    plan.instrument.drift = 0.3;
+    return plan;
+}
+
+std::vector<Condition> conditions_asked(const LabPlan& plan) {
+    std::vector<Condition> all;
+    for (const PlannedRecording& recording : recordings_of(plan)) {
+        for (Condition condition : recording.conditions) {
+            constexpr double typical = 0.6;
+            condition.bead_volume = plan.cell.bead_volume;
+            condition.height = height(typical, plan.cell);
+            all.push_back(condition);
+        }
+    }
+    return all;
+}
+
+Study study_of(const LabPlan& plan) {
+    Study study;
+    study.grains = plan.grains;
+    study.liquid = plan.liquid;
+    study.cell = plan.cell;
+    for (const double content : contents_of(plan)) {
+        Source source;
+        source.liquid_content = content;
+        study.sources.push_back(source);
+    }
+    return study;
+}
+
+}  // namespace pendular::bench

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "data/study.h"
+#include "sim/lab_plan.h"
+
+namespace pendular::bench {
+
+/// Of the truth and of the model fitted to it: as stiff as its beads, which the atlas' are not.
+Fidelity truth_fidelity();
+
+/// What every laboratory of the benchmark measures, complete. Set points, bead number (1.5 times
+/// the fidelity's), stiffness and seeds are none of the atlas'. `world`: seeds of the simulations.
+LabPlan rig(double friction, std::uint64_t world);
+
+/// The conditions it asks for, a reading each, as `import` will describe them.
+std::vector<Condition> conditions_asked(const LabPlan& plan);
+
+/// The study that its recordings make, without files.
+Study study_of(const LabPlan& plan);
+
+}  // namespace pendular::bench

@@ -1,0 +1,137 @@
+#include "bench/hidden_effects/walk.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <chrono>
+#include <cmath>
+
+#include "analysis/study_evidence.h"
+#include "app/calibration_run.h"
+#include "app/stored_runs.h"
+#include "app/study_change.h"
+#include "app/study_input.h"
+#include "bench/hidden_effects/rig.h"
+#include "calib/study_models.h"
+#include "data/text_file.h"
+#include "sim/seeds.h"
+
+namespace pendular::bench {
+namespace {
+
+std::string name_of(const Explanation& explanation, const StudyModels& models,
+                    const Evidence& evidence) {
+    std::vector<std::string> parts;
+    for (const std::size_t k : explanation.chosen) {
+        parts.push_back(models.candidates()[k].name);
+    }
+    if (explanation.suspect) parts.push_back(evidence.suspects[*explanation.suspect].name);
+    return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, " + "));
+}
+
+bool is_truth(const Explanation& explanation, const StudyModels& models, const Truth& truth) {
+    return !explanation.suspect && explanation.chosen.size() == truth.hidden.size() &&
+           std::ranges::all_of(explanation.chosen, [&](std::size_t k) {
+               return truth.hides(models.candidates()[k].name);
+           });
+}
+
+app::Fitted fitted_with(const Study& study, const Measurements& measurements) {
+    CalibrationRequest request{.fidelity = truth_fidelity()};
+    app::choose_rounds(request, app::known_runs(study, request.fidelity, nullptr), false);
+    return app::fitted(study, calibrate_study(study, measurements, request, Workers{}));
+}
+
+/// RMS scatter [%] of replicates about the means of their conditions.
+std::array<double, 2> scatter_of(const std::vector<Reading>& readings) {
+    Eigen::Array2d squares = Eigen::Array2d::Zero();
+    double freedom = 0;
+    for (const auto& group : condition_groups(readings)) {
+        Eigen::Array2d mean = Eigen::Array2d::Zero();
+        for (const std::size_t k : group) {
+            mean += readings[k].value.array() / static_cast<double>(group.size());
+        }
+        for (const std::size_t k : group) {
+            squares += (readings[k].value.array() / mean - 1).square();
+        }
+        freedom += static_cast<double>(group.size()) - 1;
+    }
+    return {100 * std::sqrt(squares(0) / freedom), 100 * std::sqrt(squares(1) / freedom)};
+}
+
+Outcome::Added added(const app::StudyInput& input, const std::vector<std::string>& effects) {
+    const app::Fitted before = fitted_with(input.study, input.measurements);
+    Study more = input.study;
+    for (const std::string& effect : effects) {
+        more = app::plan_change(more, app::Action::add, effect).study;
+    }
+    const app::Fitted after = fitted_with(more, input.measurements);
+    const boost::math::chi_squared law(after.rung.dof);
+    return {.p = boost::math::cdf(boost::math::complement(law, after.rung.chi2)),
+            .rms_before = before.rung.rms_percent,
+            .rms_after = after.rung.rms_percent,
+            .scatter = scatter_of(input.measurements.readings),
+            .left_out_before = before.rung.left_out_percent.value(),
+            .left_out_after = after.rung.left_out_percent.value()};
+}
+
+void diagnose_into(Outcome& outcome, const Truth& truth, const app::StudyInput& input) {
+    const Study& study = input.study;
+    const std::vector<Reading> readings = dry_first(input.measurements);
+    const StudyModels models(
+        study, conditions_of(readings), truth_fidelity(),
+        app::known_runs(StudyModels::with_all_effects(study), truth_fidelity(), nullptr).value());
+    const Evidence evidence = evidence_of(readings, input.measurements.scatter);
+    const Diagnosis d = diagnose(models, evidence);
+    outcome.verdict = to_string(d.verdict);
+    outcome.named = d.effects;
+    outcome.suspects = d.suspects;
+    outcome.chi2 = d.chi2;
+    outcome.dof = d.dof;
+    std::vector<std::string> set;
+    for (const Explanation& each : d.confidence_set) {
+        set.push_back(name_of(each, models, evidence));
+        outcome.set_has_truth |= is_truth(each, models, truth);
+    }
+    outcome.set_size = set.size();
+    outcome.confidence_set = fmt::format("{}", fmt::join(set, " | "));
+    for (const Finding& finding : d.scan) {
+        if (truth.hidden.size() == 1 && truth.hides(models.candidates()[finding.candidate].name)) {
+            outcome.foretold_drop = finding.test.predicted_drop;
+            outcome.refitted_drop = finding.refit_drop;
+        }
+    }
+}
+
+}  // namespace
+
+std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, int study) {
+    for (std::size_t k = 0; k < laboratory.recordings.size(); ++k) {
+        constexpr std::uint64_t apart = 1'000'000;  // from any seed of a laboratory
+        laboratory.recordings[k].seed =
+            seed_of_run(apart + static_cast<std::uint64_t>(study), k, SeedDomain::instrument);
+    }
+    return study_files(laboratory);
+}
+
+Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
+             const std::filesystem::path& folder) {
+    const auto begun = std::chrono::steady_clock::now();
+    write_whole_folder(folder, recordings_with_noise(laboratory, study));
+    Outcome outcome{.truth = truth.name, .study = study};
+    const app::StudyInput input = app::read_input(folder);
+    diagnose_into(outcome, truth, input);
+    std::vector<std::string> hidden;
+    for (const ActiveEffect& active : truth.hidden) {
+        hidden.push_back(active.effect->name);
+    }
+    if (outcome.set_has_truth && !hidden.empty()) outcome.added = added(input, hidden);
+    std::filesystem::remove_all(folder);
+    outcome.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return outcome;
+}
+
+}  // namespace pendular::bench

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/hidden_effects/truth.h"
+#include "sim/virtual_lab.h"
+
+namespace pendular::bench {
+
+/// What became of one laboratory in the hands of a user who follows the program.
+struct Outcome {
+    std::string truth;  ///< its name
+    int study = 0;      ///< number of the recordings' noise
+    std::string verdict;
+    std::vector<std::string> named;     ///< effects that the verdict points at
+    std::vector<std::string> suspects;  ///< parts of the measurement that it points at
+    std::string confidence_set;         ///< "a | b + c"
+    std::size_t set_size = 0;           ///< models in it
+    bool set_has_truth = false;         ///< exactly what is hidden, or, of a complete
+                                        ///< laboratory, nothing
+    double chi2 = 0;                    ///< of the joint fit
+    int dof = 0;
+    std::optional<double> foretold_drop, refitted_drop;  ///< of chi2 by a single hidden effect
+
+    /// The error before and after `add` of what is hidden, where it is in the confidence set.
+    struct Added {
+        double p = 0;                                                ///< of chi2, after
+        std::array<double, 2> rms_before{}, rms_after{}, scatter{};  ///< [%]
+        std::array<double, 2> left_out_before{}, left_out_after{};   ///< [%]
+    };
+    std::optional<Added> added;
+    double seconds = 0;
+};
+
+/// The files of a laboratory whose instrument has noise of this number.
+std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, int study);
+
+/// Makes the recordings of a simulated laboratory with noise of their own, imports them, diagnoses,
+/// and adds what is hidden where that is among what may be missing. Works in a folder that it makes
+/// and removes.
+Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
+             const std::filesystem::path& folder);
+
+/// Rows of outcomes, so that a benchmark goes on where it was stopped.
+std::vector<Outcome> read_outcomes(const std::filesystem::path& file);
+void write_outcomes(const std::filesystem::path& file, const std::vector<Outcome>& outcomes);
+
+}  // namespace pendular::bench
