@@ -24,6 +24,14 @@ constexpr int most_sharpenings = 3;
 constexpr double worth_refitting = 0.05;
 /// A switch is identifiable if it is seen at least so often.
 constexpr double hardly_seen = 0.1;
+/// A pair is refitted where its second part takes at least this off chi2 by the linear estimate.
+constexpr double worth_a_pair = 1;
+/// Models whose chi2 differ by less may be refused or stand for other reasons than that.
+constexpr double all_the_same = 10;
+/// By how much a refit may lower chi2 more than the linear estimate says.
+constexpr double foretelling_error = 0.2;
+/// Candidates that are refitted together.
+constexpr std::size_t best_singles = 6;
 /// Refits for which another instance of the space is worth making.
 constexpr std::size_t worth_another_thread = 3;
 
@@ -67,9 +75,20 @@ class Diagnostician {
     bool base_stands() const;
     void settle_for_base();
     void search();
+    static bool looks_missing(const Finding& finding) {
+        return finding.test.seen() && finding.test.p() < worth_refitting;
+    }
     void search_singles();
     void search_suspects();
     void search_pairs();
+    /// Whether a model that takes this off chi2 by the linear estimate may do better than those
+    /// that were refitted and refused.
+    bool may_do_better(double drop) const;
+    /// chi2 that a choice would leave were everything linear: switches on, amplitudes within
+    /// bounds.
+    double left_by(const Choice& chosen) const;
+    /// The amplitude nearest to this one that a candidate can have.
+    double within_bounds(std::size_t candidate, double amplitude) const;
     /// A model to be refitted.
     struct Trial {
         Choice chosen;
@@ -319,21 +338,31 @@ void Diagnostician::take(Explanation explanation) {
 }
 
 void Diagnostician::search_singles() {
-    std::vector<Trial> trials;
+    std::vector<const Finding*> worth;
     for (const Finding& finding : result_.scan) {
-        if (finding.test.seen() && finding.test.p() < worth_refitting) {
-            const Choice chosen = {finding.candidate};
-            trials.push_back(
-                {chosen, {}, start_with(chosen, signatures_[finding.candidate].change)});
-        }
+        if (looks_missing(finding)) worth.push_back(&finding);
     }
-    try_all("refits", trials);
+    std::ranges::sort(worth, std::greater<>(),
+                      [](const Finding* finding) { return finding->test.predicted_drop; });
+    // The best first, then those that may do better than what was refused of them.
+    for (std::size_t from = 0; from < worth.size(); from += best_singles) {
+        std::vector<Trial> trials;
+        for (std::size_t k = from; k < std::min(from + best_singles, worth.size()); ++k) {
+            const Choice chosen = {worth[k]->candidate};
+            if (may_do_better(worth[k]->test.predicted_drop)) {
+                trials.push_back(
+                    {chosen, {}, start_with(chosen, signatures_[worth[k]->candidate].change)});
+            }
+        }
+        if (!trials.empty()) try_all("refits", trials);
+    }
 }
 
 void Diagnostician::search_suspects() {
     std::vector<std::size_t> worth;
     for (std::size_t k = 0; k < suspect_tests_.size(); ++k) {
-        if (suspect_tests_[k].p() < worth_refitting) worth.push_back(k);
+        const ScoreTest& test = suspect_tests_[k];
+        if (test.p() < worth_refitting && may_do_better(test.predicted_drop)) worth.push_back(k);
     }
     std::ranges::sort(worth, {}, [&](std::size_t k) { return suspect_tests_[k].p(); });
     worth.resize(std::min(worth.size(), options_.most_suspects));
@@ -344,28 +373,100 @@ void Diagnostician::search_suspects() {
     try_all("suspects", trials);
 }
 
+bool Diagnostician::may_do_better(double drop) const {
+    double best = 0;
+    for (const Explanation& each : result_.tried) {
+        if (!each.accepted) best = std::max(best, base_.chi2 - each.chi2);
+    }
+    return drop * (1 + foretelling_error) + all_the_same > best;
+}
+
+double Diagnostician::left_by(const Choice& chosen) const {
+    Eigen::VectorXd left = residuals_->project(residuals_->residuals());
+    struct Column {
+        Eigen::VectorXd change;
+        std::size_t candidate;
+        bool bounded;  ///< the only parameter of its candidate
+    };
+    std::vector<Column> columns;
+    for (const std::size_t k : chosen) {
+        const Eigen::MatrixXd change =
+            residuals_->project(residuals_->whiten(signatures_[k].change));
+        if (is_switch(k)) {
+            left -= change;
+            continue;
+        }
+        for (Eigen::Index c = 0; c < change.cols(); ++c) {
+            columns.push_back({change.col(c), k, change.cols() == 1});
+        }
+    }
+    // An amplitude that would leave its bounds stays there, and the others are found anew.
+    while (!columns.empty()) {
+        Eigen::MatrixXd all(left.size(), static_cast<Eigen::Index>(columns.size()));
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            all.col(static_cast<Eigen::Index>(c)) = columns[c].change;
+        }
+        const Eigen::VectorXd amplitudes = all.colPivHouseholderQr().solve(left);
+        const auto beyond = std::ranges::find_if(columns, [&](const Column& column) {
+            const double wanted = amplitudes(&column - columns.data());
+            return column.bounded && within_bounds(column.candidate, wanted) != wanted;
+        });
+        if (beyond == columns.end()) {
+            return (left - all * amplitudes).squaredNorm();
+        }
+        left -=
+            within_bounds(beyond->candidate, amplitudes(beyond - columns.begin())) * beyond->change;
+        columns.erase(beyond);
+    }
+    return left.squaredNorm();
+}
+
+double Diagnostician::within_bounds(std::size_t candidate, double amplitude) const {
+    const bool one_sided = signatures_[candidate].one_sided;
+    if (one_sided && amplitude < 0) return 0;
+    const double there = addition(candidate).amplitude_at(
+        addition(candidate).value_at(amplitude, one_sided), one_sided);
+    constexpr double rounding = 1e-6;
+    return std::abs(there - amplitude) < rounding * (1 + std::abs(amplitude)) ? amplitude : there;
+}
+
 void Diagnostician::search_pairs() {
     struct Pair {
         Choice chosen;
-        Eigen::MatrixXd columns;
-        double drop;
+        double left;
     };
-    std::vector<Pair> pairs;
-    for (std::size_t i = 0; i < signatures_.size(); ++i) {
-        for (std::size_t j = i + 1; j < signatures_.size(); ++j) {
-            if (!result_.scan[i].test.seen() || !result_.scan[j].test.seen()) continue;
-            Eigen::MatrixXd columns(residuals_->size(),
-                                    signatures_[i].change.cols() + signatures_[j].change.cols());
-            columns << signatures_[i].change, signatures_[j].change;
-            const ScoreTest both = score_test(*residuals_, {.change = columns}, false);
-            pairs.push_back({{i, j}, std::move(columns), both.predicted_drop});
+    std::vector<std::size_t> seen;
+    std::vector<double> left_alone(signatures_.size(), residuals_->chi2());
+    for (const Finding& finding : result_.scan) {
+        if (finding.test.seen()) {
+            seen.push_back(finding.candidate);
+            left_alone[finding.candidate] =
+                std::min(left_alone[finding.candidate], left_by({finding.candidate}));
         }
     }
-    std::ranges::sort(pairs, std::greater<>(), &Pair::drop);
+    std::vector<Pair> pairs;
+    for (const std::size_t i : seen) {
+        for (const std::size_t j : seen) {
+            if (i >= j) continue;
+            const double left = left_by({i, j});
+            // Where one part brings nothing beside the other, that one was not enough alone.
+            if (left < std::min(left_alone[i], left_alone[j]) - worth_a_pair &&
+                may_do_better(base_.chi2 - left)) {
+                pairs.push_back({{i, j}, left});
+            }
+        }
+    }
+    std::ranges::sort(pairs, {}, &Pair::left);
     pairs.resize(std::min(pairs.size(), options_.most_pairs));
     std::vector<Trial> trials;
     for (const Pair& pair : pairs) {
-        trials.push_back({pair.chosen, {}, start_with(pair.chosen, pair.columns)});
+        Eigen::MatrixXd columns(residuals_->size(), 0);
+        for (const std::size_t k : pair.chosen) {
+            columns.conservativeResize(Eigen::NoChange,
+                                       columns.cols() + signatures_[k].change.cols());
+            columns.rightCols(signatures_[k].change.cols()) = signatures_[k].change;
+        }
+        trials.push_back({pair.chosen, {}, start_with(pair.chosen, columns)});
     }
     try_all("pairs", trials);
 }
@@ -441,7 +542,7 @@ void Diagnostician::decide() {
             finding.decision =
                 finding.power < options_.wanted_power ? "cannot be excluded" : "absent";
         } else {
-            finding.decision = finding.refit_drop ? "does not explain it" : "no sign of it";
+            finding.decision = looks_missing(finding) ? "does not explain it" : "no sign of it";
         }
     }
 }

@@ -10,21 +10,65 @@ void RumpfModel::improve(const Eigen::VectorXd& parameters, double excess) {
     simulation_.improve(parameters, excess);
 }
 
-Prediction RumpfModel::ask(const Eigen::VectorXd& parameters,
-                           const std::vector<Condition>& conditions, Ask what) const {
-    // Each wet condition together with its dry twin, which gives the dry law.
-    std::vector<Condition> with_twins = conditions;
+namespace {
+
+/// Each wet condition has a dry twin, at the end, which gives the dry law.
+std::vector<Condition> with_dry_twins(const std::vector<Condition>& conditions) {
+    std::vector<Condition> all = conditions;
     for (const auto& condition : conditions) {
         if (!condition.dry()) {
-            with_twins.push_back(condition);
-            with_twins.back().liquid_content = 0;
-            std::erase_if(with_twins.back().grain_effects, [](const EffectValues& values) {
+            all.push_back(condition);
+            all.back().liquid_content = 0;
+            std::erase_if(all.back().grain_effects, [](const EffectValues& values) {
                 return built_in_effect(values.effect).touches != Touches::all;
             });
         }
     }
+    return all;
+}
+
+}  // namespace
+
+RumpfModel::Closure RumpfModel::closure_at(double friction, const Condition& condition) const {
+    return {.z = simulation_.effective_coordination(friction, condition),
+            .shear = terms_.capillary_shear_stress
+                         ? simulation_.capillary_shear_stress(friction, condition)
+                         : StructureResponse{},
+            .pressure = 1 / inverse_pressure_of(condition, study_)};
+}
+
+double RumpfModel::Closure::rumpf_stress(double dry, double fraction,
+                                         const Condition& condition) const {
+    const double ratio = dry / condition.normal_stress;
+    return condition.normal_stress *
+           closures::stress_ratio_from_cohesion(
+               ratio, closures::reduced_cohesion(ratio, fraction, z.value), pressure);
+}
+
+Eigen::VectorXd RumpfModel::values_of_conditions(const Eigen::VectorXd& parameters,
+                                                 const std::vector<Condition>& conditions) const {
+    const Eigen::VectorXd simulated =
+        simulation_.values_of_conditions(parameters, with_dry_twins(conditions));
+    const auto n = static_cast<Eigen::Index>(conditions.size());
+    Eigen::VectorXd values = simulated.head(2 * n);
+    Eigen::Index twin = 2 * n;
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Condition& condition = conditions[static_cast<std::size_t>(k)];
+        if (condition.dry()) {
+            continue;
+        }
+        const Closure closure = closure_at(parameters(0), condition);
+        values(2 * k) = closure.rumpf_stress(simulated(twin), simulated(2 * k + 1), condition) -
+                        condition.normal_stress / closure.pressure * closure.shear.value;
+        twin += 2;
+    }
+    return values;
+}
+
+Prediction RumpfModel::ask(const Eigen::VectorXd& parameters,
+                           const std::vector<Condition>& conditions, Ask what) const {
     const FlowModel& simulation = simulation_;
-    const Prediction simulated = (simulation.*what)(parameters, with_twins);
+    const Prediction simulated = (simulation.*what)(parameters, with_dry_twins(conditions));
     const auto n = static_cast<Eigen::Index>(conditions.size());
     Prediction result{.value = simulated.value.head(2 * n),
                       .jacobian = simulated.jacobian.topRows(2 * n),
@@ -37,19 +81,11 @@ Prediction RumpfModel::ask(const Eigen::VectorXd& parameters,
         if (condition.dry()) {
             continue;
         }
-        const double pressure = 1 / inverse_pressure_of(condition, study_);
-        const auto z = simulation_.effective_coordination(parameters(0), condition);
-        const StructureResponse shear =
-            terms_.capillary_shear_stress
-                ? simulation_.capillary_shear_stress(parameters(0), condition)
-                : StructureResponse{};
+        const Closure closure = closure_at(parameters(0), condition);
+        const auto& [z, shear, pressure] = closure;
         const double dry = simulated.value(twin), fraction = simulated.value(2 * k + 1);
-        const double dry_ratio = dry / condition.normal_stress;
         // mu* is linear in each of mu*_dry, Phi_S and Z*: its slopes are ratios.
-        const double wet =
-            condition.normal_stress *
-            closures::stress_ratio_from_cohesion(
-                dry_ratio, closures::reduced_cohesion(dry_ratio, fraction, z.value), pressure);
+        const double wet = closure.rumpf_stress(dry, fraction, condition);
         const double lost = condition.normal_stress / pressure;  // by a unit of shear stress
         const double by_fraction = (wet - dry) / fraction, by_z = (wet - dry) / z.value;
         map(2 * k, 2 * k) = 0;

@@ -28,6 +28,8 @@ class RumpfModel : public FlowModel {
                                        const std::vector<Condition>& conditions) const override {
         return ask(parameters, conditions, &FlowModel::predict_mean_conditions);
     }
+    Eigen::VectorXd values_of_conditions(const Eigen::VectorXd& parameters,
+                                         const std::vector<Condition>& conditions) const override;
     void improve(const Eigen::VectorXd& parameters, double excess) override;
     void learn_wet(const Eigen::VectorXd& parameters, int turns) override {
         simulation_.learn_wet(parameters, turns);
@@ -41,6 +43,14 @@ class RumpfModel : public FlowModel {
                                           const std::vector<Condition>&) const;
     Prediction ask(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                    Ask what) const;
+    /// What the closure makes of a wet condition.
+    struct Closure {
+        StructureResponse z, shear;  ///< Z* and a^2 s12cap/F0
+        double pressure = 0;         ///< P*
+        /// Shear stress [Pa] with Rumpf's cohesion alone, of the dry one and the solid fraction.
+        double rumpf_stress(double dry, double fraction, const Condition& condition) const;
+    };
+    Closure closure_at(double friction, const Condition& condition) const;
 
     SimulationModel& simulation_;
     Study study_;

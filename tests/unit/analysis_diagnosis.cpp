@@ -65,19 +65,24 @@ TEST(Diagnosis, FindsAPairWhereNoSingleEffectExplains) {
 }
 
 TEST(Diagnosis, FindsTheSameInSeveralThreads) {
-    const LinearSpace space = line_and();
+    const auto space = [] {
+        return line_and({column("cube", [](double x) { return x * x * x; }),
+                         column("ripple", [](double x) { return std::sin(4 * x + 1); }),
+                         column("edge", [](double x) { return std::exp(3 * x); }),
+                         column("bow", [](double x) { return std::cos(2 * x); })});
+    };
     Measuring measuring(5);
     const Evidence evidence = measuring.of(
         plain() + over_places([](double x) { return 8 * x * x + 3 * std::sin(9.4 * x); }));
     DiagnosisOptions options = quickly();
-    const Diagnosis alone = diagnose(space, evidence, options);
+    const Diagnosis alone = diagnose(space(), evidence, options);
     int made = 0;
     options.threads = 2;
     options.another = [&] {
         ++made;
-        return std::make_unique<LinearSpace>(line_and());
+        return std::make_unique<LinearSpace>(space());
     };
-    const Diagnosis together = diagnose(space, evidence, options);
+    const Diagnosis together = diagnose(space(), evidence, options);
     EXPECT_EQ(made, 1);
     ASSERT_EQ(together.tried.size(), alone.tried.size());
     for (std::size_t k = 0; k < alone.tried.size(); ++k) {
