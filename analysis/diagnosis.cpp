@@ -376,7 +376,7 @@ void Diagnostician::search_suspects() {
 bool Diagnostician::may_do_better(double drop) const {
     double best = 0;
     for (const Explanation& each : result_.tried) {
-        if (!each.accepted) best = std::max(best, base_.chi2 - each.chi2);
+        if (!each.accepted && each.fit.converged) best = std::max(best, base_.chi2 - each.chi2);
     }
     return drop * (1 + foretelling_error) + all_the_same > best;
 }

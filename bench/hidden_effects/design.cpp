@@ -51,8 +51,9 @@ class Design {
         residuals_ = std::make_unique<WeightedResiduals>(measured, prediction);
         for (std::size_t k = 0; k < models_->candidates().size(); ++k) {
             const Addition addition(*models_, {}, k, parameters, prediction.value);
-            signatures_.push_back(
-                residuals_->project(residuals_->whiten(addition.signature(false).change)));
+            const Signature signature = addition.signature(false);
+            signatures_.push_back(residuals_->project(residuals_->whiten(signature.change)));
+            one_sided_.push_back(signature.one_sided);
         }
         base_ = prediction.value;
     }
@@ -100,6 +101,7 @@ class Design {
             const Eigen::VectorXd other = signatures_[k].col(0);
             if (name == but || !other.allFinite() || other.norm() == 0) continue;
             const double along = other.normalized().dot(changed);
+            if (one_sided_[k] && along < 0) continue;  // it can do the opposite only
             const double left = changed.squaredNorm() - along * along;
             if (left < least.first) least = {left, name};
         }
@@ -114,6 +116,7 @@ class Design {
     std::unique_ptr<EmulatedSimulation> simulation_;
     std::unique_ptr<WeightedResiduals> residuals_;
     std::vector<Eigen::MatrixXd> signatures_;
+    std::vector<bool> one_sided_;
     Eigen::VectorXd base_;
 };
 
