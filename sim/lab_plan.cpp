@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -98,13 +99,16 @@ bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
         active.effect->on_with_liquid) {
         return false;
     }
-    const Condition asked{.normal_stress = 1000,
-                          .liquid_content = active.effect->touches == Touches::dry ? 0 : 0.01};
-    const auto run = [&](const std::vector<ActiveEffect>& effects) {
-        const Condition condition = changed_condition(asked, effects, plan.liquid);
-        return dem::described(run_at(plan, condition, 1e-3));
-    };
-    return run({active}) == run({});
+    return std::ranges::all_of(contents_of(plan), [&](double content) {
+        const bool touched = active.effect->touches == Touches::all ||
+                             (active.effect->touches == Touches::dry) == (content == 0);
+        const Condition asked{.normal_stress = 1000, .liquid_content = content};
+        const auto run = [&](const std::vector<ActiveEffect>& effects) {
+            const Condition condition = changed_condition(asked, effects, plan.liquid);
+            return dem::described(run_at(plan, condition, 1e-3));
+        };
+        return !touched || run({active}) == run({});
+    });
 }
 
 /// Effects that a laboratory cannot have, or that would change none of its recordings.

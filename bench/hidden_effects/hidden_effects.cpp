@@ -23,7 +23,7 @@ namespace pendular::bench {
 namespace {
 
 /// The complete model is simulated so often, each time with other seeds.
-constexpr int complete_worlds = 8;
+constexpr int complete_worlds = 4;
 
 class Benchmark {
   public:

@@ -45,8 +45,11 @@ int run(int count, char** words) {
         "recordings, with noise of their own, of each truth")(
         "complete-studies",
         po::value(&options.complete_studies)->default_value(options.complete_studies),
-        "likewise of the complete model")("threads", po::value(&options.threads)->default_value(2),
-                                          "runs or studies side by side")(
+        "likewise of the complete model")(
+        "resolved-studies",
+        po::value(&options.resolved_studies)->default_value(options.resolved_studies),
+        "studies of each truth on which measurements go on, where effects cannot be told apart")(
+        "threads", po::value(&options.threads)->default_value(2), "runs or studies side by side")(
         "plan", "choose the truths anew, which makes old simulations useless")(
         "simulate-only", "make simulations, diagnose nothing");
     po::options_description hidden;

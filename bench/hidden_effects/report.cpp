@@ -260,7 +260,7 @@ std::vector<std::string> resolved_lines(const std::vector<Resolution>& resolutio
                                        measurements.empty() ? NAN : median(measurements))));
     }
     lines.push_back(fmt::format(
-        "{:<78} {}", "  left out: studies of which next says that the rig separates nothing",
+        "{:<78} {}", "  left out: studies in which next said that nothing separates what was left",
         std::ranges::count_if(resolutions, [](const Resolution& r) {
             return r.policy == Policy::next && !r.separable;
         })));

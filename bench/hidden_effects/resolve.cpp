@@ -134,7 +134,7 @@ std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory,
         if (policy == Policy::next) {
             const Plan plan = campaign.plan(points);
             if (plan.repeats == 0) {
-                result.separable = result.measurements > 0;
+                result.separable = false;
                 break;
             }
             const int repeats = std::min(plan.repeats, left);
