@@ -18,6 +18,7 @@
 #include "bench/hidden_effects/rig.h"
 #include "bench/hidden_effects/walk.h"
 #include "sim/store/run_store.h"
+#include "sim/store/run_table.h"
 
 namespace pendular::bench {
 namespace {
@@ -36,6 +37,11 @@ class Benchmark {
           resolutions_(read_resolutions(resolutions_file_)) {
         if (options.plan) write_truths(options.truths, planned_truths({10, 25, 60}));
         truths_ = read_truths(options.truths);
+        if (store_.size() == 0 && std::filesystem::exists(options.runs)) {
+            for (const StoredRun& stored : read_runs(options.runs)) {
+                store_.add(stored.run, stored.physics_version);
+            }
+        }
     }
 
     void run() {

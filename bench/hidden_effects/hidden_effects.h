@@ -9,6 +9,8 @@ namespace pendular::bench {
 struct HiddenEffectsOptions {
     std::filesystem::path work = "build/hidden-effects";  ///< simulations, and outcomes so far
     std::filesystem::path truths = "bench/hidden_effects/truths.csv";
+    /// Simulations made before, which need not be made again.
+    std::filesystem::path runs = "bench/hidden_effects/runs.csv";
     std::filesystem::path results = "bench/results";
     std::vector<std::string> only;  ///< names of truths begin with one of these; empty: all
     int studies = 5;                ///< recordings, each with noise of its own, of each truth

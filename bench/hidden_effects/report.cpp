@@ -303,7 +303,8 @@ void draw_shares(const Studies& all, const std::filesystem::path& folder) {
         {"confidently wrong", confidently_wrong, "#D55E00"}};
     for (const auto& [label, test, colour] : kinds) {
         Curve points{.label = label, .colour = colour};
-        Curve line{.label = label, .style = Curve::Style::line, .colour = colour, .in_key = false};
+        Curve line{
+            .label = label, .style = Curve::Style::dotted_line, .colour = colour, .in_key = false};
         for (const double v : {0.0, 10.0, 25.0, 60.0}) {
             const auto here = those(all, [&](const Study& s) {
                 return v == 0 ? s.truth->kind == Truth::Kind::complete
@@ -338,7 +339,7 @@ void write_report(const std::vector<Truth>& truths, const std::vector<Outcome>& 
     const auto rows = rows_of(truths, all);
     const Confusion counts = confusion_of(all);
     write_confusion(folder / "hidden_effects_confusion.csv", rows, columns_of(counts), counts);
-    write_outcomes(folder / "hidden_effects.csv", outcomes);
+    write_outcomes(folder / "hidden_effects_studies.csv", outcomes);
     std::string text = fmt::format(
         "pendular-bench hidden-effects, pendular {}: {} studies of {} of {} truths\n"
         "Counts with their 95 % interval. Studies of one truth share its simulations and differ in "

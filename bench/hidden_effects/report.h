@@ -9,8 +9,8 @@
 
 namespace pendular::bench {
 
-/// Writes hidden_effects.txt (rates, with how they are counted), hidden_effects.csv (a row for each
-/// study), hidden_effects_confusion.csv, hidden_effects_next.csv and a figure to a folder.
+/// Writes hidden_effects.txt (rates, with how they are counted), hidden_effects_studies.csv (a row
+/// for each study), hidden_effects_confusion.csv, hidden_effects_next.csv and a figure to a folder.
 void write_report(const std::vector<Truth>& truths, const std::vector<Outcome>& outcomes,
                   const std::vector<Resolution>& resolutions, const std::filesystem::path& folder);
 
