@@ -38,7 +38,7 @@ class Campaign {
     Campaign(const Truth& truth, const LabResult& laboratory, int study, const Workers& workers,
              const std::filesystem::path& folder)
         : truth_(truth), plan_(laboratory.plan), study_(study), workers_(workers), folder_(folder) {
-        write_whole_folder(folder, recordings_with_noise(laboratory, study));
+        write_whole_folder(folder, recordings_with_noise(laboratory, truth, study));
     }
     ~Campaign() { std::filesystem::remove_all(folder_); }
     Campaign(const Campaign&) = delete;
@@ -87,7 +87,7 @@ class Campaign {
         }
         const LabResult more = simulate_lab(plan, workers_);
         std::string study = read_text(folder_ / "study.toml");
-        const auto files = recordings_with_noise(more, study_ + 1000 * ++measured_);
+        const auto files = recordings_with_noise(more, truth_, study_ + 1000 * ++measured_);
         std::string entries;
         for (const LabRecording& recording : more.recordings) {
             if ((recording.liquid_content == 0) != at.dry()) continue;

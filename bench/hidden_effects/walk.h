@@ -37,8 +37,9 @@ struct Outcome {
     double seconds = 0;
 };
 
-/// The files of a laboratory whose instrument has noise of this number.
-std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, int study);
+/// The files of a laboratory whose instrument has noise of this number, which no other truth has.
+std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, const Truth& truth,
+                                                         int study);
 
 /// Makes the recordings of a simulated laboratory with noise of their own, imports them, diagnoses,
 /// and adds what is hidden where that is among what may be missing. Works in a folder that it makes
