@@ -20,8 +20,8 @@ namespace {
 const char* const about =
     R"(Says what to measure next. Diagnoses the study; where several models explain its readings
 alike, looks over everything the rig can be set to for the point at which they differ most beyond
-their errors, and says how many readings tell them apart, or that none would. Where one model
-stands, the point that sharpens its parameters most. The rig stands in study.toml; without it, what
+their errors, and says how many readings tell them apart; where no point does alone, which readings
+at several do together; or that none would. Where one model stands, the point that sharpens its parameters most. The rig stands in study.toml; without it, what
 the readings span is taken:
 
   [rig]
@@ -29,7 +29,8 @@ the readings span is taken:
   inertial_number = [0.003, 0.1]          # or shear_rate = ["0.05 1/s", "5 1/s"]
   liquid_contents = [0, 0.007, 0.03]
   bead_mass = ["30 g", "60 g"]            # fillings of the cell
-  repeats = 5                             # most readings at one point
+  repeats = 5                             # most readings at one point (default 5)
+  readings = 12                           # most at several points together (default 12)
   wet_cost = 2                            # of a wet reading, in dry ones (default 1)
   filling_cost = 3                        # of another filling (default 0))";
 
@@ -64,7 +65,8 @@ int next(const std::vector<std::string>& arguments) {
                          .points = points_of(rig, study, last_time(d.readings)),
                          .plans = {},
                          .sharpenings = {},
-                         .most_repeats = rig.repeats};
+                         .most_repeats = rig.repeats,
+                         .most_readings = rig.readings};
     const double friction = next.rivals.front().parameters(0);
     const auto dropped = std::erase_if(next.points, [&](const Point& point) {
         return !d.models->beyond(friction, point.condition).empty();
@@ -77,6 +79,7 @@ int next(const std::vector<std::string>& arguments) {
     const Eigen::Vector2d errors = relative_errors(d.readings);
     if (next.rivals.size() > 1) {
         next.plans = separating_plans(next.rivals, next.points, errors, rig.repeats);
+        next.series = next_series(next.plans, next.rivals, next.points, errors, rig);
     } else {
         next.sharpenings = sharpening_plans(next.rivals.front(), next.points, errors, rig.repeats);
     }

@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<std::string> rig_keys = {"normal_stress",   "inertial_number", "shear_rate",
                                            "liquid_contents", "bead_mass",       "repeats",
-                                           "wet_cost",        "filling_cost"};
+                                           "readings",        "wet_cost",        "filling_cost"};
 
 /// One value or two ends, all positive.
 std::optional<Span> span(const StudyTable& table, std::string_view key, std::string_view unit) {
@@ -26,6 +26,13 @@ double cost(const StudyTable& table, std::string_view key, double by_default) {
     const double value = table.quantity(key, "1").value_or(by_default);
     if (value < 0) table.refuse(key, "must not be negative");
     return value;
+}
+
+int count(const StudyTable& table, std::string_view key, int by_default) {
+    const double value = table.quantity(key, "1").value_or(by_default);
+    if (value < 1 || value > 1000 || value != std::floor(value))
+        table.refuse(key, "must be a whole number from 1 to 1000");
+    return static_cast<int>(value);
 }
 
 }  // namespace
@@ -56,10 +63,8 @@ std::optional<Rig> read_rig(const StudyTable& root, const Grains& grains, bool h
         if (!(mass > 0)) table->refuse("bead_mass", "must be positive");
         rig.bead_volumes.push_back(mass / grains.density);
     }
-    const double repeats = table->quantity("repeats", "1").value_or(rig.repeats);
-    if (repeats < 1 || repeats > 1000 || repeats != std::floor(repeats))
-        table->refuse("repeats", "must be a whole number from 1 to 1000");
-    rig.repeats = static_cast<int>(repeats);
+    rig.repeats = count(*table, "repeats", rig.repeats);
+    rig.readings = count(*table, "readings", rig.readings);
     rig.wet_cost = cost(*table, "wet_cost", rig.wet_cost);
     rig.filling_cost = cost(*table, "filling_cost", rig.filling_cost);
     return rig;

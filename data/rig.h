@@ -23,6 +23,7 @@ struct Rig {
     /// Of the beads in the cell [m^3]; empty: what the study's cell holds.
     std::vector<double> bead_volumes = {};
     int repeats = 5;          ///< most readings at one point
+    int readings = 12;        ///< most in all, where one point is not enough
     double wet_cost = 1;      ///< of a wet reading, in dry ones
     double filling_cost = 0;  ///< of filling the cell with another amount of beads, in dry readings
 };

@@ -39,7 +39,7 @@ Eigen::Vector2d error_of(const Forecast& forecast) {
 
 std::vector<std::string> pair_names(const NextMeasurement& next, bool separated) {
     std::vector<std::string> names;
-    const auto& known = next.plans.front().separated;
+    const auto& known = next.series.separated;
     for (std::size_t i = 0; i < next.rivals.size(); ++i) {
         for (std::size_t j = i + 1; j < next.rivals.size(); ++j) {
             const bool is = std::ranges::find(known, std::pair(i, j)) != known.end();
@@ -55,33 +55,58 @@ std::string joined(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, "; "));
 }
 
-std::vector<std::string> separating_lines(const NextMeasurement& next) {
-    const Plan& best = next.plans.front();
-    const Condition& c = next.points[best.point].condition;
-    std::vector<std::string> lines;
-    if (best.separated.empty()) {
-        lines.push_back(fmt::format(
-            "Not separable with this rig: {}, by up to {} at one point. The most telling is {}.",
-            joined(pair_names(next, false)), readings(next.most_repeats), where(c, next.study)));
-    } else {
-        lines.push_back(fmt::format("Measure {} at {}: that tells {} apart.",
-                                    readings(best.repeats), where(c, next.study),
-                                    joined(pair_names(next, true))));
-    }
+const Plan& plan_at(const NextMeasurement& next, std::size_t point) {
+    return *std::ranges::find(next.plans, point, &Plan::point);
+}
+
+/// What each rival says of a point.
+void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next, const Plan& plan) {
     lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", "if it is", "shear stress [Pa]",
                                 "solid fraction [1]"));
     for (std::size_t k = 0; k < next.rivals.size(); ++k) {
-        const Forecast& forecast = best.forecasts[k];
+        const Forecast& forecast = plan.forecasts[k];
         const Eigen::Vector2d error = error_of(forecast);
         lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", next.rivals[k].name,
                                     with_error(forecast.value(0), error(0)),
                                     with_error(forecast.value(1), error(1))));
     }
-    const Eigen::Vector2d noise = best.noise.diagonal().cwiseSqrt();
+    const Eigen::Vector2d noise = plan.noise.diagonal().cwiseSqrt();
     lines.push_back(
         fmt::format("  (one reading scatters by {:.2g} Pa and {:.2g})", noise(0), noise(1)));
-    if (!best.separated.empty() && !pair_names(next, false).empty()) {
-        lines.push_back(fmt::format("not told apart there: {}", joined(pair_names(next, false))));
+}
+
+std::vector<std::string> separating_lines(const NextMeasurement& next) {
+    const auto at = [&](std::size_t point) {
+        return where(next.points[point].condition, next.study);
+    };
+    const auto& steps = next.series.steps;
+    std::vector<std::string> lines;
+    if (steps.empty()) {
+        const Plan& best = next.plans.front();
+        lines.push_back(fmt::format(
+            "Not separable with this rig: {}, by up to {} at one point or {} in all. The most "
+            "telling is {}.",
+            joined(pair_names(next, false)), readings(next.most_repeats), next.most_readings,
+            at(best.point)));
+        add_forecasts(lines, next, best);
+        return lines;
+    }
+    const std::string apart = joined(pair_names(next, true));
+    if (steps.size() == 1) {
+        lines.push_back(fmt::format("Measure {} at {}: that tells {} apart.",
+                                    readings(steps[0].readings), at(steps[0].point), apart));
+        add_forecasts(lines, next, plan_at(next, steps[0].point));
+    } else {
+        lines.push_back(
+            fmt::format("No single point tells as much. These {} together tell {} apart:",
+                        readings(next.series.readings()), apart));
+        for (const Series::Step& step : steps) {
+            lines.push_back(fmt::format("{} at {}", readings(step.readings), at(step.point)));
+            add_forecasts(lines, next, plan_at(next, step.point));
+        }
+    }
+    if (const auto left = pair_names(next, false); !left.empty()) {
+        lines.push_back(fmt::format("not told apart so: {}", joined(left)));
     }
     return lines;
 }
@@ -141,6 +166,27 @@ Json plan_json(const NextMeasurement& next, const Plan& plan) {
     return json;
 }
 
+Json series_json(const NextMeasurement& next) {
+    Json json = {{"readings", next.series.readings()},
+                 {"cost", next.series.cost},
+                 {"separated", Json::array()},
+                 {"steps", Json::array()}};
+    for (const auto& [i, j] : next.series.separated) {
+        json["separated"].push_back({next.rivals[i].name, next.rivals[j].name});
+    }
+    for (const Series::Step& step : next.series.steps) {
+        Json one = {{"point", point_json(next.points[step.point], next.study)},
+                    {"readings", step.readings},
+                    {"forecasts", Json::array()}};
+        const Plan& plan = plan_at(next, step.point);
+        for (std::size_t k = 0; k < next.rivals.size(); ++k) {
+            one["forecasts"].push_back(forecast_json(next.rivals[k].name, plan.forecasts[k]));
+        }
+        json["steps"].push_back(std::move(one));
+    }
+    return json;
+}
+
 bool beside(const Condition& a, const Condition& b, const Study& study, bool same_rate) {
     const auto rate = [&](const Condition& c) {
         return shear_rate_at(c.inertial_number, c.normal_stress, study.grains);
@@ -163,7 +209,8 @@ Json to_json(const NextMeasurement& next) {
     }
     if (!next.plans.empty()) {
         constexpr std::size_t others = 5;
-        json["separable"] = !next.plans.front().separated.empty();
+        json["separable"] = !next.series.steps.empty();
+        json["series"] = series_json(next);
         json.update(plan_json(next, next.plans.front()));
         json["others"] = Json::array();
         for (std::size_t k = 1; k < std::min(next.plans.size(), others); ++k) {
@@ -195,7 +242,9 @@ Figure next_figure(const NextMeasurement& next) {
     }
     const std::vector<std::string> colours = {model_colour, calibrated_colour, "#2e8b57", "#8e44ad",
                                               "#d68910"};
-    const Condition& at = next.points[next.plans.front().point].condition;
+    const std::size_t first =
+        next.series.steps.empty() ? next.plans.front().point : next.series.steps.front().point;
+    const Condition& at = next.points[first].condition;
     const bool same_rate = next.study.rig && next.study.rig->shear_rate;
     std::vector<const Plan*> along;
     for (const Plan& plan : next.plans) {
@@ -204,11 +253,20 @@ Figure next_figure(const NextMeasurement& next) {
         }
     }
     std::ranges::sort(along, {}, &Plan::point);
+    std::vector<double> stresses = {at.normal_stress};
+    for (const Series::Step& step : next.series.steps) {
+        const Condition& c = next.points[step.point].condition;
+        if (step.point != first && beside(c, at, next.study, same_rate)) {
+            stresses.push_back(c.normal_stress);
+        }
+    }
     for (const std::size_t o : {0u, 1u}) {
         Panel panel{.x_label = "normal stress σ_{22} [Pa]",
                     .y_label = o == 0 ? stress_ratio_label : solid_fraction_label,
                     .log_x = true};
-        panel.references.push_back({"to be measured", at.normal_stress, 0, true, measured_colour});
+        for (const double stress : stresses) {
+            panel.references.push_back({"to be measured", stress, 0, true, measured_colour});
+        }
         for (std::size_t k = 0; k < std::min(next.rivals.size(), colours.size()); ++k) {
             Curve band{.label = "± 1 standard error",
                        .style = Curve::Style::band,

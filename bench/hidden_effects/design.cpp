@@ -23,7 +23,7 @@ constexpr double plain_friction = 0.11;
 /// Rolling resistance does little where beads slide easily.
 constexpr double rolling_friction = 0.3;
 /// An effect whose bounds do not let it reach this is not hidden: nobody could find it.
-constexpr double least_noncentrality = 8;
+constexpr double least_noncentrality = 5;
 
 /// The model of the benchmark's readings and what a change of its predictions amounts to.
 class Design {
@@ -44,8 +44,8 @@ class Design {
         Measured measured{.value = prediction.value, .covariance = {}};
         Eigen::VectorXd errors = prediction.value;
         for (Eigen::Index k = 0; k < errors.size(); k += 2) {
-            errors(k) *= torque_scatter;
-            errors(k + 1) *= solid_fraction_scatter;
+            errors(k) *= plan_.instrument.noise * torque_scatter;
+            errors(k + 1) *= plan_.instrument.noise * solid_fraction_scatter;
         }
         measured.covariance = errors.cwiseAbs2().asDiagonal();
         residuals_ = std::make_unique<WeightedResiduals>(measured, prediction);
@@ -173,7 +173,9 @@ void add_effect(const Design& design, const Effect& effect, double friction, boo
     } else {
         for (const double wanted : noncentralities) {
             const double value = value_reaching(design, effect, wanted, outside);
-            sizes.push_back({{value}, fmt::format("{} at {:g}", effect.name, wanted)});
+            const bool reached = noncentrality_of(design, effect, value, outside) > 0.9 * wanted;
+            sizes.push_back(
+                {{value}, reached ? fmt::format("{} at {:g}", effect.name, wanted) : effect.name});
         }
     }
     for (auto& [values, name] : sizes) {

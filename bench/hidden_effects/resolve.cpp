@@ -63,16 +63,22 @@ class Campaign {
         });
         return points;
     }
-    Plan plan(const std::vector<Point>& points) const {
-        return separating_plans(app::rivals_of(diagnosis_, *models_), points,
-                                relative_errors(readings_), rig_of_laboratory(plan_).repeats)
-            .front();
+    Series series(const std::vector<Point>& points, int most_readings) const {
+        Rig rig = rig_of_laboratory(plan_);
+        rig.readings = most_readings;
+        rig.repeats = std::min(rig.repeats, most_readings);
+        const auto rivals = app::rivals_of(diagnosis_, *models_);
+        const Eigen::Vector2d noise = relative_errors(readings_);
+        return next_series(separating_plans(rivals, points, noise, rig.repeats), rivals, points,
+                           noise, rig);
     }
 
     /// Records so many readings at a point, with noise of their own.
     void measure(const Condition& at, int readings) {
         LabPlan plan = plan_;
-        plan.seed = 1000 + static_cast<std::uint64_t>(study_);
+        // Of its own at every measurement, and in none of the worlds.
+        plan.seed =
+            1000 * (1 + static_cast<std::uint64_t>(study_)) + static_cast<std::uint64_t>(measured_);
         plan.replicates = readings;
         plan.inertial_numbers = {at.inertial_number};
         plan.cell.bead_volume = at.bead_volume.value_or(plan.cell.bead_volume);
@@ -132,14 +138,15 @@ std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory,
         const std::vector<Point> points = campaign.points();
         const int left = most_measurements - result.measurements;
         if (policy == Policy::next) {
-            const Plan plan = campaign.plan(points);
-            if (plan.repeats == 0) {
-                result.separable = false;
+            const Series series = campaign.series(points, left);
+            if (series.steps.empty()) {
+                result.separable = result.measurements > 0;
                 break;
             }
-            const int repeats = std::min(plan.repeats, left);
-            campaign.measure(points[plan.point].condition, repeats);
-            result.measurements += repeats;
+            for (const Series::Step& step : series.steps) {
+                campaign.measure(points[step.point].condition, step.readings);
+            }
+            result.measurements += series.readings();
         } else {
             std::uniform_int_distribution<std::size_t> any(0, points.size() - 1);
             campaign.measure(points[any(random)].condition, 1);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -120,6 +121,73 @@ TEST(NextMeasurement, WeighsItsCost) {
     EXPECT_EQ(plans.front().cost, plans.front().repeats);
 }
 
+TEST(NextMeasurement, TakesSeveralPointsWhereNoneTellsAlone) {
+    // A friction known to 3 % only takes over what the rivals differ by at any point, not at two.
+    const Offset plain(0), with_offset(3);
+    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 0.01),
+                                       rival("b", with_offset, 0.3, 0.01)};
+    const auto points = at({100, 300, 1000, 3000});
+    const auto plans = separating_plans(rivals, points, noise, 20);
+    ASSERT_TRUE(plans.front().separated.empty());
+    Rig rig{.repeats = 20, .readings = 12};
+    const Series series = next_series(plans, rivals, points, noise, rig);
+    ASSERT_GE(series.steps.size(), 2u);
+    EXPECT_THAT(series.separated, testing::ElementsAre(std::pair(0u, 1u)));
+    EXPECT_EQ(series.steps.front().point, 0u);
+    EXPECT_LE(series.readings(), 12);
+    EXPECT_EQ(series.cost, series.readings());
+    // One reading fewer is not enough.
+    rig.readings = series.readings() - 1;
+    EXPECT_TRUE(next_series(plans, rivals, points, noise, rig).steps.empty());
+
+    // Measured so, b, which is right, fits better in P(z < sqrt(9.63)/2) = 94 % of cases at least,
+    // the frictions fitted anew about what was known of them.
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    int right = 0;
+    for (int study = 0; study < 1000; ++study) {
+        const double friction = 0.3 + 0.01 * normal(random);
+        const auto weigh = [](double misfit, double error) { return std::pow(misfit / error, 2); };
+        double known = 1 / (0.01 * 0.01);
+        std::array<double, 2> first{}, second{};  // sums of slope x misfit, of misfit^2; a, b
+        for (const Series::Step& step : series.steps) {
+            const double stress = points[step.point].condition.normal_stress;
+            const double error = 0.01 * 0.303 * stress;
+            for (int k = 0; k < step.readings; ++k) {
+                const double y = friction * stress + 3 + error * normal(random);
+                const std::array<double, 2> misfit = {y - 0.303 * stress, y - 3 - 0.3 * stress};
+                known += weigh(stress, error);
+                for (const std::size_t r : {0u, 1u}) {
+                    first[r] += stress * misfit[r] / (error * error);
+                    second[r] += weigh(misfit[r], error);
+                }
+            }
+        }
+        const auto left = [&](std::size_t r) { return second[r] - first[r] * first[r] / known; };
+        right += left(1) < left(0);
+    }
+    EXPECT_GT(right, 939 - 3 * 8);
+}
+
+TEST(NextMeasurement, TakesNoSeriesWhereFrictionMakesUpForAll) {
+    // What differs is a friction, and neither is known: any number of points says the same.
+    const Offset plain(0);
+    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 0.01),
+                                       rival("b", plain, 0.3, 0.01)};
+    EXPECT_TRUE(separating_series(rivals, at({100, 300, 1000, 3000}), noise, 20, 40).steps.empty());
+}
+
+TEST(NextMeasurement, SpendsNothingOnPairsThatStayTogether) {
+    const Offset plain(0), same(0), with_offset(3);
+    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 1e-4),
+                                       rival("a again", same, 0.303, 1e-4),
+                                       rival("b", with_offset, 0.3, 1e-4)};
+    const Series series = separating_series(rivals, at({100, 300, 1000, 3000}), noise, 20, 40);
+    EXPECT_THAT(series.separated,
+                testing::UnorderedElementsAre(std::pair(0u, 2u), std::pair(1u, 2u)));
+    EXPECT_EQ(series.readings(), 1);
+}
+
 TEST(NextMeasurement, SharpensAParameterAsMuchAsItSays) {
     const Offset model(0);
     const auto plans = sharpening_plans(rival("a", model, 0.3, 0.003), at({1000}), noise, 4);
@@ -145,6 +213,8 @@ TEST(Rig, IsReadWithItsUnits) {
         "bead_mass = [\"30 g\", \"60 g\"]\nrepeats = 3\n");
     EXPECT_EQ(read.rig->normal_stress.least, 100);
     EXPECT_EQ(read.rig->shear_rate->greatest, 2);
+    EXPECT_EQ(read.rig->repeats, 3);
+    EXPECT_EQ(read.rig->readings, 12);
     EXPECT_NEAR(read.rig->bead_volumes.at(1), 6e-5, 1e-12);
     EXPECT_EQ(points_of(*read.rig, read, 0).size(), 2u * 7u);
 
@@ -164,6 +234,8 @@ TEST(Rig, IsReadWithItsUnits) {
     EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\n"
                         "liquid_contents = [0, 0.03]\n"),
                 testing::HasSubstr("no [liquid]"));
+    EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\nreadings = 0\n"),
+                testing::HasSubstr("whole number"));
     EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\nrepeat = 3\n"),
                 testing::HasSubstr("repeats"));
 }
