@@ -4,14 +4,11 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
-#include "analysis/explanations.h"
+#include "analysis/explanation_search.h"
 #include "data/input_error.h"
 
 namespace pendular {
@@ -20,21 +17,8 @@ namespace {
 /// A change is seen anew at the amplitude that it seems to have, where it is not small.
 constexpr double worth_sharpening = 4;
 constexpr int most_sharpenings = 3;
-/// From this p on, of the test alone, a candidate is not refitted.
-constexpr double worth_refitting = 0.05;
 /// A switch is identifiable if it is seen at least so often.
 constexpr double hardly_seen = 0.1;
-/// A pair is refitted where its second part takes at least this off chi2 by the linear estimate.
-constexpr double worth_a_pair = 1;
-/// Models whose chi2 differ by less may be refused or stand for other reasons than that.
-constexpr double all_the_same = 10;
-/// By how much a refit may lower chi2 more than the linear estimate says.
-constexpr double foretelling_error = 0.2;
-/// Candidates that are refitted together.
-constexpr std::size_t best_singles = 6;
-/// Refits for which another instance of the space is worth making.
-constexpr std::size_t worth_another_thread = 3;
-
 /// One diagnosis from its fit to its verdict.
 class Diagnostician {
   public:
@@ -75,30 +59,6 @@ class Diagnostician {
     bool base_stands() const;
     void settle_for_base();
     void search();
-    static bool looks_missing(const Finding& finding) {
-        return finding.test.seen() && finding.test.p() < worth_refitting;
-    }
-    void search_singles();
-    void search_suspects();
-    void search_pairs();
-    /// Whether a model that takes this off chi2 by the linear estimate may do better than those
-    /// that were refitted and refused.
-    bool may_do_better(double drop) const;
-    /// chi2 that a choice would leave were everything linear: switches on, amplitudes within
-    /// bounds.
-    double left_by(const Choice& chosen) const;
-    /// The amplitude nearest to this one that a candidate can have.
-    double within_bounds(std::size_t candidate, double amplitude) const;
-    /// A model to be refitted.
-    struct Trial {
-        Choice chosen;
-        std::optional<std::size_t> suspect;
-        Eigen::VectorXd start;
-    };
-    /// Refits and judges them, side by side where there are further instances of the space.
-    void try_all(std::string_view what, const std::vector<Trial>& trials);
-    void take(Explanation explanation);
-    Eigen::VectorXd start_with(const Choice& chosen, const Eigen::MatrixXd& columns) const;
     void conclude();
     void compare_signatures();
     void decide();
@@ -108,13 +68,11 @@ class Diagnostician {
     const Evidence& evidence_;
     const DiagnosisOptions& options_;
     Explanations explanations_;
-    std::vector<std::unique_ptr<ModelSpace>> other_spaces_;  ///< of further threads, once needed
     Explanation base_;
     std::optional<WeightedResiduals> residuals_;
     std::vector<Addition> additions_;
     std::vector<Signature> signatures_;
     std::vector<ScoreTest> suspect_tests_;
-    std::vector<Explanation> standing_suspects_;
     Diagnosis result_;
 };
 
@@ -248,237 +206,21 @@ void Diagnostician::settle_for_base() {
     result_.verdict = all_seen ? Verdict::nothing_missing : Verdict::inconclusive;
 }
 
-Eigen::VectorXd Diagnostician::start_with(const Choice& chosen,
-                                          const Eigen::MatrixXd& columns) const {
-    // Of the linear problem: all amplitudes together, and what the parameters then change by.
-    const Eigen::MatrixXd whitened = residuals_->whiten(columns);
-    const Eigen::VectorXd amplitudes =
-        residuals_->project(whitened).colPivHouseholderQr().solve(residuals_->residuals());
-    std::vector<double> added;
-    Eigen::VectorXd applied = amplitudes;
-    Eigen::Index column = 0;
-    for (const std::size_t k : chosen) {
-        if (is_switch(k)) {
-            applied(column++) = 1;
-            continue;
-        }
-        const bool one_sided = signatures_[k].one_sided;
-        const double least = one_sided ? 0.1 : -INFINITY;  // off neutral, where slopes may vanish
-        applied(column) = std::max(amplitudes(column), least);
-        added.push_back(addition(k).value_at(applied(column++), one_sided));
-    }
-    for (; column < columns.cols(); ++column) {
-        added.push_back(amplitudes(column));
-    }
-    const Eigen::VectorXd own = base_.fit.parameters - residuals_->absorbed_by(whitened * applied);
-    Eigen::VectorXd start(own.size() + static_cast<Eigen::Index>(added.size()));
-    start << own,
-        Eigen::Map<Eigen::VectorXd>(added.data(), static_cast<Eigen::Index>(added.size()));
-    return start;
-}
-
-/// Refitted and judged; none where so much of it is wanted that nothing real could show these
-/// readings.
-std::optional<Explanation> explained(const Explanations& explanations, const Choice& chosen,
-                                     std::optional<std::size_t> suspect,
-                                     const Eigen::VectorXd& start) {
-    try {
-        Explanation explanation = explanations.refit(chosen, suspect, start);
-        explanations.judge(explanation);
-        return explanation;
-    } catch (const std::domain_error&) {
-        return {};
-    }
-}
-
-void Diagnostician::try_all(std::string_view what, const std::vector<Trial>& trials) {
-    std::vector<std::optional<Explanation>> found(trials.size());
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&](const Explanations& explanations, const auto& before_each) {
-        for (std::size_t k = next++; k < trials.size(); k = next++) {
-            before_each(k);
-            found[k] =
-                explained(explanations, trials[k].chosen, trials[k].suspect, trials[k].start);
-        }
-    };
-    const std::size_t threads =
-        options_.another ? std::min(options_.threads, trials.size() / worth_another_thread) : 1;
-    other_spaces_.resize(std::max(other_spaces_.size(), threads));
-    std::vector<std::future<void>> helpers;
-    for (std::size_t thread = 1; thread < threads; ++thread) {
-        helpers.push_back(std::async(std::launch::async, [&, thread] {
-            auto& space = other_spaces_[thread];
-            if (!space) space = options_.another();
-            work(Explanations(explanations_, *space), [](std::size_t) {});
-        }));
-    }
-    try {
-        work(explanations_, [&](std::size_t k) { say(what, k, trials.size()); });
-    } catch (...) {
-        next = trials.size();  // the others end soon, and are waited for
-        throw;
-    }
-    for (auto& helper : helpers) {
-        helper.get();
-    }
-    say(what, trials.size(), trials.size());
-    for (auto& each : found) {
-        if (each) take(std::move(*each));
-    }
-}
-
-void Diagnostician::take(Explanation explanation) {
-    if (explanation.chosen.size() == 1 && !explanation.suspect) {
-        result_.scan[explanation.chosen.front()].refit_drop = base_.chi2 - explanation.chi2;
-    }
-    if (explanation.accepted) {
-        (explanation.suspect ? standing_suspects_ : result_.confidence_set).push_back(explanation);
-    }
-    result_.tried.push_back(std::move(explanation));
-}
-
-void Diagnostician::search_singles() {
-    std::vector<const Finding*> worth;
-    for (const Finding& finding : result_.scan) {
-        if (looks_missing(finding)) worth.push_back(&finding);
-    }
-    std::ranges::sort(worth, std::greater<>(),
-                      [](const Finding* finding) { return finding->test.predicted_drop; });
-    // The best first, then those that may do better than what was refused of them.
-    for (std::size_t from = 0; from < worth.size(); from += best_singles) {
-        std::vector<Trial> trials;
-        for (std::size_t k = from; k < std::min(from + best_singles, worth.size()); ++k) {
-            const Choice chosen = {worth[k]->candidate};
-            if (may_do_better(worth[k]->test.predicted_drop)) {
-                trials.push_back(
-                    {chosen, {}, start_with(chosen, signatures_[worth[k]->candidate].change)});
-            }
-        }
-        if (!trials.empty()) try_all("refits", trials);
-    }
-}
-
-void Diagnostician::search_suspects() {
-    std::vector<std::size_t> worth;
-    for (std::size_t k = 0; k < suspect_tests_.size(); ++k) {
-        const ScoreTest& test = suspect_tests_[k];
-        if (test.p() < worth_refitting && may_do_better(test.predicted_drop)) worth.push_back(k);
-    }
-    std::ranges::sort(worth, {}, [&](std::size_t k) { return suspect_tests_[k].p(); });
-    worth.resize(std::min(worth.size(), options_.most_suspects));
-    std::vector<Trial> trials;
-    for (const std::size_t k : worth) {
-        trials.push_back({{}, k, start_with({}, evidence_.suspects[k].columns)});
-    }
-    try_all("suspects", trials);
-}
-
-bool Diagnostician::may_do_better(double drop) const {
-    double best = 0;
-    for (const Explanation& each : result_.tried) {
-        if (!each.accepted && each.fit.converged) best = std::max(best, base_.chi2 - each.chi2);
-    }
-    return drop * (1 + foretelling_error) + all_the_same > best;
-}
-
-double Diagnostician::left_by(const Choice& chosen) const {
-    Eigen::VectorXd left = residuals_->project(residuals_->residuals());
-    struct Column {
-        Eigen::VectorXd change;
-        std::size_t candidate;
-        bool bounded;  ///< the only parameter of its candidate
-    };
-    std::vector<Column> columns;
-    for (const std::size_t k : chosen) {
-        const Eigen::MatrixXd change =
-            residuals_->project(residuals_->whiten(signatures_[k].change));
-        if (is_switch(k)) {
-            left -= change;
-            continue;
-        }
-        for (Eigen::Index c = 0; c < change.cols(); ++c) {
-            columns.push_back({change.col(c), k, change.cols() == 1});
-        }
-    }
-    // An amplitude that would leave its bounds stays there, and the others are found anew.
-    while (!columns.empty()) {
-        Eigen::MatrixXd all(left.size(), static_cast<Eigen::Index>(columns.size()));
-        for (std::size_t c = 0; c < columns.size(); ++c) {
-            all.col(static_cast<Eigen::Index>(c)) = columns[c].change;
-        }
-        const Eigen::VectorXd amplitudes = all.colPivHouseholderQr().solve(left);
-        const auto beyond = std::ranges::find_if(columns, [&](const Column& column) {
-            const double wanted = amplitudes(&column - columns.data());
-            return column.bounded && within_bounds(column.candidate, wanted) != wanted;
-        });
-        if (beyond == columns.end()) {
-            return (left - all * amplitudes).squaredNorm();
-        }
-        left -=
-            within_bounds(beyond->candidate, amplitudes(beyond - columns.begin())) * beyond->change;
-        columns.erase(beyond);
-    }
-    return left.squaredNorm();
-}
-
-double Diagnostician::within_bounds(std::size_t candidate, double amplitude) const {
-    const bool one_sided = signatures_[candidate].one_sided;
-    if (one_sided && amplitude < 0) return 0;
-    const double there = addition(candidate).amplitude_at(
-        addition(candidate).value_at(amplitude, one_sided), one_sided);
-    constexpr double rounding = 1e-6;
-    return std::abs(there - amplitude) < rounding * (1 + std::abs(amplitude)) ? amplitude : there;
-}
-
-void Diagnostician::search_pairs() {
-    struct Pair {
-        Choice chosen;
-        double left;
-    };
-    std::vector<std::size_t> seen;
-    std::vector<double> left_alone(signatures_.size(), residuals_->chi2());
-    for (const Finding& finding : result_.scan) {
-        if (finding.test.seen()) {
-            seen.push_back(finding.candidate);
-            left_alone[finding.candidate] =
-                std::min(left_alone[finding.candidate], left_by({finding.candidate}));
-        }
-    }
-    std::vector<Pair> pairs;
-    for (const std::size_t i : seen) {
-        for (const std::size_t j : seen) {
-            if (i >= j) continue;
-            const double left = left_by({i, j});
-            // Where one part brings nothing beside the other, that one was not enough alone.
-            if (left < std::min(left_alone[i], left_alone[j]) - worth_a_pair &&
-                may_do_better(base_.chi2 - left)) {
-                pairs.push_back({{i, j}, left});
-            }
-        }
-    }
-    std::ranges::sort(pairs, {}, &Pair::left);
-    pairs.resize(std::min(pairs.size(), options_.most_pairs));
-    std::vector<Trial> trials;
-    for (const Pair& pair : pairs) {
-        Eigen::MatrixXd columns(residuals_->size(), 0);
-        for (const std::size_t k : pair.chosen) {
-            columns.conservativeResize(Eigen::NoChange,
-                                       columns.cols() + signatures_[k].change.cols());
-            columns.rightCols(signatures_[k].change.cols()) = signatures_[k].change;
-        }
-        trials.push_back({pair.chosen, {}, start_with(pair.chosen, columns)});
-    }
-    try_all("pairs", trials);
-}
-
 void Diagnostician::search() {
-    search_singles();
-    search_suspects();
-    for (const Explanation& each : standing_suspects_) {
+    Found found = search_explanations(
+        space_, evidence_, options_, explanations_,
+        {base_, *residuals_, additions_, signatures_, result_.scan, suspect_tests_});
+    for (const Explanation& each : found.tried) {
+        if (each.chosen.size() == 1 && !each.suspect) {
+            result_.scan[each.chosen.front()].refit_drop = base_.chi2 - each.chi2;
+        }
+    }
+    for (const Explanation& each : found.standing_suspects) {
         result_.suspects.push_back(evidence_.suspects[*each.suspect].name);
     }
-    if (result_.confidence_set.empty()) result_.confidence_set = standing_suspects_;
-    if (result_.confidence_set.empty()) search_pairs();
+    result_.tried = std::move(found.tried);
+    result_.confidence_set =
+        std::move(found.standing.empty() ? found.standing_suspects : found.standing);
 }
 
 void Diagnostician::conclude() {

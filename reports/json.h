@@ -6,21 +6,9 @@
 #include "analysis/compare.h"
 #include "analysis/where_it_fails.h"
 #include "calib/calibration.h"
-#include "sim/dem/run.h"
-#include "sim/effect.h"
+#include "reports/run_json.h"
 
 namespace pendular {
-
-/// Values of effects as `calibrate` names fitted parameters, "EFFECT.PARAMETER", in SI units.
-nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
-
-/// One run with its observables, each {"value", "stderr"}, and all that is needed to repeat it.
-/// Observables of liquid bridges are zero in a dry run. Effects on grains, where there are any,
-/// stand under `effects_in_run_units`.
-nlohmann::ordered_json to_json(const dem::RunResult& run);
-
-/// The same back.
-dem::RunResult run_from_json(const nlohmann::ordered_json& json);
 
 /// What `import` prints: every reading, what was excluded and why, notes.
 nlohmann::ordered_json to_json(const Measurements& measurements);
@@ -35,8 +23,7 @@ Calibration read_calibration(const std::filesystem::path& file, const Study& stu
                              const std::vector<Reading>& readings);
 
 /// What `compare` prints and `out/compare.json` holds.
-nlohmann::ordered_json to_json(const Comparison& comparison,
-                               const std::vector<CohesionLine>& lines,
+nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 
 /// Writes through a temporary file and a rename, so that an earlier file survives a full disk.

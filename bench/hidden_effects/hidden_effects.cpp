@@ -47,17 +47,10 @@ class Benchmark {
     }
 
     void run() {
+        if (!options_.diagnose) return simulate();
         for (const Truth& truth : truths_) {
-            if (!wanted(truth)) continue;
-            if (options_.diagnose) {
-                walk_all(truth);
-            } else {
-                for (int study = 0; study < worlds(truth); ++study) {
-                    laboratory(truth, world_of(truth, study));
-                }
-            }
+            if (wanted(truth)) walk_all(truth);
         }
-        if (!options_.diagnose) return;
         for (const Truth& truth : truths_) {
             if (wanted(truth)) resolve_all(truth);
         }
@@ -87,6 +80,17 @@ class Benchmark {
         return std::ranges::any_of(outcomes_, [&](const Outcome& outcome) {
             return outcome.truth == truth.name && outcome.study == study;
         });
+    }
+
+    /// The first world of each truth first.
+    void simulate() {
+        for (int study = 0; study < all_worlds; ++study) {
+            for (const Truth& truth : truths_) {
+                if (wanted(truth) && study < std::min(worlds(truth), studies(truth))) {
+                    laboratory(truth, world_of(truth, study));
+                }
+            }
+        }
     }
 
     /// From the store, as far as it has the runs.

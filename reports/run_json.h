@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "sim/dem/run.h"
+#include "sim/effect.h"
+
+namespace pendular {
+
+/// Values of effects as `calibrate` names fitted parameters, "EFFECT.PARAMETER", in SI units.
+nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
+
+/// One run with its observables, each {"value", "stderr"}, and all that is needed to repeat it.
+/// Observables of liquid bridges are zero in a dry run. Effects on grains, where there are any,
+/// stand under `effects_in_run_units`.
+nlohmann::ordered_json to_json(const dem::RunResult& run);
+
+/// The same back.
+dem::RunResult run_from_json(const nlohmann::ordered_json& json);
+
+}  // namespace pendular
