@@ -23,10 +23,8 @@
 namespace pendular::bench {
 namespace {
 
-/// Simulated worlds, which differ in their seeds. The complete model is simulated in all of them,
-/// another truth, as it costs a minute, in one or, where it is large enough to be named, two.
-constexpr int all_worlds = 10, most_worlds_of_truth = 2;
-constexpr double large_noncentrality = 50;
+/// Simulated worlds, which differ in their seeds. The complete model is simulated in all of them.
+constexpr int all_worlds = 10;
 
 class Benchmark {
   public:
@@ -64,14 +62,13 @@ class Benchmark {
                    return truth.name.starts_with(name);
                });
     }
-    static int worlds(const Truth& truth) {
-        if (truth.kind == Truth::Kind::complete) return all_worlds;
-        return truth.noncentrality > large_noncentrality ? most_worlds_of_truth : 1;
+    int worlds(const Truth& truth) const {
+        return truth.kind == Truth::Kind::complete ? all_worlds : options_.worlds;
     }
     /// Studies of a truth take its worlds in turn; neighbours in the table have others.
     int world_of(const Truth& truth, int study) const {
         const auto row = static_cast<int>(&truth - truths_.data());
-        return 1 + (most_worlds_of_truth * row + study % worlds(truth)) % all_worlds;
+        return 1 + (2 * row + study % worlds(truth)) % all_worlds;
     }
     int studies(const Truth& truth) const {
         return truth.kind == Truth::Kind::complete ? options_.complete_studies : options_.studies;

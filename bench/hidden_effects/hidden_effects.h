@@ -13,6 +13,7 @@ struct HiddenEffectsOptions {
     std::filesystem::path runs = "bench/hidden_effects/runs.csv";
     std::filesystem::path results = "bench/results";
     std::vector<std::string> only;  ///< names of truths begin with one of these; empty: all
+    int worlds = 1;                 ///< in which each truth is simulated, with seeds of their own
     int studies = 4;                ///< recordings, each with noise of its own, of each truth
     int resolved_studies = 2;    ///< of them, on which measurements go on where effects cannot be
                                  ///< told apart

@@ -43,6 +43,8 @@ int run(int count, char** words) {
         "only", po::value(&only), "beginnings of the names of some truths, separated by commas")(
         "studies", po::value(&options.studies)->default_value(options.studies),
         "recordings, with noise of their own, of each truth")(
+        "worlds", po::value(&options.worlds)->default_value(options.worlds),
+        "in which each truth is simulated, one to two minutes each; the complete model has ten")(
         "complete-studies",
         po::value(&options.complete_studies)->default_value(options.complete_studies),
         "likewise of the complete model")(
