@@ -20,9 +20,10 @@ namespace {
 const char* const about =
     R"(Says what to measure next. Diagnoses the study; where several models explain its readings
 alike, looks over everything the rig can be set to for the point at which they differ most beyond
-their errors, and says how many readings tell them apart; where no point does alone, which readings
-at several do together; or that none would. Where one model stands, the point that sharpens its parameters most. The rig stands in study.toml; without it, what
-the readings span is taken:
+their errors, and says how many readings tell them apart; where no point does alone, which
+readings at several do together; or that none would. Where one model stands, the point that
+sharpens its parameters most. The rig stands in study.toml; without it, what the readings span is
+taken:
 
   [rig]
   normal_stress = ["0.1 kPa", "5 kPa"]
