@@ -46,10 +46,10 @@ std::vector<Contrast> contrasts_of(const std::vector<Rival>& rivals,
     return contrasts;
 }
 
-class Search {
+class SeriesSearch {
   public:
-    Search(const std::vector<Rival>& rivals, const std::vector<Point>& points,
-           const Eigen::Vector2d& relative_noise, int most_repeats, int most_readings)
+    SeriesSearch(const std::vector<Rival>& rivals, const std::vector<Point>& points,
+                 const Eigen::Vector2d& relative_noise, int most_repeats, int most_readings)
         : points_(points), most_repeats_(most_repeats), most_readings_(most_readings) {
         std::vector<Condition> conditions;
         for (const Point& point : points) {
@@ -200,7 +200,7 @@ int Series::readings() const {
 Series separating_series(const std::vector<Rival>& rivals, const std::vector<Point>& points,
                          const Eigen::Vector2d& relative_noise, int most_repeats,
                          int most_readings) {
-    return Search(rivals, points, relative_noise, most_repeats, most_readings).run();
+    return SeriesSearch(rivals, points, relative_noise, most_repeats, most_readings).run();
 }
 
 Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& rivals,

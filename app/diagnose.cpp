@@ -18,7 +18,7 @@
 namespace pendular::app {
 namespace {
 
-const char* const about =
+const char* const about_diagnose =
     R"(Says which physical effect is missing from the study's model, if any: fits all readings
 jointly, tests what is left of them for every effect that applies, refits with those that they ask
 for, and keeps the smallest models that stand. Verdicts: nothing-missing, inconclusive (an effect
@@ -29,7 +29,7 @@ effect explains). Simulates nothing: predictions are emulated from the atlas and
 }  // namespace
 
 int diagnose(const std::vector<std::string>& arguments) {
-    Options options("diagnose STUDY [options]", about,
+    Options options("diagnose STUDY [options]", about_diagnose,
                     "  pendular diagnose my-study\n"
                     "  pendular diagnose my-study --json - --quiet\n",
                     true);

@@ -18,7 +18,7 @@
 namespace pendular::app {
 namespace {
 
-const char* const about =
+const char* const about_effects =
     R"(The catalogue of physical effects that a model may lack, of the instrument, the beads, the liquid
 and the forces between grains; with a name, one of them whole. A study switches them on by name,
 effects = ["torque-offset"] in [model], and may write its own, shown with --study:
@@ -44,7 +44,7 @@ cosh exp ln log (ln) log10 log2 max min rint sign sin sinh sqrt sum tan tanh.
 With --manual DIR, the catalogue as Markdown: DIR/index.md and a page an effect, with a figure of what
 it changes in readings, in DIR/figures, as the emulator of the atlas predicts it.)";
 
-const char* const examples = R"(  pendular effects
+const char* const effects_examples = R"(  pendular effects
   pendular effects torque-offset
   pendular effects --study examples/wet
   pendular effects --json -
@@ -161,7 +161,7 @@ void write_manual(Console& console, const std::filesystem::path& folder,
 }  // namespace
 
 int effects(const std::vector<std::string>& arguments) {
-    Options options("effects [EFFECT] [options]", about, examples, false);
+    Options options("effects [EFFECT] [options]", about_effects, effects_examples, false);
     std::vector<std::string> words;
     std::string study_path, manual;
     options.take(&words);

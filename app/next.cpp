@@ -17,7 +17,7 @@
 namespace pendular::app {
 namespace {
 
-const char* const about =
+const char* const about_next =
     R"(Says what to measure next. Diagnoses the study; where several models explain its readings
 alike, looks over everything the rig can be set to for the point at which they differ most beyond
 their errors, and says how many readings tell them apart; where no point does alone, which
@@ -46,7 +46,7 @@ double last_time(const std::vector<Reading>& readings) {
 }  // namespace
 
 int next(const std::vector<std::string>& arguments) {
-    Options options("next STUDY [options]", about,
+    Options options("next STUDY [options]", about_next,
                     "  pendular next my-study\n"
                     "  pendular next my-study --json - --quiet\n",
                     true);

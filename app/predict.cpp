@@ -121,7 +121,7 @@ ordered_json uncertain(const Estimate& estimate) {
     return {{"value", estimate.value}, {"stderr", estimate.standard_error}};
 }
 
-ordered_json to_json(const FlowState& state, const std::vector<EmulatedObservable>& observables) {
+ordered_json state_json(const FlowState& state, const std::vector<EmulatedObservable>& observables) {
     ordered_json json = {{"friction", state.friction},
                          {"inertial_number", state.inertial_number},
                          {"reduced_pressure", nullptr},
@@ -166,7 +166,7 @@ void predict_one(const Asked& asked, const Emulator& emulator, double stiffness_
     console.line(fmt::format("from {} runs; solid fraction at stiffness number {:.4g}",
                              emulator.runs().size(), stiffness_number));
     warn_beyond({state}, emulator, console);
-    ordered_json json = to_json(state, observables);
+    ordered_json json = state_json(state, observables);
     json["stiffness_number"] = stiffness_number;
     json["beyond"] = emulator.beyond(state);
     json["runs"] = emulator.runs().size();
@@ -183,7 +183,7 @@ void predict_along(Asked asked, const Along& along, const Emulator& emulator,
         curve.states.push_back(asked.state(emulator));
         curve.observables.push_back(emulated_at(emulator, curve.states.back(), stiffness_number,
                                                 observables_of(curve.states.back())));
-        json["states"].push_back(to_json(curve.states.back(), curve.observables.back()));
+        json["states"].push_back(state_json(curve.states.back(), curve.observables.back()));
     }
     write_whole(folder / "prediction.csv", prediction_table(curve));
     draw(prediction_figure(curve, emulator), folder / "figures");

@@ -81,7 +81,7 @@ std::string with_effects(const dem::RunParameters& p, const std::string& before)
     return p.effects.empty() ? "" : before + dem::effects_text(p.effects);
 }
 
-ordered_json to_json(const StoredRun& stored) {
+ordered_json stored_json(const StoredRun& stored) {
     ordered_json json = {{"id", stored.id}, {"physics_version", stored.physics_version}};
     json.update(pendular::to_json(stored.run));
     if (!stored.run.failure.empty()) {
@@ -112,7 +112,7 @@ int list(const Request& request, Console& console) {
     console.line(fmt::format("{} runs", runs.size()));
     ordered_json json = ordered_json::array();
     for (const StoredRun& run : runs) {
-        json.push_back(to_json(run));
+        json.push_back(stored_json(run));
     }
     console.json({{"runs", json}});
     return done;
@@ -124,7 +124,7 @@ int show(const Request& request, Console& console) {
     ordered_json json = ordered_json::array();
     for (const std::string& word : request.words) {
         const StoredRun stored = store.get(run_number(word));
-        json.push_back(to_json(stored));
+        json.push_back(stored_json(stored));
         console.line(fmt::format("run {}\n{}", stored.id,
                                  dem::described(stored.run.parameters, stored.run.threads)));
         for (std::size_t k = 0; k < dem::observable_count; ++k) {

@@ -12,7 +12,7 @@
 namespace pendular {
 namespace {
 
-constexpr double same_setting = 0.05;
+constexpr double apart_enough = 0.05;
 
 /// Distance of two settings in the logarithms of pressure and liquid content.
 double distance(const WetSetting& a, const WetSetting& b) {
@@ -34,7 +34,7 @@ std::vector<WetSetting> farthest_first(const std::vector<WetSetting>& all) {
     while (chosen.size() < most_wet_pairs) {
         const auto next = std::ranges::max_element(
             all, {}, [&](const WetSetting& s) { return distance_to_all(s, chosen); });
-        if (distance_to_all(*next, chosen) < same_setting) {
+        if (distance_to_all(*next, chosen) < apart_enough) {
             break;
         }
         chosen.push_back(*next);

@@ -22,7 +22,7 @@ std::vector<Condition> fitted_conditions(const WetGroup& group, const Calibratio
     return conditions;
 }
 
-std::vector<Condition> with_dry_twins(std::vector<Condition> conditions) {
+std::vector<Condition> each_with_dry_twin(std::vector<Condition> conditions) {
     const std::size_t n = conditions.size();
     for (std::size_t k = 0; k < n; ++k) {
         conditions.push_back(conditions[k]);
@@ -36,7 +36,7 @@ StructuralCohesion mean_over(const std::vector<Condition>& conditions,
                              const SimulationModel& simulation, const Calibration& c) {
     const double friction = c.fit.parameters(0);
     const Prediction predicted =
-        simulation.predict_conditions(c.fit.parameters, with_dry_twins(conditions));
+        simulation.predict_conditions(c.fit.parameters, each_with_dry_twin(conditions));
     const auto n = static_cast<Eigen::Index>(conditions.size());
     const double share = 1 / static_cast<double>(n);
     StructuralCohesion mean;

@@ -16,27 +16,27 @@ namespace {
 
 /// Columns a table of readings may have; those after `error_assumed` say where a reading comes from
 /// and are not needed.
-const std::vector<std::string_view> used = {"normal_stress",
-                                            "normal_stress_sd",
-                                            "shear_stress",
-                                            "shear_stress_sd",
-                                            "stress_ratio",
-                                            "stress_ratio_sd",
-                                            "solid_fraction",
-                                            "solid_fraction_sd",
-                                            "shear_rate",
-                                            "inertial_number",
-                                            "liquid_content",
-                                            "height",
-                                            "time",
-                                            "bead_volume",
-                                            "error_correlation",
-                                            "error_assumed",
-                                            "sampled_seconds",
-                                            "interval",
-                                            "replicates",
-                                            "file",
-                                            "line"};
+const std::vector<std::string_view> reading_columns = {"normal_stress",
+                                                       "normal_stress_sd",
+                                                       "shear_stress",
+                                                       "shear_stress_sd",
+                                                       "stress_ratio",
+                                                       "stress_ratio_sd",
+                                                       "solid_fraction",
+                                                       "solid_fraction_sd",
+                                                       "shear_rate",
+                                                       "inertial_number",
+                                                       "liquid_content",
+                                                       "height",
+                                                       "time",
+                                                       "bead_volume",
+                                                       "error_correlation",
+                                                       "error_assumed",
+                                                       "sampled_seconds",
+                                                       "interval",
+                                                       "replicates",
+                                                       "file",
+                                                       "line"};
 
 /// A table of readings with what its rows are read by.
 struct Points {
@@ -49,7 +49,7 @@ struct Points {
 
 void refuse_misspelt(const Table& table, const Columns& columns) {
     std::vector<std::string> known;
-    for (const std::string_view name : used)
+    for (const std::string_view name : reading_columns)
         known.emplace_back(name);
     for (const std::size_t index : columns.unknown()) {
         const std::string name = parse_header_cell(table.header.cells[index].text).name;
@@ -206,7 +206,7 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
     Measurements result;
     for (const Row& row : table.rows)
         result.readings.push_back(reading_of(points, row));
-    if (const auto unused = columns.others(used); !unused.empty())
+    if (const auto unused = columns.others(reading_columns); !unused.empty())
         result.notes.push_back(
             fmt::format("{}: columns not used: '{}'", table.file, fmt::join(unused, "', '")));
     return result;

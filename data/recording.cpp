@@ -9,8 +9,8 @@
 namespace pendular {
 namespace {
 
-const std::vector<std::string_view> used = {"time",   "torque",           "normal_force",
-                                            "height", "angular_velocity", "interval"};
+const std::vector<std::string_view> recording_columns = {
+    "time", "torque", "normal_force", "height", "angular_velocity", "interval"};
 
 /// Time may start again with a new interval, never within one.
 void check_time(const Recording& recording, const Table& table, const Columns& columns) {
@@ -41,12 +41,12 @@ void check_row(const Row& row, const Columns& columns) {
 Recording read_recording(const std::filesystem::path& path) {
     const Table table = read_table(path);
     const Columns columns(table);
-    for (const std::string_view name : used)
+    for (const std::string_view name : recording_columns)
         if (name != "interval") columns.require(name);
 
     Recording recording;
     recording.file = table.file;
-    recording.unused_columns = columns.others(used);
+    recording.unused_columns = columns.others(recording_columns);
     for (const Row& row : table.rows) {
         check_row(row, columns);
         recording.line.push_back(row.line);

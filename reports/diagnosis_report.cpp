@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/failure_report.h"
+#include "reports/run_json.h"
 #include "reports/with_error.h"
 
 namespace pendular {
@@ -154,10 +155,6 @@ std::string finding_line(const Finding& finding, const ModelSpace& space) {
         100 * finding.test.absorbed, finding.power, p_text(finding.p, ""), finding.decision);
 }
 
-nlohmann::ordered_json number(double value, double standard_error) {
-    return {{"value", value}, {"stderr", standard_error}};
-}
-
 nlohmann::ordered_json to_json(const Finding& finding, const ModelSpace& space) {
     const Candidate& candidate = space.candidates()[finding.candidate];
     const EffectParameter& p = candidate.parameters.front();
@@ -166,7 +163,7 @@ nlohmann::ordered_json to_json(const Finding& finding, const ModelSpace& space) 
         {"parameter", p.name},
         {"unit", p.unit},
         {"predicted_drop", finding.test.predicted_drop},
-        {"estimate", number(finding.value, finding.standard_error)},
+        {"estimate", uncertain(finding.value, finding.standard_error)},
         {"absorbed", finding.test.absorbed},
         {"power", finding.power},
         {"p", finding.p},
@@ -192,7 +189,7 @@ nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace&
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         parameters[all[k].name] =
-            number(explanation.fit.parameters(i), explanation.fit.standard_error(i));
+            uncertain(explanation.fit.parameters(i), explanation.fit.standard_error(i));
     }
     nlohmann::ordered_json json = {{"effects", names_of(explanation, space)},
                                    {"parameters", parameters},
@@ -364,7 +361,7 @@ nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
     const auto& all = space.with({}).parameters();
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        parameters[all[k].name] = number(d.fit.parameters(i), d.fit.standard_error(i));
+        parameters[all[k].name] = uncertain(d.fit.parameters(i), d.fit.standard_error(i));
     }
     return {{"verdict", to_string(d.verdict)},
             {"line", verdict_line(d, space, checks)},

@@ -11,15 +11,12 @@
 #include "data/input_error.h"
 #include "data/text_file.h"
 #include "reports/failure_report.h"
+#include "reports/run_json.h"
 
 namespace pendular {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json uncertain(double value, double error) {
-    return {{"value", value}, {"stderr", error}};
-}
 
 Json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance) {
     return {{"shear_stress", uncertain(value(0), std::sqrt(covariance(0, 0)))},

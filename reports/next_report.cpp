@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/study_evidence.h"
+#include "reports/run_json.h"
 #include "reports/shown.h"
 #include "reports/with_error.h"
 
@@ -139,15 +140,11 @@ Json point_json(const Point& point, const Study& study) {
     return json;
 }
 
-Json number(double value, double error) {
-    return {{"value", value}, {"stderr", error}};
-}
-
 Json forecast_json(const std::string& name, const Forecast& forecast) {
     const Eigen::Vector2d error = error_of(forecast);
     return {{"rival", name},
-            {"shear_stress", number(forecast.value(0), error(0))},
-            {"solid_fraction", number(forecast.value(1), error(1))}};
+            {"shear_stress", uncertain(forecast.value(0), error(0))},
+            {"solid_fraction", uncertain(forecast.value(1), error(1))}};
 }
 
 Json plan_json(const NextMeasurement& next, const Plan& plan) {

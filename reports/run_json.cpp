@@ -12,11 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+}  // namespace
+
 Json uncertain(double value, double error) {
     return {{"value", value}, {"stderr", error}};
 }
-
-}  // namespace
 
 Json effects_json(const std::vector<ActiveEffect>& effects) {
     Json json = Json::object();

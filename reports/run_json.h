@@ -8,6 +8,9 @@
 
 namespace pendular {
 
+/// {"value", "stderr"}, in the units of what is told.
+nlohmann::ordered_json uncertain(double value, double error);
+
 /// Values of effects as `calibrate` names fitted parameters, "EFFECT.PARAMETER", in SI units.
 nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 

@@ -3,9 +3,9 @@
 
 #include "strd.h"
 
-using namespace pendular;
+namespace load_cell_test {
 
-namespace {
+using namespace pendular;
 
 strd::Jet line(const strd::Jet* b, const strd::Real* x) {
     return b[0] + x[0] * b[1];
@@ -49,8 +49,6 @@ double lack_of_fit(const strd::DataSet& set) {
            (pure / 20);
 }
 
-}  // namespace
-
 TEST(LoadCell, HasTheCertifiedParabola) {
     const strd::DataSet set = load_cell(parabola, 3);
     const Fit result = fitted(set);
@@ -71,3 +69,5 @@ TEST(LoadCell, DoesNotLieOnAStraightLine) {
     EXPECT_NEAR(lack_of_fit(load_cell(line, 2)), 214.7, 0.05);
     EXPECT_LT(lack_of_fit(load_cell(parabola, 3)), 2.17);
 }
+
+}  // namespace load_cell_test

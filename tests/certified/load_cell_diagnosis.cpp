@@ -10,9 +10,9 @@
 #include "strd.h"
 #include "tests/unit/linear_space.h"
 
-using namespace pendular;
+namespace load_cell_diagnosis_test {
 
-namespace {
+using namespace pendular;
 
 constexpr int loads = 20, readings = 2 * loads;
 
@@ -60,8 +60,6 @@ Evidence evidence() {
     return result;
 }
 
-}  // namespace
-
 TEST(LoadCellDiagnosis, HasThePublishedLackOfFit) {
     const LinearSpace space = line_or_parabola(false);
     const Evidence readings_twice = evidence();
@@ -84,3 +82,5 @@ TEST(LoadCellDiagnosis, NamesTheSquareAlone) {
 TEST(LoadCellDiagnosis, FindsTheParabolaComplete) {
     EXPECT_EQ(diagnose(line_or_parabola(true), evidence()).verdict, Verdict::nothing_missing);
 }
+
+}  // namespace load_cell_diagnosis_test

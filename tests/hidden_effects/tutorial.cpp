@@ -11,11 +11,11 @@
 
 #include "tests/unit/app_support.h"
 
+namespace tutorial_test {
+
 using namespace pendular;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
-
-namespace {
 
 const fs::path example = fs::path(PENDULAR_SOURCE_DIR) / "examples/hidden-effect";
 
@@ -35,8 +35,6 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     const auto at = text.find(what);
     return at == std::string::npos ? text : text.replace(at, what.size(), by);
 }
-
-}  // namespace
 
 TEST(Tutorial, DoesWhatItSays) {
     const TemporaryFolder folder;
@@ -64,3 +62,5 @@ TEST(Tutorial, DoesWhatItSays) {
     EXPECT_THAT(said["drop"][0], HasSubstr("wall-friction dropped"));
     EXPECT_TRUE(fs::exists(fs::path(study) / "out/figures/ladder.png"));
 }
+
+}  // namespace tutorial_test

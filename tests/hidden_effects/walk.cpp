@@ -13,10 +13,10 @@
 
 #include "tests/unit/app_support.h"
 
+namespace walk_test {
+
 using namespace pendular;
 namespace fs = std::filesystem;
-
-namespace {
 
 const fs::path here = fs::path(PENDULAR_SOURCE_DIR) / "tests/hidden_effects";
 
@@ -55,8 +55,6 @@ double left_out(const nlohmann::json& rung) {
 
 class HiddenEffects : public testing::TestWithParam<const char*> {};
 
-}  // namespace
-
 TEST_P(HiddenEffects, AreFoundByTheWholeWalk) {
     const TemporaryFolder folder;
     const std::string path = (folder.path() / "study").string();
@@ -93,3 +91,5 @@ TEST_P(HiddenEffects, AreFoundByTheWholeWalk) {
 INSTANTIATE_TEST_SUITE_P(Sealed, HiddenEffects,
                          testing::Values("study_1", "study_2", "study_3", "study_4"),
                          [](const auto& info) { return std::string(info.param); });
+
+}  // namespace walk_test

@@ -9,10 +9,10 @@
 #include "data/study.h"
 #include "sim/dem/shear_cell.h"
 
+namespace bridge_chains_test {
+
 using namespace pendular;
 using namespace pendular::dem;
-
-namespace {
 
 constexpr int beads = 5;
 constexpr double modulus = 3e4;
@@ -64,8 +64,6 @@ double bridge_force(double gap, double volume) {
     return 1 - gap / std::sqrt(gap * gap + 4 * volume / std::numbers::pi);
 }
 
-}  // namespace
-
 TEST(WetBeads, ArePulledApartByThePullOffForceAndNoLess) {
     // A gap of 1e-6 takes 1e-6 sqrt(pi/(4 V0)) of the force away, 4e-5 at the smallest volume.
     for (const double volume : {5e-4, 8e-3}) {
@@ -115,3 +113,5 @@ TEST(WetBeads, LoseTheirBridgesAtRuptureAndFormThemAgainInContactOnly) {
     EXPECT_GT(bridged, 100);
     EXPECT_GT(broken, 10);
 }
+
+}  // namespace bridge_chains_test

@@ -8,10 +8,10 @@
 
 #include "sim/dem/shear_cell.h"
 
+namespace crystals_test {
+
 using namespace pendular;
 using namespace pendular::dem;
-
-namespace {
 
 constexpr int cells = 3;  ///< cubic cells per direction, of four beads each
 
@@ -79,8 +79,6 @@ Triaxial widen(double friction, double end, double rate) {
     return result;
 }
 
-}  // namespace
-
 TEST(Crystal, HasTheStressesOfItsContactsAlongItsThreeAxes) {
     const double modulus = std::pow(1000.0, 1.5), edge = std::sqrt(2.0);
     for (const auto& strain : {std::array{0.01, 0.01, 0.01}, std::array{0.001, 0.02, 0.001},
@@ -123,3 +121,5 @@ TEST_P(CrystalTriaxial, YieldsAtTheStressRatioOfRigidFrictionalSpheres) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Frictions, CrystalTriaxial, testing::Values(0.0, 0.1, 0.3));
+
+}  // namespace crystals_test

@@ -7,13 +7,11 @@
 #include "registered_effects.h"
 #include "sim/effect.h"
 
+namespace effect_registry_test {
+
 using namespace pendular;
 
-namespace {
-
 class EffectRegistry : public EveryEffect {};
-
-}  // namespace
 
 TEST_P(EffectRegistry, NameIsThatOfItsFile) {
     std::string file = effect().name;
@@ -78,3 +76,5 @@ TEST_P(EffectRegistry, HasAnAmplitudeThatVanishesAtNeutralAndGrows) {
 INSTANTIATE_TEST_SUITE_P(Effects, EffectRegistry,
                          testing::ValuesIn(names_of_effects([](const Effect&) { return true; })),
                          test_name);
+
+}  // namespace effect_registry_test

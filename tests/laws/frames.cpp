@@ -11,9 +11,9 @@
 
 #include "sim/dem/shear_cell.h"
 
-using namespace pendular::dem;
+namespace frames_test {
 
-namespace {
+using namespace pendular::dem;
 
 constexpr int count = 400;
 constexpr double shear_rate = 0.1;
@@ -92,8 +92,6 @@ class Frames : public testing::TestWithParam<bool> {
     const bool wet = GetParam();
     const State here{sheared(flowing(), wet)};
 };
-
-}  // namespace
 
 TEST_P(Frames, AShiftedSampleMovesAlike) {
     Sample shifted = flowing();
@@ -214,3 +212,5 @@ TEST(Momentum, IsKeptByWetSamplesWhateverTheirParts) {
     expect_none(sheared(flowing(), true, 2000));
     expect_none(sheared(flowing(), true, 100, shear_rate, 2));
 }
+
+}  // namespace frames_test

@@ -10,10 +10,10 @@
 #include "sim/dem/shear_cell.h"
 #include "sim/effect.h"
 
+namespace grain_effects_test {
+
 using namespace pendular;
 using namespace pendular::dem;
-
-namespace {
 
 constexpr Material material{.modulus = 31622.8, .friction = 0.3};  // stiffness number 1000
 const Wetting wetting{.reduced_pressure = 1, .bridge_volume = 4e-3};
@@ -107,8 +107,6 @@ INSTANTIATE_TEST_SUITE_P(Registry, OfEveryGrainEffect, testing::ValuesIn(effects
                              std::ranges::replace(name, '-', '_');
                              return name;
                          });
-
-}  // namespace
 
 TEST(HookedForces, WithoutEffectsAreThoseOfThePlainLoopBitwise) {
     for (const bool is_wet : {false, true}) {
@@ -282,3 +280,5 @@ TEST_P(OfEveryGrainEffect, LosesNoContactThroughNewLists) {
                 static_cast<double>(find_pairs_by_brute_force(wrapped, cell, 0.0).size()),
                 0.02 * static_cast<double>(touching));
 }
+
+}  // namespace grain_effects_test

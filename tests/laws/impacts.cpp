@@ -7,9 +7,9 @@
 
 #include "sim/dem/shear_cell.h"
 
-using namespace pendular::dem;
+namespace impacts_test {
 
-namespace {
+using namespace pendular::dem;
 
 constexpr double modulus = 1e9, friction = 0.2, approach = 0.1;
 
@@ -64,8 +64,6 @@ double restitution(double damping) {
     return std::exp(-std::numbers::pi * z / std::sqrt(1 - z * z));
 }
 
-}  // namespace
-
 TEST(ObliqueImpact, SlidesThroughoutWithTheImpulseOfCoulomb) {
     // The viscous force is a function of h times dh/dt: over a whole impact its impulse vanishes,
     // so that the elastic force alone carries (1 + e) v/2 and friction mu times that. Both beads
@@ -114,3 +112,5 @@ TEST(ObliqueImpact, RollsOffWhereItStuck) {
     // Angular momentum about the point of contact: what the centres lose the spins have.
     EXPECT_NEAR(impact.spin(0), 2.5 * change, 5e-3 * 2.5 * change);
 }
+
+}  // namespace impacts_test

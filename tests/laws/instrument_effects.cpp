@@ -5,9 +5,9 @@
 #include "registered_effects.h"
 #include "sim/instrument.h"
 
-using namespace pendular;
+namespace instrument_effects_test {
 
-namespace {
+using namespace pendular;
 
 constexpr std::array fields = {&CellState::torque,         &CellState::normal_force,
                                &CellState::height,         &CellState::angular_velocity,
@@ -96,8 +96,6 @@ class ConditionEffects : public EveryEffect {
         return !touching({{&effect(), effect().neutral()}}, condition.dry()).empty();
     }
 };
-
-}  // namespace
 
 TEST_P(InstrumentEffects, VanishesAtItsNeutralValue) {
     for (const CellState& truth : states()) {
@@ -229,3 +227,5 @@ INSTANTIATE_TEST_SUITE_P(Effects, ConditionEffects,
                              return std::holds_alternative<ChangeCondition>(effect.change);
                          })),
                          test_name);
+
+}  // namespace instrument_effects_test

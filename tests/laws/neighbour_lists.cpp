@@ -12,9 +12,9 @@
 
 #include "sim/dem/shear_cell.h"
 
-using namespace pendular::dem;
+namespace neighbour_lists_test {
 
-namespace {
+using namespace pendular::dem;
 
 using PairSet = std::set<std::pair<int, int>>;
 
@@ -118,8 +118,6 @@ class Book {
 
 constexpr int beads = 1200;
 const BridgeLaw wet({.reduced_pressure = 2, .bridge_volume = 4e-3});
-
-}  // namespace
 
 TEST(NeighbourLists, HoldTheContactsAndBridgesOfALargeSampleWhileItIsRenumbered) {
     ShearCell sample(beads, {.modulus = 5e3, .friction = 0.2}, 0.1, 5, wet);
@@ -234,3 +232,5 @@ TEST(NeighbourLists, RememberContactsAndBridgesWhenBeadsAreRenumbered) {
     EXPECT_EQ(all(changed, list), before);
     EXPECT_GT(before.size(), 2500u);
 }
+
+}  // namespace neighbour_lists_test

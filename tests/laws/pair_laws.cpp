@@ -6,9 +6,9 @@
 
 #include "sim/dem/pair_forces.h"
 
-using namespace pendular::dem;
+namespace pair_laws_test {
 
-namespace {
+using namespace pendular::dem;
 
 constexpr double modulus = 31622.8;  // stiffness number 1000
 
@@ -40,8 +40,6 @@ struct State {
     }
     PairSums forces() { return pair_forces(beads, pairs, {cell, flow, material, {}, dt}); }
 };
-
-}  // namespace
 
 TEST(PairForces, SumToZero) {
     State state(1);
@@ -175,3 +173,5 @@ TEST(PairForces, LeaveAngularMomentumAlone) {
         EXPECT_NEAR(turning[d], 0, 1e-7 * scale);
     }
 }
+
+}  // namespace pair_laws_test

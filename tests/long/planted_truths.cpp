@@ -9,9 +9,9 @@
 
 #include "calib/calibration.h"
 
-using namespace pendular;
+namespace planted_truths_test {
 
-namespace {
+using namespace pendular;
 
 constexpr int truths = 20;
 /// At inertial number 0.02 the solver is fast and the fit the same.
@@ -48,8 +48,6 @@ Measurements readings_of(double friction, int study, int threads) {
     return measurements;
 }
 
-}  // namespace
-
 TEST(PlantedTruths, ScatterAsTheReportedErrorSays) {
     const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     Study study;
@@ -73,3 +71,5 @@ TEST(PlantedTruths, ScatterAsTheReportedErrorSays) {
     EXPECT_GT(std::sqrt(square), 1 / 1.5);
     EXPECT_LT(std::sqrt(square), 1.5);
 }
+
+}  // namespace planted_truths_test

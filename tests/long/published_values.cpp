@@ -10,10 +10,10 @@
 
 #include "sim/ensemble.h"
 
+namespace published_values_test {
+
 using namespace pendular;
 using dem::Observable;
-
-namespace {
 
 dem::RunParameters flow(double friction, double inertial_number,
                         std::optional<dem::Wetting> wetting = {}) {
@@ -66,8 +66,6 @@ std::vector<dem::RunResult> results_of(const std::vector<dem::RunParameters>& pa
     return runs;
 }
 
-}  // namespace
-
 TEST(PublishedValues, AreFoundInDryShear) {
     const auto runs = results_of(
         {flow(0.09, 1e-3), flow(0.09, 3e-3), flow(0, 1e-3), flow(0, 3e-3), flow(0.05, 1e-3)});
@@ -104,3 +102,5 @@ TEST(PublishedValues, AreFoundInWetShear) {
     const Mean& strongest = runs[2][Observable::stress_ratio];
     EXPECT_NEAR(strongest.value, 1, 0.05 + 2 * strongest.standard_error);
 }
+
+}  // namespace published_values_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace {
+namespace run_scatter_test {
 
 using namespace pendular;
 
@@ -16,8 +16,6 @@ constexpr dem::RunParameters calibration_run{.friction = 0.15,
                                              .stiffness_number = 1000,
                                              .beads = 1000,
                                              .strain = 6};
-
-}  // namespace
 
 TEST(RunScatter, OfDryCalibrationRunsIsTheReportedStandardError) {
     dem::RunParameters run = calibration_run;
@@ -31,3 +29,5 @@ TEST(RunScatter, OfWetCalibrationRunsIsTheReportedStandardError) {
     run.seed = 30'000;
     expect_scatter_as_reported(run, threads);
 }
+
+}  // namespace run_scatter_test

@@ -13,9 +13,9 @@
 #include "data/text_file.h"
 #include "sim/virtual_lab.h"
 
-using namespace pendular;
+namespace virtual_lab_truths_test {
 
-namespace {
+using namespace pendular;
 
 constexpr int laboratories = 20, fewest_found = 17, laboratories_with_wet = 3;
 constexpr double truth = 0.15;
@@ -53,8 +53,6 @@ std::pair<Study, Measurements> recorded(const LabPlan& plan, int threads) {
     return result;
 }
 
-}  // namespace
-
 TEST(VirtualLaboratories, AreCalibratedBackAndPredictedWet) {
     const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     int found = 0;
@@ -89,3 +87,5 @@ TEST(VirtualLaboratories, AreCalibratedBackAndPredictedWet) {
     EXPECT_GE(found, fewest_found);
     EXPECT_GT((Misfit{wet_chi2, wet_dof}.p()), 0.01);
 }
+
+}  // namespace virtual_lab_truths_test

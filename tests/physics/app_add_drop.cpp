@@ -7,11 +7,11 @@
 #include "tests/unit/app_support.h"
 #include "tests/unit/effect_study.h"
 
+namespace app_add_drop_test {
+
 using namespace pendular;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
-
-namespace {
 
 constexpr double drag = 1e-3;  // N m
 
@@ -53,8 +53,6 @@ file = "points.csv"
 [model]
 effects = []   # what the model takes in
 )";
-
-}  // namespace
 
 TEST(AddAndDrop, FindAPlantedDragAndLeaveTheStudyAsItWas) {
     TemporaryFolder folder;
@@ -117,3 +115,5 @@ torque = "torque + drag"
     EXPECT_LT(std::abs(found.at("value").get<double>() - drag),
               4 * found.at("stderr").get<double>());
 }
+
+}  // namespace app_add_drop_test

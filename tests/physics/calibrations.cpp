@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace {
+namespace calibrations_test {
 
 const std::filesystem::path examples = std::filesystem::path(PENDULAR_SOURCE_DIR) / "examples";
 
@@ -31,8 +31,6 @@ nlohmann::json calibrate(const std::filesystem::path& study) {
     std::ifstream file(out / "fit.json");
     return nlohmann::json::parse(file);
 }
-
-}  // namespace
 
 TEST(Polystyrene, IsCalibratedToThePublishedFriction) {
     // Badetti et al. (2018) give 0.09 from the same two measured numbers. The measured errors alone
@@ -65,3 +63,5 @@ TEST(DryRecordings, AreCalibratedToTheFrictionTheyWereMadeWith) {
     // 17 degrees of freedom: beyond 40.8 with probability 0.001.
     EXPECT_LT(fit["chi2"], 40.8);
 }
+
+}  // namespace calibrations_test

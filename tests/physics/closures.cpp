@@ -11,11 +11,11 @@
 #include "sim/closures/strength.h"
 #include "sim/ensemble.h"
 
+namespace closures_test {
+
 using namespace pendular;
 using namespace pendular::closures;
 using dem::Observable;
-
-namespace {
 
 dem::RunParameters flow(std::uint64_t seed, std::optional<dem::Wetting> wetting = {}) {
     return {.friction = 0.09,
@@ -221,8 +221,6 @@ void expect_cohesions(const Simulated& little, const Simulated& much) {
     EXPECT_LT(std::abs(little.strength2()), little.strength3());
 }
 
-}  // namespace
-
 // One test for all, since each test is a process of its own and the runs are most of the time.
 TEST(Closures, HoldInSimulatedStates) {
     const auto runs =
@@ -242,3 +240,5 @@ TEST(Closures, HoldInSimulatedStates) {
         expect_closures_of_wet_state(states[k]);
     expect_cohesions(states[1], states[2]);
 }
+
+}  // namespace closures_test

@@ -6,10 +6,10 @@
 #include "analysis/diagnosis.h"
 #include "tests/physics/planted_readings.h"
 
+namespace diagnosis_planted_test {
+
 using namespace pendular;
 using ::testing::Contains;
-
-namespace {
 
 /// One size each, so that it can be seen: a few times what matters; switches are on.
 const std::vector<Planted> all_planted = {
@@ -59,8 +59,6 @@ std::string told(const Planted& planted, const Diagnosis& d, const Finding& trut
            std::to_string(truth.refit_drop.value_or(0)) + "\n";
 }
 
-}  // namespace
-
 TEST(PlantedDiagnosis, NamesEveryEffectWithWhatItsAdditionBrings) {
     std::size_t as_expected = 0, as_foretold = 0;
     std::string otherwise;
@@ -95,3 +93,5 @@ TEST(PlantedDiagnosis, FindsNothingWhereNothingIsMissing) {
     }
     EXPECT_LE(alarms, 1);
 }
+
+}  // namespace diagnosis_planted_test

@@ -11,9 +11,9 @@
 
 #include "sim/dem/run.h"
 
-using namespace pendular::dem;
+namespace dry_lammps_test {
 
-namespace {
+using namespace pendular::dem;
 
 struct Row {
     double friction, inertial_number, stiffness_number, beads, strain;
@@ -49,8 +49,6 @@ std::string name_of(const testing::TestParamInfo<Row>& info) {
 
 class DryLammps : public testing::TestWithParam<Row> {};
 
-}  // namespace
-
 TEST_P(DryLammps, Agrees) {
     const Row& row = GetParam();
     const RunResult run = pendular::dem::run({.friction = row.friction,
@@ -75,3 +73,5 @@ INSTANTIATE_TEST_SUITE_P(Rows, DryLammps, testing::ValuesIn(reference()), name_o
 TEST(DryLammpsTable, IsThere) {
     EXPECT_EQ(reference().size(), 8u);
 }
+
+}  // namespace dry_lammps_test

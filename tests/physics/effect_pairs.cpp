@@ -8,9 +8,9 @@
 
 #include "tests/unit/effect_study.h"
 
-using namespace pendular;
+namespace effect_pairs_test {
 
-namespace {
+using namespace pendular;
 
 /// What an effect does to the readings, over their errors: its derivative, or its change where it
 /// is a switch, with what the friction can do taken out; of length 1.
@@ -65,8 +65,6 @@ double cosine(const std::string& a, const std::string& b, bool dry_only = false)
     return std::abs(signature_of(a, dry_only).direction.dot(signature_of(b, dry_only).direction));
 }
 
-}  // namespace
-
 TEST(EffectsAlike, AreThoseThatRheologistsKnow) {
     // The surface tension and the contact angle change F0 alone: nothing on the rig tells them
     // apart.
@@ -109,3 +107,5 @@ TEST(EffectsAlike, AreTabled) {
         std::printf("| %s | %.3f |\n", name.c_str(), signature.absorbed);
     }
 }
+
+}  // namespace effect_pairs_test

@@ -7,9 +7,9 @@
 
 #include "tests/unit/effect_study.h"
 
-using namespace pendular;
+namespace effects_in_fits_test {
 
-namespace {
+using namespace pendular;
 
 /// Readings of predicted values with 1 % scatter in shear stress and 0.2 % in solid fraction.
 Measured readings_of(const Eigen::VectorXd& values, unsigned seed) {
@@ -58,8 +58,6 @@ std::vector<std::string> effects_of_dem() {
 
 class OfEveryEffect : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Registry, OfEveryEffect, testing::ValuesIn(effects_of_dem()), test_name);
-
-}  // namespace
 
 /// The simulation's own errors are left out of the weights: truth and model share them.
 TEST_P(OfEveryEffect, FitRecoversAPlantedValue) {
@@ -141,3 +139,5 @@ TEST(EffectModel, WithoutEffectsIsTheModelInsideBitForBit) {
     EXPECT_EQ(model.predict_mean(at).value, inside.predict_mean(at).value);
     EXPECT_EQ(model.predict_mean(at).jacobian, inside.predict_mean(at).jacobian);
 }
+
+}  // namespace effects_in_fits_test

@@ -19,8 +19,7 @@
 #include "sim/fidelity.h"
 #include "sim/store/run_table.h"
 
-namespace pendular {
-namespace {
+namespace pendular::emulator_test {
 
 using dem::Observable;
 
@@ -151,8 +150,6 @@ std::vector<PairOfRuns> pairs_of_runs() {
     }
     return pairs;
 }
-
-}  // namespace
 
 TEST(EmulatorOfTheAtlas, KnowsHowWrongItIsOnConditionsLeftOut) {
     for (const Observable which : Emulator::observables()) {
@@ -292,4 +289,4 @@ TEST(EmulatorOfTheAtlas, PredictsWetRunsItHasNotSeen) {
     }
 }
 
-}  // namespace pendular
+}  // namespace pendular::emulator_test

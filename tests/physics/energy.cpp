@@ -11,9 +11,9 @@
 
 #include "sim/dem/shear_cell.h"
 
-using namespace pendular::dem;
+namespace energy_test {
 
-namespace {
+using namespace pendular::dem;
 
 /// Work and energies of a stretch of steady shear, in a^3 s22.
 struct Account {
@@ -66,8 +66,6 @@ Account account_of(double friction, std::optional<Wetting> wetting) {
 /// Friction, and whether the beads are wet.
 class EnergyBooks : public testing::TestWithParam<std::pair<double, bool>> {};
 
-}  // namespace
-
 TEST_P(EnergyBooks, Close) {
     const auto [friction, wet] = GetParam();
     const Account a = account_of(
@@ -94,3 +92,5 @@ INSTANTIATE_TEST_SUITE_P(Dry, EnergyBooks,
 INSTANTIATE_TEST_SUITE_P(Wet, EnergyBooks,
                          testing::Values(std::pair{0.0, true}, std::pair{0.1, true},
                                          std::pair{0.3, true}));
+
+}  // namespace energy_test

@@ -11,10 +11,10 @@
 #include "sim/dem/run.h"
 #include "sim/dem/shear_cell.h"
 
+namespace grain_effects_test {
+
 using namespace pendular;
 using namespace pendular::dem;
-
-namespace {
 
 using PairSet = std::set<std::pair<int, int>>;
 
@@ -52,8 +52,6 @@ PairSet joined(const ShearCell& sample) {
     }
     return result;
 }
-
-}  // namespace
 
 /// In flow every pair is joined whose gap is below D0, and no other: the lists miss none. With
 /// beads of several sizes and another rupture distance too.
@@ -133,3 +131,5 @@ TEST(RollingResistance, GivesAStrongerAndLooserFlow) {
     EXPECT_NEAR(ratio.value, 0.56, 3 * ratio.standard_error + 0.008);
     EXPECT_NEAR(solid.value, 0.547, 3 * solid.standard_error + 0.003);
 }
+
+}  // namespace grain_effects_test

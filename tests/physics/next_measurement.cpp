@@ -8,11 +8,11 @@
 #include "analysis/diagnosis.h"
 #include "tests/physics/planted_readings.h"
 
+namespace next_measurement_test {
+
 using namespace pendular;
 using testing::Contains;
 using testing::Not;
-
-namespace {
 
 std::vector<Rival> rivals_of(const Diagnosis& d) {
     std::vector<Rival> rivals;
@@ -30,8 +30,6 @@ Rig rig() {
             .bead_volumes = {20e-3 / 1050, 60e-3 / 1050},
             .repeats = 12};
 }
-
-}  // namespace
 
 TEST(NextMeasurement, TellsAHeightOffsetFromLostBeads) {
     // The gap shows too small, as it is where beads are lost.
@@ -82,3 +80,5 @@ TEST(NextMeasurement, CannotTellTheAngleFromTheTension) {
                                         Eigen::Vector2d(0.01, 0.002), rig().repeats);
     EXPECT_TRUE(plans.front().separated.empty());
 }
+
+}  // namespace next_measurement_test

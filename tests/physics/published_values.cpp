@@ -10,10 +10,10 @@
 
 #include "sim/ensemble.h"
 
+namespace published_values_test {
+
 using namespace pendular;
 using dem::Observable;
-
-namespace {
 
 dem::RunParameters flow(double inertial_number, std::optional<dem::Wetting> wetting = {}) {
     return {.friction = 0.09,
@@ -30,8 +30,6 @@ double rigid_solid_fraction(const dem::RunResult& run) {
     const double raw = run[Observable::solid_fraction].value;
     return raw - dem::rigidity_shift(raw, run[Observable::mean_overlap].value);
 }
-
-}  // namespace
 
 // One test for both, since each test is a process of its own and the runs share the cores.
 TEST(PublishedValues, AreFoundOnSmallSamples) {
@@ -64,3 +62,5 @@ TEST(PublishedValues, AreFoundOnSmallSamples) {
     EXPECT_NEAR(rigid_solid_fraction(wet), 0.594,
                 0.006 + 2 * wet[Observable::solid_fraction].standard_error);
 }
+
+}  // namespace published_values_test

@@ -10,9 +10,9 @@
 
 #include "calib/calibration.h"
 
-using namespace pendular;
+namespace reported_error_test {
 
-namespace {
+using namespace pendular;
 
 constexpr int studies = 36;
 const Fidelity small{"small", 200, 300, 0.05, 3};
@@ -31,8 +31,6 @@ Eigen::Vector2d truth_of(dem::RunParameters like, int count) {
     }
     return sum / count;
 }
-
-}  // namespace
 
 TEST(ReportedError, IsTheScatterOfPlantedFrictions) {
     std::map<double, Eigen::Vector2d> truths;
@@ -118,3 +116,5 @@ TEST(ReportedError, CoversTheCorrectionsInStiffnessAndInertialNumber) {
     // The readings carry no drawn error, and the corrections' errors are common to all fits.
     EXPECT_LT(std::abs(mean), 2);
 }
+
+}  // namespace reported_error_test

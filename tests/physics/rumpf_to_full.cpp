@@ -9,11 +9,11 @@
 
 #include "tests/unit/app_support.h"
 
+namespace rumpf_to_full_test {
+
 using namespace pendular;
 using testing::ElementsAre;
 namespace fs = std::filesystem;
-
-namespace {
 
 nlohmann::json told(const std::string& command) {
     const Outcome outcome = run_pendular(command + " --quiet --json -");
@@ -38,8 +38,6 @@ double largest_overestimate(const nlohmann::json& compared) {
     }
     return largest;
 }
-
-}  // namespace
 
 TEST(RumpfToFull, FindsTheShearStressThatBridgesCarry) {
     const TemporaryFolder folder;
@@ -68,3 +66,5 @@ TEST(RumpfToFull, FindsTheShearStressThatBridgesCarry) {
     EXPECT_THAT(told("diagnose " + path).at("verdict").get<std::string>(),
                 testing::AnyOf("nothing-missing", "inconclusive"));
 }
+
+}  // namespace rumpf_to_full_test

@@ -8,10 +8,10 @@
 
 #include "sim/ensemble.h"
 
+namespace wet_table_test {
+
 using namespace pendular;
 using dem::Observable;
-
-namespace {
 
 struct Row {
     double bridge_volume;   ///< V0/a^3
@@ -23,8 +23,6 @@ constexpr Row table[] = {{5e-4, 0.003, 5e-4},
                          {2e-3, 0.014, 5e-4},
                          {4e-3, 0.030, 5e-4},
                          {8e-3, 0.063, 5e-4}};
-
-}  // namespace
 
 TEST(WetShear, HoldsThePublishedLiquidContents) {
     std::vector<dem::RunParameters> parameters;
@@ -69,3 +67,5 @@ TEST(WetShear, HoldsThePublishedLiquidContents) {
     EXPECT_GT(runs.back()[Observable::stress_ratio].value,
               runs.front()[Observable::stress_ratio].value + 0.02);
 }
+
+}  // namespace wet_table_test

@@ -14,10 +14,10 @@
 #include "reports/ladder_figure.h"
 #include "reports/layout.h"
 
+namespace analysis_ladder_test {
+
 using namespace pendular;
 using testing::HasSubstr;
-
-namespace {
 
 /// Both observables are the polynomial sum_j theta_j x^j of the normal stress x.
 class Polynomial : public FlowModel {
@@ -84,8 +84,6 @@ Rung rung(const std::string& change, const std::string& effect, double chi2, dou
     r.left_out_percent = {{1.2 * stress, 1.1 * fraction}};
     return r;
 }
-
-}  // namespace
 
 TEST(LeftOut, IsTheErrorOfTheMeanOfTheOthers) {
     // A constant fitted with equal weights is the mean. Conditions 1, 2 and 3 (a pair) hold 10, 12
@@ -261,3 +259,5 @@ TEST(LadderFigure, ShowsEveryRung) {
     ladder[0].left_out_percent.reset();
     draw(ladder_figure(ladder), folder.path());
 }
+
+}  // namespace analysis_ladder_test

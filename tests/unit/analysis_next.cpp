@@ -14,8 +14,7 @@
 #include "data/study.h"
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::analysis_next_test {
 
 /// Shear stress theta s22 + offset, solid fraction 0.6.
 class Offset : public FlowModel {
@@ -61,8 +60,6 @@ std::vector<Point> at(const std::vector<double>& stresses) {
 }
 
 const Eigen::Vector2d noise(0.01, 0.002);
-
-}  // namespace
 
 TEST(NextMeasurement, IsWhereRivalsDifferMost) {
     // 3 Pa more, or a friction that makes up for it at 1 kPa.
@@ -240,4 +237,4 @@ TEST(Rig, IsReadWithItsUnits) {
                 testing::HasSubstr("repeats"));
 }
 
-}  // namespace pendular
+}  // namespace pendular::analysis_next_test

@@ -9,14 +9,14 @@
 #include "reports/json.h"
 #include "wet_study_support.h"
 
+namespace app_add_test {
+
 using namespace pendular;
 using namespace pendular::app;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
-
-namespace {
 
 const std::string start = R"(# Beads, dry.
 [grains]
@@ -89,8 +89,6 @@ Fitted after_fit() {
     Rung r = with_torque(rung_of(c, comparison, std::nullopt));
     return {std::move(c), std::move(comparison), std::move(r), 0, 0};
 }
-
-}  // namespace
 
 TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {
     const std::string path =
@@ -233,3 +231,5 @@ TEST(WithError, IsReadableForSmallForces) {
     EXPECT_EQ(with_error(0, 3.4e-8), "(0.0 +- 3.4)e-8");
     EXPECT_EQ(with_error(0.02063, 0.00042), "0.02063 +- 0.00042");
 }
+
+}  // namespace app_add_test

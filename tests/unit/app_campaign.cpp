@@ -12,14 +12,14 @@
 #include "sim/store/run_columns.h"
 #include "sim/store/run_store.h"
 
+namespace app_campaign_test {
+
 using pendular::RunStore;
 using pendular::StoredRun;
 using pendular::TemporaryFolder;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-namespace {
 
 const std::string eight_runs =
     "[[grid]]\nfriction = [0.1, 0.3]\ninertial_number = [0.05, 0.1]\nrepeats = 2\nbeads = 100\n"
@@ -65,8 +65,6 @@ fs::path whole(const TemporaryFolder& folder) {
     EXPECT_THAT(run.output, HasSubstr("8 of 8 runs"));
     return file;
 }
-
-}  // namespace
 
 TEST(CampaignCommand, GoesOnWhereItWasStopped) {
     const TemporaryFolder folder;
@@ -231,3 +229,5 @@ TEST(Simulate, KeepsItsRun) {
     EXPECT_EQ(json::parse(list.output)["runs"][0]["stress_ratio"],
               json::parse(run.output)["stress_ratio"]);
 }
+
+}  // namespace app_campaign_test

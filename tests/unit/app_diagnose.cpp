@@ -9,11 +9,11 @@
 #include "tests/unit/app_support.h"
 #include "tests/unit/data_support.h"
 
+namespace app_diagnose_test {
+
 using namespace pendular;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-namespace {
 
 /// Dry readings as of friction 0.09, shear stresses short by a constant that a tare could be.
 class DiagnoseCommand : public testing::Test {
@@ -33,8 +33,6 @@ class DiagnoseCommand : public testing::Test {
     }
     TemporaryFolder folder_;
 };
-
-}  // namespace
 
 TEST_F(DiagnoseCommand, IsDescribed) {
     EXPECT_THAT(run_pendular("--help").output, HasSubstr("diagnose"));
@@ -104,3 +102,5 @@ TEST_F(DiagnoseCommand, RefusesARigThatCannotBe) {
     EXPECT_EQ(run.code, 2);
     EXPECT_THAT(run.errors, AllOf(HasSubstr("study.toml:"), HasSubstr("normal_stress")));
 }
+
+}  // namespace app_diagnose_test

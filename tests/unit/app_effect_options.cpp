@@ -7,10 +7,10 @@
 #include "app_support.h"
 #include "sim/effect.h"
 
+namespace app_effect_options_test {
+
 using pendular::TemporaryFolder;
 using testing::HasSubstr;
-
-namespace {
 
 /// One fast step, a second of work, also where a test fails and the option is taken.
 const std::string one_step =
@@ -22,8 +22,6 @@ void expect_refused_option(const std::string& option, const std::string& why) {
     expect_refused("virtual-lab " + (folder.path() / "lab").string() + one_step + option, why);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "lab"));
 }
-
-}  // namespace
 
 TEST(EffectOptions, AreThereForEveryParameterOfTheRegistry) {
     const Outcome help = run_pendular("virtual-lab --help");
@@ -64,3 +62,5 @@ TEST(EffectOptions, TakeNumbersWithAndWithoutTheirUnit) {
     EXPECT_EQ(effects["grain-weight.on"], 1);
     EXPECT_THAT(content_of(folder.path() / "lab" / "study.toml"), HasSubstr("effects = []"));
 }
+
+}  // namespace app_effect_options_test

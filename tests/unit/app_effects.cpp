@@ -8,12 +8,12 @@
 #include "app_support.h"
 #include "sim/effect.h"
 
+namespace app_effects_test {
+
 using pendular::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-
-namespace {
 
 const std::string start = R"([grains]
 diameter = "500 um"
@@ -49,8 +49,6 @@ class EffectsOfAStudy : public testing::Test {
 
     TemporaryFolder folder_;
 };
-
-}  // namespace
 
 TEST(Effects, ListsTheCatalogue) {
     const Outcome run = run_pendular("effects");
@@ -100,8 +98,6 @@ TEST(Effects, PointToTheNearestName) {
     expect_refused("effects --study /nowhere/at/all", "not there");
 }
 
-namespace {
-
 /// Text of a page without the signs that keep words from being Markdown.
 std::string words_of(const std::filesystem::path& page) {
     std::string text = content_of(page);
@@ -119,8 +115,6 @@ void expect_links_resolve(const std::filesystem::path& page) {
             << page << " links to " << target;
     }
 }
-
-}  // namespace
 
 TEST(EffectsManual, TellsAllThatIsKnownOfEveryEffect) {
     const TemporaryFolder folder;
@@ -201,3 +195,5 @@ TEST_F(EffectsOfAStudy, AreCheckedByEveryCommandThatReadsOne) {
     for (const std::string command : {"import ", "calibrate --quiet ", "compare "})
         expect_refused(command + study(cell + wrong), "study.toml:17:10: ");
 }
+
+}  // namespace app_effects_test

@@ -4,7 +4,7 @@
 #include "emulator_support.h"
 #include "sim/fidelity.h"
 
-namespace pendular {
+namespace pendular::app_known_runs_test {
 
 TEST(KnownRuns, AreTheAtlasAndTheLatestOfTheStore) {
     RunStore store(RunStore::in_memory);
@@ -35,4 +35,4 @@ TEST(KnownRuns, CountARunOnceThatIsInBoth) {
               shipped_runs().size());
 }
 
-}  // namespace pendular
+}  // namespace pendular::app_known_runs_test

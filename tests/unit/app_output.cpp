@@ -7,12 +7,12 @@
 
 #include "app_support.h"
 
+namespace app_output_test {
+
 using pendular::TemporaryFolder;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-namespace {
 
 const std::string small_run =
     "simulate --quiet --beads 100 --stiffness-number 300 --inertial-number 0.05 --strain 1 "
@@ -41,8 +41,6 @@ json without_times(const std::string& text) {
     result.erase("particle_steps_per_second");
     return result;
 }
-
-}  // namespace
 
 TEST(Simulate, SaysWhatItsProfilesAndDistributionsAre) {
     const Outcome run = run_pendular(small_run + "--json - --reduced-pressure 4");
@@ -158,3 +156,5 @@ TEST(Simulate, NamesWhatIsMissingForItsFiles) {
     refused("--checkpoint /proc/nowhere", "cannot be written");
     refused("--threads 100000", "100000 threads");
 }
+
+}  // namespace app_output_test

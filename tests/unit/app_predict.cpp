@@ -5,12 +5,12 @@
 
 #include "app_support.h"
 
+namespace app_predict_test {
+
 using nlohmann::json;
 using pendular::TemporaryFolder;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
-
-namespace {
 
 /// The source's dry reading and its wet ones, as in examples/polystyrene.
 Outcome calibrate_example(const TemporaryFolder& folder, const std::string& words) {
@@ -20,8 +20,6 @@ Outcome calibrate_example(const TemporaryFolder& folder, const std::string& word
                                     (folder.path() / "study").string(), folder.path().string(),
                                     words));
 }
-
-}  // namespace
 
 TEST(Predict, TellsADryStateWithErrors) {
     const Outcome run = run_pendular("predict --friction 0.09 --json -");
@@ -92,3 +90,5 @@ TEST(Calibrate, AnswersFromTheAtlasAtOnce) {
     EXPECT_EQ(fit["emulator"]["runs_ordered"].size(), 0u);
     EXPECT_EQ(fit, json::parse(content_of(folder.path() / "fit.json")));
 }
+
+}  // namespace app_predict_test

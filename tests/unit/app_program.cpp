@@ -7,11 +7,11 @@
 
 #include "app_support.h"
 
+namespace app_program_test {
+
 using pendular::TemporaryFolder;
 using testing::HasSubstr;
 using testing::Not;
-
-namespace {
 
 const std::string grains = R"([grains]
 diameter = "500 um"
@@ -41,8 +41,6 @@ std::string rows(int count, const std::string& torque = "12.5", int from = 0) {
     }
     return text;
 }
-
-}  // namespace
 
 TEST(Program, ExplainsItself) {
     EXPECT_EQ(run_pendular("--help").code, 0);
@@ -243,3 +241,5 @@ TEST(Compare, AsksForACalibrationFirst) {
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.errors, HasSubstr("pendular calibrate"));
 }
+
+}  // namespace app_program_test

@@ -9,13 +9,13 @@
 #include "sim/effect.h"
 #include "sim/single_run.h"
 
+namespace app_run_effects_test {
+
 using pendular::TemporaryFolder;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-namespace {
 
 const std::string small_run =
     "simulate --quiet --beads 100 --stiffness-number 300 --inertial-number 0.1 --strain 1 "
@@ -29,8 +29,6 @@ json run_json(const std::string& words) {
     result.erase("particle_steps_per_second");
     return result;
 }
-
-}  // namespace
 
 TEST(RunEffects, AreOptionsOfSimulateWhereARunCanHaveThem) {
     const Outcome help = run_pendular("simulate --help");
@@ -147,3 +145,5 @@ TEST(RunEffects, StandInTheStoreAndItsTables) {
     };
     EXPECT_EQ(list(other), list(store));
 }
+
+}  // namespace app_run_effects_test

@@ -6,10 +6,10 @@
 
 #include "app_support.h"
 
+namespace app_virtual_lab_test {
+
 using pendular::TemporaryFolder;
 using testing::HasSubstr;
-
-namespace {
 
 /// One fast step, a second of work.
 const std::string one_step =
@@ -19,8 +19,6 @@ const std::string one_step =
 std::size_t entries(const std::filesystem::path& folder) {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
 }
-
-}  // namespace
 
 TEST(VirtualLabCommand, WritesAStudyThatImports) {
     const TemporaryFolder folder;
@@ -119,3 +117,5 @@ TEST(VirtualLabExample, IsWhatItsTruthSays) {
             << k;
     }
 }
+
+}  // namespace app_virtual_lab_test

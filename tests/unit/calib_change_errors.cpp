@@ -9,8 +9,7 @@
 #include "calib/effect_model.h"
 #include "data/annular_cell.h"
 
-namespace pendular {
-namespace {
+namespace pendular::calib_change_errors_test {
 
 constexpr double size = 1e-3;  ///< standard deviation of the factors
 
@@ -48,8 +47,6 @@ class Uncertain : public FlowModel {
 };
 
 class ErrorsOfChanges : public testing::TestWithParam<std::pair<const char*, double>> {};
-
-}  // namespace
 
 TEST_P(ErrorsOfChanges, AreThoseOfTheModelInside) {
     const auto [name, amplitude] = GetParam();
@@ -94,4 +91,4 @@ INSTANTIATE_TEST_SUITE_P(OfInstruments, ErrorsOfChanges,
                                          std::pair("normal-force-offset", 0.3),
                                          std::pair("lid-slip", 0.4)));
 
-}  // namespace pendular
+}  // namespace pendular::calib_change_errors_test

@@ -8,11 +8,11 @@
 
 #include "calib/cohesion_lines.h"
 
+namespace calib_cohesion_lines_test {
+
 using namespace pendular;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-namespace {
 
 const Grains beads{.diameter = 500e-6, .density = 1050};
 const Liquid oil{.surface_tension = 20.6e-3};
@@ -95,8 +95,6 @@ void expect_is(const CohesionLine& line, const ClosedForm& expected) {
     EXPECT_NEAR(line.reduced_cohesion.standard_error, e1, 1e-6 * e1);
     EXPECT_NEAR(line.correlation, expected.covariance(0, 1) / (e0 * e1), 1e-6);
 }
-
-}  // namespace
 
 TEST(CohesionLines, RecoverAnExactLine) {
     const Lines found = measured(on_line({2.5, 4, 8, 24}));
@@ -318,3 +316,5 @@ TEST(CohesionLines, TakeReplicatesOfWhichAModelSaysTheSame) {
     EXPECT_NEAR(found.lines[0].reduced_cohesion.value, measured_line.reduced_cohesion.value, 1e-9);
     EXPECT_TRUE(std::isfinite(found.lines[0].reduced_cohesion.standard_error));
 }
+
+}  // namespace calib_cohesion_lines_test

@@ -10,8 +10,7 @@
 #include "emulator_support.h"
 #include "reports/json.h"
 
-namespace pendular {
-namespace {
+namespace pendular::calib_emulated_simulation_test {
 
 using testing::HasSubstr;
 
@@ -70,8 +69,6 @@ Measurements measured_at(const std::vector<Condition>& conditions, const FlowMod
     }
     return measurements;
 }
-
-}  // namespace
 
 TEST(EmulatedSimulation, HasDerivativesOfItsOwnPredictions) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.003), dry_at(300, 0),
@@ -200,4 +197,4 @@ TEST(EmulatedCalibration, IsNotSettledUntilFreshRunsAgree) {
     EXPECT_GT(wrong.rounds, 2);
 }
 
-}  // namespace pendular
+}  // namespace pendular::calib_emulated_simulation_test

@@ -11,8 +11,7 @@
 #include "data_support.h"
 #include "emulator_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::calib_emulator_test {
 
 using dem::Observable;
 using testing::HasSubstr;
@@ -39,8 +38,6 @@ FlowState moved(FlowState state, Input input, double by) {
     }
     return state;
 }
-
-}  // namespace
 
 TEST(Emulator, LearnsNothingOfPlainBeadsFromRunsWithEffects) {
     const auto plain = invented_runs(60, 1);
@@ -341,4 +338,4 @@ TEST(EmulatorScales, AreReadBackAndCheckedCellByCell) {
     EXPECT_THAT(refusal("observable,noise\nstress_ratio,1\n"), HasSubstr("11 columns"));
 }
 
-}  // namespace pendular
+}  // namespace pendular::calib_emulator_test

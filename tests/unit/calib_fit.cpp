@@ -10,9 +10,9 @@
 #include "calib/fit.h"
 #include "calib/undetermined.h"
 
-using namespace pendular;
+namespace calib_fit_test {
 
-namespace {
+using namespace pendular;
 
 /// f = A theta + b with a covariance of its own: generalised least squares has a closed answer.
 class Linear : public Model {
@@ -51,8 +51,6 @@ Measured some_readings(const Linear& model, unsigned seed) {
     return {Eigen::VectorXd::Random(n),
             root * root.transpose() + 0.01 * Eigen::MatrixXd::Identity(n, n)};
 }
-
-}  // namespace
 
 TEST(Fit, NamesWhatTheReadingsDoNotTellApart) {
     Linear model(6, 3, 1);
@@ -134,8 +132,6 @@ TEST(Profile, IsTheStandardErrorWhereTheModelIsLinear) {
     }
 }
 
-namespace {
-
 /// A stand-in for simulations: y = (theta^2, 1 - theta) at a few places plus noise, seen through a
 /// parabola fitted to what was "run" so far. It differs from the real model in cost only.
 class NoisyModel : public Model {
@@ -190,8 +186,6 @@ class NoisyModel : public Model {
     std::vector<Parameter> names_ = {{.name = "theta", .lower = 0, .upper = 2, .start = 0.6}};
 };
 
-}  // namespace
-
 TEST(Calibrate, ReportsTheErrorItReallyMakesOnANoisySimulator) {
     // 400 studies with fixed seeds. The variance of (answer - truth)/error has a standard error of
     // sqrt(2/400) = 0.07; 0.78 to 1.25 is 3 of them and a half. A fit stalled by noise, or one that
@@ -235,3 +229,5 @@ TEST(Calibrate, SaysWhenItDidNotConverge) {
     EXPECT_FALSE(result.converged);
     EXPECT_FALSE(result.message.empty());
 }
+
+}  // namespace calib_fit_test

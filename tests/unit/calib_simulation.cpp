@@ -10,9 +10,9 @@
 #include "calib/response_surface.h"
 #include "data/input_error.h"
 
-using namespace pendular;
+namespace calib_simulation_test {
 
-namespace {
+using namespace pendular;
 
 /// Soft, small and fast: behaviour, not numbers.
 const Fidelity tiny{"tiny", 150, 300, 0.03, 2};
@@ -36,8 +36,6 @@ Condition condition(double normal_stress, double inertial_number) {
 Eigen::VectorXd at(double friction) {
     return Eigen::VectorXd::Constant(1, friction);
 }
-
-}  // namespace
 
 TEST(InertialNumbers, AreOneWhereReadingsAgree) {
     EXPECT_EQ(inertial_numbers_for({condition(1e3, 0.0101), condition(2e3, 0.0099)}, 1e-3).size(),
@@ -267,3 +265,5 @@ TEST(CalibrateStudy, NeedsADryReading) {
     wet.readings[0].condition.liquid_content = 0.03;
     EXPECT_THROW(calibrate_study(raw_study(), wet, {.fidelity = tiny}, {}), InputError);
 }
+
+}  // namespace calib_simulation_test

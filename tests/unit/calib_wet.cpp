@@ -10,10 +10,10 @@
 #include "calib/calibration.h"
 #include "calib/rumpf.h"
 
+namespace calib_wet_test {
+
 using namespace pendular;
 using testing::HasSubstr;
-
-namespace {
 
 /// Soft, small and fast: behaviour, not numbers.
 const Fidelity tiny{"tiny", 150, 300, 0.03, 2};
@@ -76,8 +76,6 @@ std::vector<dem::RunResult> planted_runs() {
     }
     return runs;
 }
-
-}  // namespace
 
 TEST(BridgeNetwork, GivesTheVolumeThatHoldsTheLiquid) {
     const BridgeNetwork network(planted_runs(), 0.09);
@@ -245,8 +243,6 @@ TEST(RumpfModel, IsTheDryLawWithRumpfsCohesion) {
     EXPECT_LT(z, 8);
 }
 
-namespace {
-
 Measurements dry_and_wet() {
     Measurements m;
     m.readings = {reading_of(condition(2.5, 0.03), 0.5, 0.58),
@@ -254,8 +250,6 @@ Measurements dry_and_wet() {
                   reading_of(condition(8, 0.03), 0.42, 0.59)};
     return m;
 }
-
-}  // namespace
 
 TEST(CalibrateStudy, PredictsWetReadingsWithTheErrorOfTheDryFit) {
     const Study study = wet_study();
@@ -289,8 +283,6 @@ TEST(CalibrateStudy, PredictsWetReadingsWithTheErrorOfTheDryFit) {
     EXPECT_EQ(c.prediction.covariance(0, 4), 0);
 }
 
-namespace {
-
 /// y = A friction + b with errors common to dry and wet readings.
 class LinearFlow : public FlowModel {
   public:
@@ -317,10 +309,6 @@ class LinearFlow : public FlowModel {
         return {Eigen::VectorXd::Constant(1, -9), Eigen::VectorXd::Constant(1, 9)};
     }
 };
-
-}  // namespace
-
-namespace {
 
 /// Two fitted and three predicted readings of a linear model with these errors.
 struct TwoSteps {
@@ -367,8 +355,6 @@ Eigen::MatrixXd some_noise() {
     const Eigen::MatrixXd root = 0.1 * Eigen::MatrixXd::Random(10, 10);
     return root * root.transpose();
 }
-
-}  // namespace
 
 TEST(PredictUnseen, MakesBothChi2AddUpToTheJointOneWhereNoErrorIsShared) {
     Eigen::MatrixXd noise = some_noise();
@@ -439,3 +425,5 @@ TEST(CalibrateStudy, FitsWetReadingsTooWhereAsked) {
         calibrate_study(study, wet, {.fidelity = least, .seed = 3}, {.threads = 2});
     EXPECT_GT(stronger.fit.parameters(0), only.fit.parameters(0) + 0.02);
 }
+
+}  // namespace calib_wet_test

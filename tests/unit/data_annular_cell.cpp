@@ -7,8 +7,7 @@
 
 #include "data/study.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_annular_cell_test {
 
 const AnnularCell cell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 5.7e-5};
 
@@ -100,5 +99,4 @@ TEST(Grains, GivePullOffForceAndReducedPressure) {
     EXPECT_NEAR(reduced_pressure(300, grains, wetting), 2.32, 0.005);
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_annular_cell_test

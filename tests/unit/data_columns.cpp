@@ -8,8 +8,7 @@
 #include "data/units.h"
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_columns_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -153,5 +152,4 @@ TEST_F(ColumnsOf, RefuseDeviationsThatAreNotPositive) {
                 AllOf(HasSubstr("t.csv:2:5:"), HasSubstr("must be positive")));
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_columns_test

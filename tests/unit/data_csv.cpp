@@ -3,8 +3,7 @@
 #include "data/text_file.h"
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_csv_test {
 
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -163,5 +162,4 @@ TEST(WriteWholeFolder, IsThereWholeOrNotAtAll) {
     EXPECT_EQ(names(folder.path()), (std::vector<std::string>{"deep", "empty", "new", "slash"}));
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_csv_test

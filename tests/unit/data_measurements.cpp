@@ -7,8 +7,7 @@
 #include "data/write_tables.h"
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_measurements_test {
 
 using testing::HasSubstr;
 
@@ -134,5 +133,4 @@ TEST(Examples, PolystyreneHoldsThePublishedDryReading) {
     EXPECT_DOUBLE_EQ(study.liquid->viscosity, 50e-3);
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_measurements_test

@@ -7,8 +7,7 @@
 
 #include "data/input_error.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_nearest_test {
 
 const std::vector<std::string> keys = {"diameter", "density", "youngs_modulus"};
 
@@ -42,5 +41,4 @@ TEST(Position, LeavesOutWhatIsNotKnown) {
     EXPECT_STREQ(InputError("wrong").what(), "wrong");
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_nearest_test

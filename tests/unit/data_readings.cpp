@@ -8,8 +8,7 @@
 #include "data/write_tables.h"
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_readings_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -232,5 +231,4 @@ TEST(WriteTables, SayWhereEachReadingAndExclusionComesFrom) {
     EXPECT_EQ(cells.at(3).text, "transient, long");
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_readings_test

@@ -6,8 +6,7 @@
 
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_recording_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -160,5 +159,4 @@ TEST(SplitSteps, KeepsAShortRecordingWhole) {
     EXPECT_THAT(ends(split_steps(with({5, 5, 9}, {0.1, 0.1, 0.1}))), ElementsAre(3));
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_recording_test

@@ -5,8 +5,7 @@
 
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_replicates_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -168,5 +167,4 @@ TEST(Replicates, LeaveTwoPercentToBeAssumedWhereNothingIsKnown) {
     EXPECT_THAT(all.notes[0], AllOf(HasSubstr("2 of 3 readings"), HasSubstr("2 %")));
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_replicates_test

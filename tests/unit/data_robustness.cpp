@@ -5,8 +5,7 @@
 #include "data/study.h"
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_robustness_test {
 
 /// The text with a few random bytes replaced, inserted or removed, from those that mean something
 /// to a reader and any other.
@@ -80,5 +79,4 @@ effects = []
                            [](const std::filesystem::path& path) { read_study(path); });
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_robustness_test

@@ -4,8 +4,7 @@
 
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_steady_state_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -281,5 +280,4 @@ TEST(ReduceRecording, RefusesASolidFractionAboveOne) {
                 AllOf(HasSubstr("r.csv:"), HasSubstr("solid fraction"), HasSubstr("bead_mass")));
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_steady_state_test

@@ -4,8 +4,7 @@
 
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_study_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -230,5 +229,4 @@ TEST_F(ReadStudy, RefusesModelsItDoesNotHave) {
     EXPECT_THAT(error(start + "effects = [3]\n"), at(":7:12: must be a name"));
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_study_test

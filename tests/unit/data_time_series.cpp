@@ -5,8 +5,7 @@
 
 #include "tests/unit/data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::data_time_series_test {
 
 constexpr int series_count = 3000;
 
@@ -168,5 +167,4 @@ TEST(EndOfTransient, TakesAConstantForSteadyAndTooFewSamplesForNothing) {
     EXPECT_EQ(end_of_transient(std::vector<double>(3, 0.1)), std::nullopt);
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_time_series_test

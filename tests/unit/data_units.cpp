@@ -10,8 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace pendular {
-namespace {
+namespace pendular::data_units_test {
 
 using testing::HasSubstr;
 
@@ -177,5 +176,4 @@ TEST(Units, CanBeReadFromSeveralThreads) {
         EXPECT_NEAR(sum, 100 * (1e3 + 1e-3), 1e-6);
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::data_units_test

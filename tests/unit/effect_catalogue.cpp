@@ -5,8 +5,7 @@
 
 #include "data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::effect_catalogue_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -150,5 +149,4 @@ TEST_F(Catalogue, KnowsWhichBaseAnEffectBelongsTo) {
     }
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::effect_catalogue_test

@@ -14,11 +14,11 @@
 // Readings along a line with errors of 1, and what a line may lack: every answer is known.
 namespace pendular {
 
-constexpr int conditions = 15, replicates = 2, entries = conditions * replicates;
+constexpr int line_conditions = 15, replicates = 2, entries = line_conditions * replicates;
 
 /// Where entry k was measured, from -1 to 1; replicates follow one another.
 inline double place(Eigen::Index k) {
-    return -1 + 2.0 * static_cast<double>(k / replicates) / (conditions - 1);
+    return -1 + 2.0 * static_cast<double>(k / replicates) / (line_conditions - 1);
 }
 
 template <typename Function>
@@ -62,8 +62,8 @@ class Measuring {
                 variance +=
                     std::pow(evidence.measured.value(k) - evidence.measured.value(k + 1), 2) / 2;
             }
-            variance /= conditions;
-            evidence.errors.freedom = {conditions};
+            variance /= line_conditions;
+            evidence.errors.freedom = {line_conditions};
         }
         evidence.measured.covariance = variance * Eigen::MatrixXd::Identity(entries, entries);
         for (Eigen::Index k = 0; k < entries; k += 2) {

@@ -16,10 +16,10 @@
 #include "reports/tables.h"
 #include "wet_study_support.h"
 
+namespace reports_test {
+
 using namespace pendular;
 using testing::HasSubstr;
-
-namespace {
 
 Reading reading(double normal_stress, double inertial_number, double ratio, double fraction) {
     Reading r;
@@ -53,8 +53,6 @@ struct Example {
         prediction.covariance = shared * shared.transpose();
     }
 };
-
-}  // namespace
 
 TEST(Compare, SplitsChi2SoThatItsPartsAddUp) {
     const Example e;
@@ -172,8 +170,6 @@ TEST(Json, GivesARunBackAsItWas) {
     EXPECT_EQ(back.crystallised, run.crystallised);
 }
 
-namespace {
-
 Study study() {
     Study s;
     s.grains = {.diameter = 5e-4, .density = 1050};
@@ -186,8 +182,6 @@ Calibration small_calibration() {
     return calibrate_study(study(), m, {.fidelity = {"tiny", 100, 300, 0.03, 1}, .seed = 2},
                            {.threads = 2});
 }
-
-}  // namespace
 
 TEST(FitFile, IsReadBackForTheSameReadingsOnly) {
     const TemporaryFolder folder;
@@ -280,3 +274,5 @@ TEST(Tables, NameEveryReadingAndUnit) {
     EXPECT_THAT(lines[1], HasSubstr("points.csv:3"));
     EXPECT_GT(lines.size(), 10u);
 }
+
+}  // namespace reports_test

@@ -7,11 +7,11 @@
 #include "reports/layout.h"
 #include "reports/run_fields.h"
 
+namespace reports_fields_test {
+
 using namespace pendular;
 using namespace pendular::dem;
 using testing::HasSubstr;
-
-namespace {
 
 /// A wet run whose fields are known: value k in bin k, error k/10; one bin with nothing in it.
 RunResult planted_run() {
@@ -29,11 +29,9 @@ RunResult planted_run() {
     return run;
 }
 
-}  // namespace
-
 TEST(FieldTables, HoldTheFieldsOfOneCoordinateWithTheirErrors) {
     const auto tables = field_tables(planted_run());
-    ASSERT_EQ(tables.size(), coordinates.size());
+    ASSERT_EQ(tables.size(), dem::coordinates.size());
     EXPECT_EQ(tables.at("gaps.csv"),
               "gap [1],distant_gap [1],distant_gap_sd [1]\n0.125,1,0.1\n0.25,2,0.2\n"
               "0.375,3,0.3\n0.5,4,0.4\n");
@@ -61,3 +59,5 @@ TEST(Page, PlacesDecadesEvenlyAndPanelsInRows) {
     EXPECT_LT(page.panels[2].top, page.panels[0].bottom);
     EXPECT_EQ(page.panels[2].left, page.panels[0].left);
 }
+
+}  // namespace reports_fields_test

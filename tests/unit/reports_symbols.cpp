@@ -13,11 +13,11 @@
 #include "reports/layout.h"
 #include "reports/symbol_code.h"
 
+namespace reports_symbols_test {
+
 using namespace pendular;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-namespace {
 
 constexpr Shape with_inside[] = {Shape::square, Shape::triangle,          Shape::circle,
                                  Shape::star,   Shape::downward_triangle, Shape::diamond};
@@ -60,8 +60,6 @@ int channel(std::string_view colour, int which) {
     return std::stoi(std::string(colour.substr(1 + 2 * static_cast<std::size_t>(which), 2)),
                      nullptr, 16);
 }
-
-}  // namespace
 
 TEST(SymbolCode, IsTheSourcesTable) {
     const std::pair<double, Shape> shapes[] = {{0.05, Shape::square},
@@ -154,8 +152,6 @@ TEST(Symbol, OfAMeasurementReachesOutOfAllOthers) {
               extent_in_y(drawing_of({Shape::downward_triangle, Filling::filled}).fills).first);
 }
 
-namespace {
-
 /// Every symbol once, each in a colour of its own, at (number of its shape, number of its filling),
 /// on axes of different scales.
 Figure every_symbol() {
@@ -218,8 +214,6 @@ std::vector<Pixel> pixels_about(const std::filesystem::path& png, int height, in
     }
     return pixels;
 }
-
-}  // namespace
 
 TEST(SymbolsOnPaper, AreFilledWhereTheyShouldBeAndKeepTheirShape) {
     const TemporaryFolder folder;
@@ -287,3 +281,5 @@ TEST(SymbolsOnPaper, AreHalfFilledInPixelsToo) {
         }
     }
 }
+
+}  // namespace reports_symbols_test

@@ -15,12 +15,12 @@
 #include "reports/wet_figures.h"
 #include "wet_study_support.h"
 
+namespace reports_wet_test {
+
 using namespace pendular;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-namespace {
 
 /// A planted study, calibrated, with its model.
 struct Planted {
@@ -64,8 +64,6 @@ std::map<std::string, std::vector<std::array<double, 3>>> numbers_of(const Figur
 
 constexpr double content = 0.03;
 const std::string of_content = "Φ_L/Φ_S = 0.03";
-
-}  // namespace
 
 TEST(WetFigures, ExistWhereThereAreWetReadings) {
     const Planted wet;
@@ -237,3 +235,5 @@ TEST(StructuralCohesion, CarriesTheErrorOfTheFriction) {
         EXPECT_GT((without.*which).standard_error, 0);  // the runs' noise
     }
 }
+
+}  // namespace reports_wet_test

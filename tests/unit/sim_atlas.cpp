@@ -11,8 +11,7 @@
 #include "sim/campaign.h"
 #include "sim/store/run_table.h"
 
-namespace pendular {
-namespace {
+namespace pendular::sim_atlas_test {
 
 using dem::Observable;
 
@@ -118,8 +117,6 @@ Range range_of(const std::vector<dem::RunResult>& runs,
     }
     return range;
 }
-
-}  // namespace
 
 TEST(Atlas, IsWhatItsCampaignAsksFor) {
     std::map<std::string, const StoredRun*> there;
@@ -253,4 +250,4 @@ TEST(Atlas, ReproducesThePublishedCohesion) {
     print("the same at P\\* = 0.5", "about 0.19", at_half.text());
 }
 
-}  // namespace pendular
+}  // namespace pendular::sim_atlas_test

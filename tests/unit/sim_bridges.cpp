@@ -11,10 +11,10 @@
 #include "sim/dem/shear_cell.h"
 #include "sim/dem/structure.h"
 
+namespace sim_bridges_test {
+
 using namespace pendular;
 using namespace pendular::dem;
-
-namespace {
 
 constexpr Wetting wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};
 
@@ -54,8 +54,6 @@ double derived_force(double gap, double volume) {
     const double filled = std::sqrt(gap * gap + 2 * volume / (std::numbers::pi * radius));
     return 1 - gap / filled;
 }
-
-}  // namespace
 
 TEST(BridgeLaw, FollowsFromTheVolumeOfAParabolicGap) {
     const BridgeLaw law(wetting);
@@ -130,8 +128,6 @@ TEST(Bridges, DoNotEnterTheCoulombLimit) {
     EXPECT_NEAR(two.beads.force(1)[0], 10 - 5, 1e-9);
 }
 
-namespace {
-
 using PairSet = std::set<std::pair<int, int>>;
 
 /// The beads of a pair by the numbers that never change.
@@ -161,8 +157,6 @@ PairSet intersection(const PairSet& a, const PairSet& b) {
     std::ranges::set_intersection(a, b, std::inserter(both, both.end()));
     return both;
 }
-
-}  // namespace
 
 TEST(Bridges, AreThoseThatAPairByPairHistoryGives) {
     // A second book keeps every bridge by brute force over all pairs at every step.
@@ -215,8 +209,6 @@ TEST(Bridges, NeverPushTheSampleAndLeaveMomentumAlone) {
     EXPECT_GT(sample.pairs().distant().size(), 0u);
 }
 
-namespace {
-
 /// One bead in the middle joined to others at gaps along directions that sample the sphere evenly.
 struct Star {
     Beads beads;
@@ -243,8 +235,6 @@ struct Star {
         return structure_of(beads, {100, 100, 100, 0}, {}, distant, {.modulus = 3e4}, bridges);
     }
 };
-
-}  // namespace
 
 TEST(Structure, GivesTheDistantNetworkOfAnEvenStar) {
     const double gap = 0.05;
@@ -275,3 +265,5 @@ TEST(Structure, GivesTheAnisotropyOfForceAndLengthByDirection) {
                 2e-4);
     EXPECT_LT(s.force_anisotropy_12_distant, -0.01);
 }
+
+}  // namespace sim_bridges_test

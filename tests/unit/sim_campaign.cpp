@@ -9,8 +9,7 @@
 #include "data_support.h"
 #include "sim/ensemble.h"
 
-namespace pendular {
-namespace {
+namespace pendular::sim_campaign_test {
 
 using testing::HasSubstr;
 
@@ -27,8 +26,6 @@ std::string refusal(const std::string& text) {
     }
     return "accepted";
 }
-
-}  // namespace
 
 TEST(Campaign, MakesGridsListsAndRepeats) {
     const auto runs = runs_of(
@@ -172,4 +169,4 @@ TEST(Campaign, PointsToWhatIsWrongWithItsEffects) {
     refused("torque-offset.torque = 0.1", "torque-offset");
 }
 
-}  // namespace pendular
+}  // namespace pendular::sim_campaign_test

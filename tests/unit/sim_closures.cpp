@@ -11,10 +11,10 @@
 #include "sim/closures/capillary_stress.h"
 #include "sim/closures/strength.h"
 
+namespace sim_closures_test {
+
 using namespace pendular;
 using namespace pendular::closures;
-
-namespace {
 
 using std::numbers::pi;
 
@@ -52,8 +52,6 @@ Eigen::Vector3d some_direction(std::mt19937& random) {
     std::normal_distribution<double> normal;
     return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
 }
-
-}  // namespace
 
 TEST(Closures, AreSumsOverContactsThatTouch) {
     // At distance a and force F0 each, nothing is neglected: the closures are the sums.
@@ -227,3 +225,5 @@ TEST(ClosureState, TakesTheAveragesOfARun) {
     EXPECT_EQ(capillary_stress_of(run).normal, 0.5 * of(capillary_stress_22));
     EXPECT_EQ(capillary_stress_of(run).shear, 0.5 * of(capillary_shear_stress));
 }
+
+}  // namespace sim_closures_test

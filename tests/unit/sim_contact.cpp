@@ -6,9 +6,9 @@
 
 #include "sim/dem/pair_forces.h"
 
-using namespace pendular::dem;
+namespace sim_contact_test {
 
-namespace {
+using namespace pendular::dem;
 
 /// Two beads approaching along x in a large, resting cell.
 struct Collision {
@@ -43,8 +43,6 @@ struct Collision {
         }
     }
 };
-
-}  // namespace
 
 TEST(HertzContact, LastsAsLongAsHertzSays) {
     // F = (E~/3) h^(3/2), m_eff = 1/2: with k = E~/3 the collision lasts
@@ -115,8 +113,6 @@ TEST(MindlinContact, IsAsStiffAsTheRatioOfMindlinSays) {
     EXPECT_NEAR(c.beads.force(1)[2], -stiffness * 10 * 1e-4 * 0.001, 1e-6 * stiffness * 1e-6);
 }
 
-namespace {
-
 /// A pair at rest, overlapping by 0.01 along x, that remembers a tangential force of (0, 1, 0).
 Collision stuck_pair(double step) {
     Collision c(1e5, 0, 0, step);
@@ -127,8 +123,6 @@ Collision stuck_pair(double step) {
     c.pairs.sy[0] = 1;
     return c;
 }
-
-}  // namespace
 
 TEST(MindlinContact, TurnsItsTangentialForceWithThePair) {
     // A rigid quarter turn about z: no surface moves against the other, and the remembered force
@@ -182,3 +176,5 @@ TEST(MindlinContact, LosesTangentialForceInProportionAsItUnloads) {
     EXPECT_DOUBLE_EQ(unloading_factor(0.0, 1.0), 0.0);
     EXPECT_DOUBLE_EQ(overlap_at(Hertz::at(0.003, 5e4).elastic, 5e4), 0.003);
 }
+
+}  // namespace sim_contact_test

@@ -9,10 +9,10 @@
 #include "sim/dem/grain_effects.h"
 #include "sim/dem/shear_cell.h"
 
+namespace sim_grain_effects_test {
+
 using namespace pendular;
 using namespace pendular::dem;
-
-namespace {
 
 constexpr Wetting wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};  // F0 = 0.5
 
@@ -52,8 +52,6 @@ struct TwoBeads {
 EffectValues on(const std::string& effect, double value = 1) {
     return {effect, {value}};
 }
-
-}  // namespace
 
 TEST(RollingResistance, StopsSpinsThatRollAtItsPlasticLimit) {
     // Held together, spinning against each other about direction 3 the beads roll and do not
@@ -267,3 +265,5 @@ TEST(Polydispersity, KeepsMomentumAndEnergyInElasticImpacts) {
     EXPECT_NEAR(cell.kinetic_energy(), 0.5 * m1 * m2 / (m1 + m2) * speed * speed,
                 2e-3 * 0.5 * m1 * m2 / (m1 + m2) * speed * speed);
 }
+
+}  // namespace sim_grain_effects_test

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
+namespace sim_instrument_test {
+
 using namespace pendular;
 using testing::HasSubstr;
-
-namespace {
 
 const AnnularCell cell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 57e-6};
 const Grains grains{.diameter = 5e-4, .density = 1050};
@@ -35,8 +35,6 @@ Condition some_condition() {
 CellState some_state() {
     return shown_state(some_condition(), 230, 0.59, cell, grains);
 }
-
-}  // namespace
 
 TEST(InstrumentMap, IsNothingWithoutEffects) {
     const InstrumentMap none, neutral({active("torque-gain", 1), active("wall-friction", 0),
@@ -202,3 +200,5 @@ TEST(TruthAtSetPoints, ShowsWhatWasAskedOfTheBeadsThereAre) {
     const double k = 0.3 * 0.937 * truth.height / truth.width();
     EXPECT_NEAR(stress, 700 / std::exp(k) + truth.weight() / 2 / truth.area(), 1e-8);
 }
+
+}  // namespace sim_instrument_test

@@ -15,11 +15,11 @@
 #include "sim/dem/run.h"
 #include "sim/dem/shear_cell.h"
 
+namespace sim_output_test {
+
 using namespace pendular;
 using namespace pendular::dem;
 using testing::HasSubstr;
-
-namespace {
 
 RunParameters small_run() {
     return {.friction = 0.2,
@@ -116,8 +116,6 @@ void put_down(const RunParameters& p, const std::filesystem::path& file) {
     stop.request_stop();
     EXPECT_THROW(run(p, {.stop = stop.get_token(), .checkpoint = &checkpoint}), Interrupted);
 }
-
-}  // namespace
 
 TEST(Dissipation, AddsUpToTheStressRatio) {
     // In a steady state all work of the shear stress is lost: s12 rate V = power lost. Both sides
@@ -302,3 +300,5 @@ TEST(Checkpoints, SurviveAFullDisk) {
     EXPECT_THAT(message, HasSubstr("the former checkpoint is still there"));
     EXPECT_EQ(checkpoint.read("friction = 1\n"), "state");
 }
+
+}  // namespace sim_output_test

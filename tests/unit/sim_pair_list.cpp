@@ -8,9 +8,9 @@
 #include "sim/dem/pair_list.h"
 #include "sim/dem/shear_cell.h"
 
-using namespace pendular::dem;
+namespace sim_pair_list_test {
 
-namespace {
+using namespace pendular::dem;
 
 using Key = std::tuple<int, int, int>;
 
@@ -23,8 +23,6 @@ std::set<Key> keys(const Neighbours& pairs) {
     }
     return result;
 }
-
-}  // namespace
 
 TEST(FindPairs, AgreesWithBruteForceAtEveryOffset) {
     std::mt19937_64 random(7);
@@ -153,3 +151,5 @@ TEST(PairList, KeepsWhatContactsRemember) {
     EXPECT_EQ(remembered(list), before);
     EXPECT_GT(before.size(), 100u);
 }
+
+}  // namespace sim_pair_list_test

@@ -7,10 +7,10 @@
 #include "sim/dem/shear_cell.h"
 #include "sim/ensemble.h"
 
+namespace sim_run_test {
+
 using namespace pendular;
 using namespace pendular::dem;
-
-namespace {
 
 /// A small, fast and soft sample: enough to see behaviour, not to measure.
 RunParameters small_run() {
@@ -25,8 +25,6 @@ RunParameters small_run() {
 double of(const RunResult& run, Observable which) {
     return run[which].value;
 }
-
-}  // namespace
 
 TEST(Run, IsTheSameForTheSameSeedAndAnotherForAnother) {
     const RunResult a = run(small_run()), b = run(small_run());
@@ -273,3 +271,5 @@ TEST(Ensemble, PassesOnTheFirstFailure) {
     runs[1].friction = -1;
     EXPECT_THROW(run_all(runs, {.threads = 2}), std::invalid_argument);
 }
+
+}  // namespace sim_run_test

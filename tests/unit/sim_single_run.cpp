@@ -6,8 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace pendular {
-namespace {
+namespace pendular::sim_single_run_test {
 
 using testing::HasSubstr;
 
@@ -31,8 +30,6 @@ std::string refusal(const dem::RunParameters& run, const ActiveEffect& effect) {
     }
     return "accepted";
 }
-
-}  // namespace
 
 TEST(SingleRun, IsUnchangedWithoutEffects) {
     EXPECT_EQ(dem::described(changed_run(wet(), {}, {})), dem::described(wet()));
@@ -78,4 +75,4 @@ TEST(SingleRun, SaysWhichEffectsItCannotHave) {
     EXPECT_FALSE(needs_scale(built_in_effect("contact-angle")));
 }
 
-}  // namespace pendular
+}  // namespace pendular::sim_single_run_test

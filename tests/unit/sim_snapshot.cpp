@@ -12,11 +12,11 @@
 #include "sim/dem/run.h"
 #include "sim/dem/snapshot.h"
 
+namespace sim_snapshot_test {
+
 using namespace pendular;
 using namespace pendular::dem;
 using testing::HasSubstr;
-
-namespace {
 
 /// A wet sample in flow, its lattice tilted to one side or the other.
 ShearCell tilted_sample(bool to_the_left) {
@@ -125,8 +125,6 @@ RunParameters small_run() {
             .strain = 0.5,
             .seed = 3};
 }
-
-}  // namespace
 
 TEST(Dump, HoldsTheStateInATiltedCell) {
     for (const bool to_the_left : {false, true}) {
@@ -268,3 +266,5 @@ TEST(Snapshots, ComeEverySoMuchStrainAndAreTheSameAfterAnInterruption) {
     }
     EXPECT_EQ(listed, 2 * frames);
 }
+
+}  // namespace sim_snapshot_test

@@ -21,8 +21,7 @@
 #include "sim/store/run_store.h"
 #include "sim/store/run_table.h"
 
-namespace pendular {
-namespace {
+namespace pendular::sim_store_test {
 
 using testing::HasSubstr;
 
@@ -79,8 +78,6 @@ std::string integrity(const std::filesystem::path& file) {
     sqlite3_close(database);
     return answer;
 }
-
-}  // namespace
 
 TEST(RunStore, GivesRunsBackWhole) {
     const TemporaryFolder folder;
@@ -420,4 +417,4 @@ TEST(RunTable, PointsToWhatIsWrong) {
     EXPECT_THAT(refusal(",64,", ",12,"), HasSubstr("12 beads"));
 }
 
-}  // namespace pendular
+}  // namespace pendular::sim_store_test

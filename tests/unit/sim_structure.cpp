@@ -8,9 +8,9 @@
 #include "sim/dem/fields.h"
 #include "sim/dem/structure.h"
 
-using namespace pendular::dem;
+namespace sim_structure_test {
 
-namespace {
+using namespace pendular::dem;
 
 /// One bead in the middle with contacts along the given directions.
 Structure around_one_bead(const std::vector<std::array<double, 3>>& directions) {
@@ -40,8 +40,6 @@ std::vector<std::array<double, 3>> fcc() {
     }
     return directions;
 }
-
-}  // namespace
 
 TEST(BondOrder, IsThatOfTheFccAndHcpLattices) {
     // Steinhardt, Nelson and Ronchetti (1983): Q6 = 0.57452 for fcc, 0.48476 for hcp.
@@ -106,3 +104,5 @@ TEST(Localization, IsZeroForUniformShearAndOneForAThinBand) {
     EXPECT_NEAR(sharp.localization(height, rate), 1,
                 0.01);  // bins of one diameter smear it a little
 }
+
+}  // namespace sim_structure_test

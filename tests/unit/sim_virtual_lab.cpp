@@ -15,11 +15,11 @@
 #include "sim/liquid_volume.h"
 #include "sim/seeds.h"
 
+namespace sim_virtual_lab_test {
+
 using namespace pendular;
 using testing::HasSubstr;
 using testing::Not;
-
-namespace {
 
 const Fidelity tiny{"tiny", 130, 1000, 0.05, 1};
 
@@ -58,8 +58,6 @@ std::string refusal(const std::function<void(LabPlan&)>& change) {
     change(plan);
     return input_error([&] { check(plan); });
 }
-
-}  // namespace
 
 TEST(VirtualLab, IsReadBackAsItWasSimulated) {
     const LabResult& lab = quiet_lab();
@@ -244,8 +242,6 @@ TEST(VirtualLab, GivesUpOnAConditionThatOnlyCrystallises) {
     }
 }
 
-namespace {
-
 ActiveEffect active(const std::string& name, double value) {
     return {&built_in_effect(name), {value}};
 }
@@ -280,8 +276,6 @@ Imported imported(const LabPlan& plan) {
 Condition imposed(const LabPlan& plan, bool wet) {
     return imposed_condition(plan, recordings_of(plan).at(wet ? 1 : 0).conditions.at(0));
 }
-
-}  // namespace
 
 TEST(LabWithEffects, ShowsADragAsAShearStress) {
     const Imported without = imported(plan_with({}));
@@ -409,8 +403,6 @@ TEST(LabWithEffects, RefusesWhatItCannotHave) {
     EXPECT_NO_THROW(check(plan_with({active("capillary-bridges", 20.6e-3)}, true)));
 }
 
-namespace {
-
 /// Liquid contents of samples whose coordination is Z = z (V0/a^3)^slope, and how many were asked.
 struct Samples {
     double z = 7.5, slope = 0;
@@ -427,8 +419,6 @@ struct Samples {
         };
     }
 };
-
-}  // namespace
 
 TEST(BridgeVolumes, GiveTheLiquidContentsAskedFor) {
     const std::vector<double> contents = {0.007, 0.03};
@@ -455,3 +445,5 @@ TEST(BridgeVolumes, TakeAsFewPilotsAsTheyNeed) {
     bridge_volumes(contents, other.measure());
     EXPECT_EQ(other.asked, 4u);
 }
+
+}  // namespace sim_virtual_lab_test

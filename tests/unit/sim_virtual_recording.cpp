@@ -11,9 +11,9 @@
 #include "data/steady_state.h"
 #include "data_support.h"
 
-using namespace pendular;
+namespace sim_virtual_recording_test {
 
-namespace {
+using namespace pendular;
 
 const AnnularCell cell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 6e-5};
 const Grains grains{.diameter = 5e-4, .density = 1050};
@@ -76,8 +76,6 @@ void expect_scatter(double sum_of_squares, int count, double scatter, const std:
     EXPECT_GT(chi2, boost::math::quantile(law, 0.0005)) << what;
     EXPECT_LT(chi2, boost::math::quantile(law, 0.9995)) << what;
 }
-
-}  // namespace
 
 TEST(VirtualRecording, GivesBackTheTruthWhereThereIsNoNoise) {
     std::vector<TrueState> states = {state(0.005, 0.001), state(0.005, 0.001)};
@@ -185,3 +183,5 @@ TEST(VirtualRecording, IsTheSameForTheSameSeed) {
     EXPECT_EQ(csv(4), csv(4));
     EXPECT_NE(csv(4), csv(5));
 }
+
+}  // namespace sim_virtual_recording_test

@@ -8,8 +8,7 @@
 #include "data/text_file.h"
 #include "data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::study_edit_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -198,5 +197,4 @@ TEST(StudyEdit, ReplacesTheFileOfAStudy) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::study_edit_test

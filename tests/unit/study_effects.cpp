@@ -5,8 +5,7 @@
 #include "data/study.h"
 #include "data_support.h"
 
-namespace pendular {
-namespace {
+namespace pendular::study_effects_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -175,5 +174,4 @@ TEST_F(StudyEffects, AreOfTheInstrumentOrOfTheBeads) {
     EXPECT_THAT(error(drag_with("torque", "torque = 3")), at(":12:10: 'torque': must be a string"));
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::study_effects_test

@@ -10,8 +10,7 @@
 #include "data_support.h"
 #include "sim/formula.h"
 
-namespace pendular {
-namespace {
+namespace pendular::written_effect_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -252,5 +251,4 @@ TEST(CompiledFormula, SharesNothingBetweenFormulas) {
     EXPECT_FALSE(CompiledFormula("2*a", {"a", "b"}).uses("b"));
 }
 
-}  // namespace
-}  // namespace pendular
+}  // namespace pendular::written_effect_test
