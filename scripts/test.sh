@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs all tests but the long ones (ctest label "long"):
-# unit and law tests, physics, then unit and law tests again under the sanitizers.
+# unit and law tests, physics, then unit and law tests again under the sanitizers, but for a dozen
+# that simulate for minutes there (named in CMakePresets.json).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

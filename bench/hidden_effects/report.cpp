@@ -22,12 +22,12 @@ namespace {
 /// v (1 - cos^2) from which on an effect ought to be named alone, and up to which it cannot be.
 constexpr double well_separated = 15, hardly_separated = 4;
 
-struct Study {
+struct LabStudy {
     const Truth* truth;
     const Outcome* outcome;
 };
-using Studies = std::vector<Study>;
-using Test = std::function<bool(const Study&)>;
+using Studies = std::vector<LabStudy>;
+using Test = std::function<bool(const LabStudy&)>;
 
 Studies those(const Studies& studies, const Test& test) {
     Studies result;
@@ -50,48 +50,48 @@ std::string rate(const Studies& studies, const Test& test) {
                        percent(Law::find_upper_bound_on_p(of, count, 0.025)));
 }
 
-bool verdict_is(const Study& s, std::string_view verdict) {
+bool verdict_is(const LabStudy& s, std::string_view verdict) {
     return s.outcome->verdict == verdict;
 }
-bool flagged(const Study& s) {
+bool flagged(const LabStudy& s) {
     return verdict_is(s, "unknown") || verdict_is(s, "suspect-measurement");
 }
-bool alarms(const Study& s) {
+bool alarms(const LabStudy& s) {
     return !verdict_is(s, "nothing-missing") && !verdict_is(s, "inconclusive");
 }
-bool names_truth(const Study& s) {
+bool names_truth(const LabStudy& s) {
     return !s.truth->hidden.empty() && s.outcome->named.size() == s.truth->hidden.size() &&
            std::ranges::all_of(s.outcome->named,
                                [&](const std::string& name) { return s.truth->hides(name); });
 }
-bool points_at_truth(const Study& s) {
+bool points_at_truth(const LabStudy& s) {
     return std::ranges::any_of(s.outcome->named,
                                [&](const std::string& name) { return s.truth->hides(name); });
 }
-bool right(const Study& s) {
+bool right(const LabStudy& s) {
     return verdict_is(s, "missing") && names_truth(s);
 }
 /// Something else is named, or everything called well: whoever believes it is misled.
-bool confidently_wrong(const Study& s) {
+bool confidently_wrong(const LabStudy& s) {
     if (verdict_is(s, "nothing-missing")) return !s.truth->hidden.empty();
     return verdict_is(s, "missing") &&
            !std::ranges::all_of(s.outcome->named,
                                 [&](const std::string& name) { return s.truth->hides(name); });
 }
-bool single(const Study& s) {
+bool single(const LabStudy& s) {
     return s.truth->kind == Truth::Kind::effect;
 }
-bool of_catalogue(const Study& s) {
+bool of_catalogue(const LabStudy& s) {
     return s.truth->kind != Truth::Kind::outside;
 }
 /// The noncentrality that was wanted: 10, 25, 60, or 0 for a switch, which has the one it has.
-double wanted(const Study& s) {
+double wanted(const LabStudy& s) {
     const auto at = s.truth->name.rfind(" at ");
     return at == std::string::npos ? 0 : std::stod(s.truth->name.substr(at + 4));
 }
 
 /// What a confusion matrix has a column for.
-std::string said(const Study& s) {
+std::string said(const LabStudy& s) {
     if (!alarms(s)) return "nothing";
     if (verdict_is(s, "missing")) return fmt::format("{}", fmt::join(s.outcome->named, " + "));
     return s.outcome->verdict;
@@ -100,7 +100,7 @@ std::string said(const Study& s) {
 std::vector<std::string> rows_of(const std::vector<Truth>& truths, const Studies& studies) {
     std::vector<std::string> rows;
     for (const Truth& truth : truths) {
-        if (std::ranges::any_of(studies, [&](const Study& s) { return s.truth == &truth; })) {
+        if (std::ranges::any_of(studies, [&](const LabStudy& s) { return s.truth == &truth; })) {
             rows.push_back(truth.name);
         }
     }
@@ -111,7 +111,7 @@ using Confusion = std::map<std::pair<std::string, std::string>, std::size_t>;
 
 Confusion confusion_of(const Studies& studies) {
     Confusion counts;
-    for (const Study& s : studies) {
+    for (const LabStudy& s : studies) {
         ++counts[{s.truth->name, said(s)}];
     }
     return counts;
@@ -146,7 +146,7 @@ void write_confusion(const std::filesystem::path& file, const std::vector<std::s
     write_whole(file, text);
 }
 
-double median_of(const Studies& studies, const std::function<double(const Study&)>& value) {
+double median_of(const Studies& studies, const std::function<double(const LabStudy&)>& value) {
     std::vector<double> values;
     std::ranges::transform(studies, std::back_inserter(values), value);
     return values.empty() ? NAN : median(values);
@@ -159,58 +159,60 @@ std::vector<std::string> figures_of(const Studies& all) {
         lines.push_back(fmt::format("{:<78} {}", what, value));
     };
     const auto complete =
-        those(all, [](const Study& s) { return s.truth->kind == Truth::Kind::complete; });
+        those(all, [](const LabStudy& s) { return s.truth->kind == Truth::Kind::complete; });
     const auto catalogue = those(all, of_catalogue);
     add("false alarms, of complete laboratories", rate(complete, alarms));
     add("confidently wrong, of all laboratories of the catalogue",
         rate(catalogue, confidently_wrong));
     add("confidence set holds the truth, of all laboratories of the catalogue",
-        rate(catalogue, [](const Study& s) { return s.outcome->set_has_truth; }));
+        rate(catalogue, [](const LabStudy& s) { return s.outcome->set_has_truth; }));
     add("  of those with something hidden, where it was noticed",
-        rate(those(catalogue, [](const Study& s) { return !s.truth->hidden.empty() && alarms(s); }),
-             [](const Study& s) { return s.outcome->set_has_truth; }));
+        rate(those(catalogue,
+                   [](const LabStudy& s) { return !s.truth->hidden.empty() && alarms(s); }),
+             [](const LabStudy& s) { return s.outcome->set_has_truth; }));
     const auto noticed =
-        those(catalogue, [](const Study& s) { return !s.truth->hidden.empty() && alarms(s); });
+        those(catalogue, [](const LabStudy& s) { return !s.truth->hidden.empty() && alarms(s); });
     add("  median size of the set there",
-        fmt::format("{:g}", median_of(noticed, [](const Study& s) {
+        fmt::format("{:g}", median_of(noticed, [](const LabStudy& s) {
                         return static_cast<double>(s.outcome->set_size);
                     })));
     for (const double v : {10.0, 25.0, 60.0}) {
-        const auto here = those(all, [&](const Study& s) { return single(s) && wanted(s) == v; });
+        const auto here =
+            those(all, [&](const LabStudy& s) { return single(s) && wanted(s) == v; });
         add(fmt::format("noticed at noncentrality {:g}", v), rate(here, alarms));
     }
-    const auto strong = those(all, [](const Study& s) {
+    const auto strong = those(all, [](const LabStudy& s) {
         return single(s) && (wanted(s) == 60 || (wanted(s) == 0 && s.truth->noncentrality >= 60));
     });
     const auto apart =
-        those(strong, [](const Study& s) { return s.truth->separation >= well_separated; });
+        those(strong, [](const LabStudy& s) { return s.truth->separation >= well_separated; });
     add("right single verdict from noncentrality 60 on, v (1 - cos^2) >= 15", rate(apart, right));
-    add("  or indistinguishable, with the truth in it", rate(apart, [](const Study& s) {
+    add("  or indistinguishable, with the truth in it", rate(apart, [](const LabStudy& s) {
             return right(s) || (verdict_is(s, "indistinguishable") && points_at_truth(s));
         }));
     const auto alike =
-        those(strong, [](const Study& s) { return s.truth->separation <= hardly_separated; });
+        those(strong, [](const LabStudy& s) { return s.truth->separation <= hardly_separated; });
     add("indistinguishable with the truth in it, v (1 - cos^2) <= 4",
-        rate(alike, [](const Study& s) {
+        rate(alike, [](const LabStudy& s) {
             return verdict_is(s, "indistinguishable") && points_at_truth(s);
         }));
     add("truths outside the catalogue: flagged unknown or suspect-measurement",
-        rate(those(all, [](const Study& s) { return s.truth->kind == Truth::Kind::outside; }),
+        rate(those(all, [](const LabStudy& s) { return s.truth->kind == Truth::Kind::outside; }),
              flagged));
     add("  noticed at all",
-        rate(those(all, [](const Study& s) { return s.truth->kind == Truth::Kind::outside; }),
+        rate(those(all, [](const LabStudy& s) { return s.truth->kind == Truth::Kind::outside; }),
              alarms));
-    const auto refitted = those(all, [](const Study& s) {
+    const auto refitted = those(all, [](const LabStudy& s) {
         return single(s) && s.outcome->foretold_drop && s.outcome->refitted_drop;
     });
     add("foretold drop of chi2 within max(20 %, 4) of the refitted one",
-        rate(refitted, [](const Study& s) {
+        rate(refitted, [](const LabStudy& s) {
             const double actual = *s.outcome->refitted_drop;
             return std::abs(*s.outcome->foretold_drop - actual) <= std::max(0.2 * actual, 4.0);
         }));
-    const auto added = those(all, [](const Study& s) { return s.outcome->added.has_value(); });
+    const auto added = those(all, [](const LabStudy& s) { return s.outcome->added.has_value(); });
     add("after add of what a right verdict names: the error of conditions left out fell",
-        rate(those(added, right), [](const Study& s) {
+        rate(those(added, right), [](const LabStudy& s) {
             const auto& a = *s.outcome->added;
             const auto size = [](const std::array<double, 2>& rms) {
                 return std::hypot(rms[0] / torque_scatter, rms[1] / solid_fraction_scatter);
@@ -218,9 +220,9 @@ std::vector<std::string> figures_of(const Studies& all) {
             return size(a.left_out_after) < size(a.left_out_before);
         }));
     add("after add of what is hidden, where the set has it: p of chi2 above 0.01",
-        rate(added, [](const Study& s) { return s.outcome->added->p > 0.01; }));
+        rate(added, [](const LabStudy& s) { return s.outcome->added->p > 0.01; }));
     const auto over_floor = [](std::size_t k) {
-        return [k](const Study& s) {
+        return [k](const LabStudy& s) {
             return s.outcome->added->rms_after[k] / s.outcome->added->scatter[k];
         };
     };
@@ -228,7 +230,7 @@ std::vector<std::string> figures_of(const Studies& all) {
         add(fmt::format("  median RMS error over the scatter of replicates, {}", observable),
             fmt::format("{:.3f}", median_of(added, over_floor(k))));
         add("    at most a fifth above it",
-            rate(added, [&](const Study& s) { return over_floor(k)(s) <= 1.2; }));
+            rate(added, [&](const LabStudy& s) { return over_floor(k)(s) <= 1.2; }));
     }
     return lines;
 }
@@ -275,7 +277,7 @@ std::vector<std::string> table_of(const std::vector<Truth>& truths, const Studie
         "{:<40} {:>6} {:>8} {:>8} {:>9} {:>8} {:>9} {:>10}  {}", "truth", "v", "v(1-c^2)",
         "studies", "noticed", "right", "in set", "wrong", "most like, by the emulator")};
     for (const Truth& truth : truths) {
-        const auto here = those(all, [&](const Study& s) { return s.truth == &truth; });
+        const auto here = those(all, [&](const LabStudy& s) { return s.truth == &truth; });
         if (here.empty()) continue;
         const auto count = [&](const Test& test) { return std::ranges::count_if(here, test); };
         lines.push_back(fmt::format(
@@ -283,7 +285,7 @@ std::vector<std::string> table_of(const std::vector<Truth>& truths, const Studie
             truth.noncentrality,
             truth.kind == Truth::Kind::effect ? fmt::format("{:.2g}", truth.separation) : "",
             here.size(), count(alarms), count(right),
-            count([](const Study& s) { return s.outcome->set_has_truth; }),
+            count([](const LabStudy& s) { return s.outcome->set_has_truth; }),
             count(confidently_wrong), truth.most_like));
     }
     return lines;
@@ -300,7 +302,7 @@ void draw_shares(const Studies& all, const std::filesystem::path& folder) {
                 .y_range = std::pair(0.0, 100.0)};
     const std::vector<std::tuple<std::string, Test, std::string>> kinds = {
         {"noticed", alarms, "#000000"},
-        {"truth in the confidence set", [](const Study& s) { return s.outcome->set_has_truth; },
+        {"truth in the confidence set", [](const LabStudy& s) { return s.outcome->set_has_truth; },
          "#0072B2"},
         {"right and alone", right, "#009E73"},
         {"confidently wrong", confidently_wrong, "#D55E00"}};
@@ -309,7 +311,7 @@ void draw_shares(const Studies& all, const std::filesystem::path& folder) {
         Curve line{
             .label = label, .style = Curve::Style::dotted_line, .colour = colour, .in_key = false};
         for (const double v : {0.0, 10.0, 25.0, 60.0}) {
-            const auto here = those(all, [&](const Study& s) {
+            const auto here = those(all, [&](const LabStudy& s) {
                 return v == 0 ? s.truth->kind == Truth::Kind::complete
                               : single(s) && wanted(s) == v;
             });
