@@ -20,11 +20,12 @@ constexpr std::array<double, 3> lengths = {0.3, 1, 3};
 std::vector<Eigen::Index> order_along(const Eigen::VectorXd& values) {
     std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
     std::iota(order.begin(), order.end(), Eigen::Index{0});
+    std::erase_if(order, [&](Eigen::Index k) { return std::isnan(values(k)); });
     std::ranges::stable_sort(order, {}, [&](Eigen::Index k) { return values(k); });
     return order;
 }
 
-/// Ranks from -1 to 1, those of equal values alike.
+/// Ranks from -1 to 1, those of equal values alike; 0 where there is no value.
 Eigen::VectorXd ranks(const Eigen::VectorXd& values) {
     const auto n = static_cast<double>(values.size());
     Eigen::VectorXd result(values.size());

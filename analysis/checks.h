@@ -12,7 +12,7 @@ namespace pendular {
 /// Something that varied between the entries of the readings.
 struct Covariate {
     std::string name;
-    Eigen::VectorXd values;  ///< of each entry
+    Eigen::VectorXd values;  ///< of each entry; not a number where it has none
 };
 
 /// One test of whether a model's residuals are what errors alone would leave.

@@ -105,7 +105,16 @@ Comparison compare(const std::vector<Reading>& readings, const Prediction& predi
 }
 
 Comparison compare(const Calibration& c) {
-    return compare(c.readings, c.prediction, static_cast<int>(c.parameters.size()), c.fitted);
+    Comparison result =
+        compare(c.readings, c.prediction, static_cast<int>(c.parameters.size()), c.fitted);
+    for (const DirectMeasurement& direct : c.direct) {
+        result.direct.push_back({direct, predicted_value(direct, c.parameters, c.fit.parameters)});
+        for (Misfit* misfit : {&result.fitted, &result.total}) {
+            misfit->chi2 += std::pow(result.direct.back().normalised(), 2);
+            ++misfit->dof;
+        }
+    }
+    return result;
 }
 
 }  // namespace pendular

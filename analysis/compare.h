@@ -40,6 +40,16 @@ struct FileMisfit {
     double chi2 = 0;
 };
 
+/// A direct measurement beside what the model says.
+struct DirectMisfit {
+    DirectMeasurement measurement;
+    double predicted = 0;  ///< [its unit]
+
+    double normalised() const {
+        return (measurement.value - predicted) / measurement.standard_error;
+    }
+};
+
 /// chi2 of some readings.
 struct Misfit {
     double chi2 = 0;
@@ -52,13 +62,15 @@ struct Misfit {
 /// Measurement beside model.
 struct Comparison {
     std::vector<ReadingMisfit> readings;
-    std::vector<ConditionMisfit> by_condition;  ///< their chi2 add up to the total
-    std::vector<FileMisfit> by_file;            ///< likewise
+    std::vector<DirectMisfit> direct;
+    /// Their chi2 add up to the total less that of direct measurements.
+    std::vector<ConditionMisfit> by_condition;
+    std::vector<FileMisfit> by_file;  ///< likewise
     std::array<double, 2>
         by_observable{};  ///< chi2 of shear stress and solid fraction; they add up too
     std::array<double, 2> rms_percent{};  ///< 100 sqrt(mean((predicted/measured - 1)^2))
     Misfit total;
-    Misfit fitted;     ///< readings the parameters were fitted to
+    Misfit fitted;     ///< readings the parameters were fitted to, and direct measurements
     Misfit predicted;  ///< readings the fit never saw; both add up to the total
 };
 
@@ -69,7 +81,7 @@ struct Comparison {
 Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction,
                    int parameters, std::size_t fitted);
 
-/// The same for all readings of a calibration.
+/// The same for all readings and direct measurements of a calibration.
 Comparison compare(const Calibration& calibration);
 
 }  // namespace pendular

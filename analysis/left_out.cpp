@@ -10,7 +10,7 @@
 namespace pendular {
 namespace {
 
-/// A model as that of some conditions only; it learns nothing more.
+/// A model as that of some conditions and all direct measurements; it learns nothing more.
 class AtConditions : public Model {
   public:
     AtConditions(const FlowModel& model, std::vector<Condition> conditions)
@@ -18,13 +18,11 @@ class AtConditions : public Model {
 
     const std::vector<Parameter>& parameters() const override { return model_.parameters(); }
     Prediction predict(const Eigen::VectorXd& parameters) const override {
-        return model_.predict_conditions(parameters, conditions_);
+        return model_.with_direct(parameters, model_.predict_conditions(parameters, conditions_));
     }
     Prediction predict_mean(const Eigen::VectorXd& parameters) const override {
-        return model_.predict_mean_conditions(parameters, conditions_);
-    }
-    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const override {
-        return model_.values_of_conditions(parameters, conditions_);
+        return model_.with_direct(parameters,
+                                  model_.predict_mean_conditions(parameters, conditions_));
     }
     void improve(const Eigen::VectorXd&, double) override {}
     Supported supported() const override { return model_.supported(); }
@@ -100,7 +98,7 @@ std::optional<LeftOut> left_out_errors(const FlowModel& model, const Calibration
     for (const auto& group : groups) {
         const Split parts = split(fitted, group);
         const AtConditions rest(model, conditions_of(parts.others));
-        const Measured measured = stack(parts.others);
+        const Measured measured = stack(parts.others, c.direct);
         Fit refit = fit(rest, measured, c.fit.parameters);
         if (!determined(refit, measured)) {
             // From the optimum an undetermined parameter would keep what it owes to this condition.

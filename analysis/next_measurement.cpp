@@ -6,6 +6,8 @@
 #include <optional>
 #include <tuple>
 
+#include "analysis/point_predictions.h"
+
 namespace pendular {
 namespace {
 
@@ -32,8 +34,7 @@ Forecasts forecasts_of(const Rival& rival, const std::vector<Point>& points) {
     Forecasts result;
     // A few points at a time: the covariance of all with all is not wanted.
     for (const Point& point : points) {
-        const Prediction said =
-            rival.model->predict_conditions(rival.parameters, {point.condition});
+        const Prediction said = predicted_at(rival, {point});
         result.at.push_back(
             {.value = said.value,
              .from_parameters = said.jacobian * rival.covariance * said.jacobian.transpose(),
@@ -43,8 +44,13 @@ Forecasts forecasts_of(const Rival& rival, const std::vector<Point>& points) {
     return result;
 }
 
-Eigen::Matrix2d noise_at(const Forecast& forecast, const Eigen::Vector2d& relative_noise) {
-    return relative_noise.cwiseProduct(forecast.value).cwiseAbs2().asDiagonal();
+Eigen::MatrixXd noise_of(const Point& point, const Forecast& forecast,
+                         const Eigen::Vector2d& relative_noise) {
+    return noise_at({point}, forecast.value, relative_noise).asDiagonal();
+}
+
+double cost_of(const Point& point, int readings) {
+    return point.first_cost + point.wait_cost + point.cost * readings;
 }
 
 /// What n readings tell of two rivals.
@@ -52,13 +58,13 @@ struct Separation {
     double criterion, noncentrality;
 };
 
-Separation separation(const Forecast& a, const Forecast& b, const Eigen::Matrix2d& noise, int n) {
-    const Eigen::Vector2d difference = a.value - b.value;
-    const Eigen::Matrix2d reading = noise / n,
+Separation separation(const Forecast& a, const Forecast& b, const Eigen::MatrixXd& noise, int n) {
+    const Eigen::VectorXd difference = a.value - b.value;
+    const Eigen::MatrixXd reading = noise / n,
                           simulation = 0.5 * (a.from_simulation + b.from_simulation),
                           parameters = a.from_parameters + b.from_parameters;
-    const Eigen::Matrix2d twice = (2 * reading + parameters + 2 * simulation).inverse();
-    const Eigen::Matrix2d once = (reading + parameters + simulation).inverse();
+    const Eigen::MatrixXd twice = (2 * reading + parameters + 2 * simulation).inverse();
+    const Eigen::MatrixXd once = (reading + parameters + simulation).inverse();
     return {difference.dot(twice * difference) + (2 * reading * twice).trace(),
             difference.dot(once * difference)};
 }
@@ -76,13 +82,13 @@ std::vector<std::pair<std::size_t, std::size_t>> separated_by(const Plan& plan, 
     return pairs;
 }
 
-Plan plan_for(std::size_t point, const std::vector<Forecasts>& forecasts,
+Plan plan_for(std::size_t point, const Point& at, const std::vector<Forecasts>& forecasts,
               const Eigen::Vector2d& relative_noise, int most_repeats) {
     Plan plan{.point = point};
     for (const Forecasts& rival : forecasts) {
         plan.forecasts.push_back(rival.at[point]);
     }
-    plan.noise = noise_at(plan.forecasts.front(), relative_noise);
+    plan.noise = noise_of(at, plan.forecasts.front(), relative_noise);
     for (std::size_t i = 0; i < plan.forecasts.size(); ++i) {
         for (std::size_t j = i + 1; j < plan.forecasts.size(); ++j) {
             plan.separation +=
@@ -110,14 +116,17 @@ std::vector<Point> points_of(const Rig& rig, const Study& study, double time) {
                                ? std::optional(study.cell->bead_volume)
                                : std::nullopt);
     }
+    const EffectCatalogue catalogue(study);
     std::vector<Point> points;
     const auto add = [&](double stress, double number, double content,
-                         const std::optional<double>& filling) {
+                         const std::optional<double>& filling, double wait) {
+        constexpr double hour = 3600;
         Point point{.condition = {.normal_stress = stress,
                                   .inertial_number = number,
                                   .liquid_content = content,
                                   .bead_volume = filling,
-                                  .time = time},
+                                  .time = time + wait},
+                    .wait_cost = rig.hour_cost * wait / hour,
                     .cost = content > 0 ? rig.wet_cost : 1};
         if (filling && study.cell) {
             AnnularCell cell = *study.cell;
@@ -133,11 +142,18 @@ std::vector<Point> points_of(const Rig& rig, const Study& study, double time) {
             for (const double rate :
                  steps(rig.shear_rate ? *rig.shear_rate : *rig.inertial_number, rates)) {
                 for (const double stress : steps(rig.normal_stress, stresses)) {
-                    add(stress, rig.shear_rate ? inertial_number(rate, stress, study.grains) : rate,
-                        content, filling);
+                    for (const double wait : rig.waits) {
+                        add(stress,
+                            rig.shear_rate ? inertial_number(rate, stress, study.grains) : rate,
+                            content, filling, wait);
+                    }
                 }
             }
         }
+    }
+    for (const StatedDirect& stated : rig.direct) {
+        points.push_back(
+            {.direct = direct_measurement(stated, study, catalogue), .cost = stated.cost});
     }
     return points;
 }
@@ -183,9 +199,9 @@ std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
     }
     std::vector<Plan> plans;
     for (std::size_t point = 0; point < points.size(); ++point) {
-        plans.push_back(plan_for(point, forecasts, relative_noise, most_repeats));
+        plans.push_back(plan_for(point, points[point], forecasts, relative_noise, most_repeats));
         Plan& plan = plans.back();
-        plan.cost = points[point].first_cost + points[point].cost * std::max(1, plan.repeats);
+        plan.cost = cost_of(points[point], std::max(1, plan.repeats));
     }
     std::ranges::stable_sort(plans, {}, [](const Plan& plan) {
         return std::tuple(-static_cast<double>(plan.separated.size()), plan.cost, -plan.separation);
@@ -202,12 +218,12 @@ std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<P
     for (std::size_t point = 0; point < points.size(); ++point) {
         const Forecast& forecast = forecasts.at[point];
         const Eigen::MatrixXd& slopes = forecasts.slopes[point];
-        const Eigen::Matrix2d error =
-            noise_at(forecast, relative_noise) / repeats + forecast.from_simulation;
+        const Eigen::MatrixXd error =
+            noise_of(points[point], forecast, relative_noise) / repeats + forecast.from_simulation;
         const Eigen::MatrixXd after =
             (known + slopes.transpose() * error.inverse() * slopes).inverse();
         const Eigen::VectorXd errors = after.diagonal().cwiseSqrt();
-        const double cost = points[point].first_cost + points[point].cost * repeats;
+        const double cost = cost_of(points[point], repeats);
         plans.push_back({point, forecast, errors, (before / errors.array()).log().sum() / cost});
     }
     std::ranges::stable_sort(plans, std::greater<>(), &Sharpening::gain);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,15 +18,20 @@ struct Rival {
     Eigen::MatrixXd covariance;
 };
 
-/// A point that could be measured, and what a reading there costs.
+/// A point that could be measured, and what a reading there costs; or a direct measurement that
+/// could be made, which is a reading of one number.
 struct Point {
-    Condition condition;
-    double first_cost = 0;  ///< before the first reading
-    double cost = 1;        ///< of each reading
+    Condition condition = {};
+    std::optional<DirectMeasurement> direct = {};  ///< if it is one
+    double first_cost = 0;                         ///< before the first reading of this filling
+    double wait_cost = 0;  ///< likewise, of the wait; shorter ones are over by then
+    double cost = 1;       ///< of each reading
 };
 
 /// What a rig can be set to, on a grid: normal stresses and rates in even steps of their logarithm,
-/// every liquid content and filling. Readings would be taken at `time` [s].
+/// every liquid content and filling, after every wait from `time` [s] on; and then what can be
+/// measured directly.
+/// @throws InputError for a direct measurement that the study's effects do not know
 std::vector<Point> points_of(const Rig& rig, const Study& study, double time);
 
 /// The rig of a study that names none: what its readings span.
@@ -35,18 +41,19 @@ Rig rig_of(const std::vector<Reading>& readings);
 /// square of those that were made.
 Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 
-/// What a rival says of a point: (shear stress [Pa], solid fraction [1]).
+/// What a rival says of a point: (shear stress [Pa], solid fraction [1]), or the one number of a
+/// direct measurement [its unit].
 struct Forecast {
-    Eigen::Vector2d value;
-    Eigen::Matrix2d from_parameters;  ///< covariance by errors of its parameters
-    Eigen::Matrix2d from_simulation;  ///< by those of the simulation
+    Eigen::VectorXd value;
+    Eigen::MatrixXd from_parameters;  ///< covariance by errors of its parameters
+    Eigen::MatrixXd from_simulation;  ///< by those of the simulation
 };
 
 /// What measuring at one point would tell.
 struct Plan {
     std::size_t point = 0;
     std::vector<Forecast> forecasts;  ///< of each rival
-    Eigen::Matrix2d noise;            ///< covariance of one reading
+    Eigen::MatrixXd noise;            ///< covariance of one reading
     /// Fewest readings with which rivals are told apart as far as they can be here; 0: none are.
     int repeats = 0;
     /// Pairs of rivals that these tell apart.

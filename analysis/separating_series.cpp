@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/next_measurement.h"
+#include "analysis/point_predictions.h"
 
 namespace pendular {
 namespace {
@@ -24,12 +24,12 @@ struct Contrast {
 };
 
 std::vector<Contrast> contrasts_of(const std::vector<Rival>& rivals,
-                                   const std::vector<Condition>& conditions,
+                                   const std::vector<Point>& points,
                                    Eigen::VectorXd& first_forecast) {
     std::vector<Prediction> said;
     std::vector<Eigen::MatrixXd> by_parameters;
     for (const Rival& rival : rivals) {
-        said.push_back(rival.model->predict_conditions(rival.parameters, conditions));
+        said.push_back(predicted_at(rival, points));
         const Eigen::MatrixXd& slopes = said.back().jacobian;
         by_parameters.emplace_back(slopes * rival.covariance * slopes.transpose());
     }
@@ -51,16 +51,13 @@ class SeriesSearch {
     SeriesSearch(const std::vector<Rival>& rivals, const std::vector<Point>& points,
                  const Eigen::Vector2d& relative_noise, int most_repeats, int most_readings)
         : points_(points), most_repeats_(most_repeats), most_readings_(most_readings) {
-        std::vector<Condition> conditions;
         for (const Point& point : points) {
-            conditions.push_back(point.condition);
+            first_entry_.push_back(entries_);
+            entries_ += entries_at(point);
         }
         Eigen::VectorXd forecast;
-        contrasts_ = contrasts_of(rivals, conditions, forecast);
-        noise_ = forecast;
-        for (Eigen::Index k = 0; k < noise_.size(); ++k) {
-            noise_(k) = std::pow(relative_noise(k % 2) * forecast(k), 2);
-        }
+        contrasts_ = contrasts_of(rivals, points, forecast);
+        noise_ = noise_at(points, forecast, relative_noise);
     }
 
     Series run() {
@@ -89,22 +86,18 @@ class SeriesSearch {
 
   private:
     double noncentrality(const Contrast& contrast, const Counts& counts) const {
-        const auto size = 2 * static_cast<Eigen::Index>(counts.size());
-        Eigen::VectorXd difference(size);
-        Eigen::MatrixXd covariance(size, size);
-        Eigen::Index a = 0;
-        for (const auto& [p, n] : counts) {
-            const Eigen::Index from = 2 * static_cast<Eigen::Index>(p);
-            difference.segment<2>(a) = contrast.difference.segment<2>(from);
-            Eigen::Index b = 0;
-            for (const auto& [q, m] : counts) {
-                covariance.block<2, 2>(a, b) =
-                    contrast.covariance.block<2, 2>(from, 2 * static_cast<Eigen::Index>(q));
-                b += 2;
+        std::vector<Eigen::Index> entries;
+        std::vector<double> noise;
+        for (const auto& [point, readings] : counts) {
+            for (Eigen::Index k = 0; k < entries_at(points_[point]); ++k) {
+                entries.push_back(first_entry_[point] + k);
+                noise.push_back(noise_(entries.back()) / readings);
             }
-            covariance.diagonal().segment<2>(a) += noise_.segment<2>(from) / n;
-            a += 2;
         }
+        const Eigen::VectorXd difference = contrast.difference(entries);
+        Eigen::MatrixXd covariance = contrast.covariance(entries, entries);
+        covariance.diagonal() += Eigen::Map<const Eigen::VectorXd>(
+            noise.data(), static_cast<Eigen::Index>(noise.size()));
         return difference.dot(covariance.ldlt().solve(difference));
     }
     bool told(const Contrast& contrast, const Counts& counts) const {
@@ -119,14 +112,15 @@ class SeriesSearch {
         return sum;
     }
     double cost(const Counts& counts) const {
-        double sum = 0;
+        double sum = 0, longest_wait = 0;
         std::set<std::optional<double>> filled;
         for (const auto& [point, readings] : counts) {
             const Point& p = points_[point];
-            if (filled.insert(p.condition.bead_volume).second) sum += p.first_cost;
+            if (!p.direct && filled.insert(p.condition.bead_volume).second) sum += p.first_cost;
+            longest_wait = std::max(longest_wait, p.wait_cost);
             sum += p.cost * readings;
         }
-        return sum;
+        return sum + longest_wait;
     }
 
     Counts greedy(const std::vector<const Contrast*>& wanted) const {
@@ -184,6 +178,8 @@ class SeriesSearch {
     const std::vector<Point>& points_;
     int most_repeats_, most_readings_;
     std::vector<Contrast> contrasts_;
+    std::vector<Eigen::Index> first_entry_;  ///< of each point
+    Eigen::Index entries_ = 0;
     Eigen::VectorXd noise_;  ///< variance of a reading
 };
 

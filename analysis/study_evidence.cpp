@@ -63,7 +63,7 @@ std::vector<double> run_order(const std::vector<Reading>& readings) {
 
 }  // namespace
 
-std::vector<Covariate> covariates_of(const std::vector<Reading>& readings) {
+std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct) {
     using Of = std::function<double(std::size_t, const Reading&)>;
     const std::vector<double> order = run_order(readings);
     const std::vector<std::pair<std::string, Of>> all = {
@@ -75,12 +75,15 @@ std::vector<Covariate> covariates_of(const std::vector<Reading>& readings) {
         {"run order", [&](std::size_t k, const auto&) { return order[k]; }}};
     std::vector<Covariate> result;
     for (const auto& [name, of] : all) {
-        Covariate covariate{name, Eigen::VectorXd(2 * static_cast<Eigen::Index>(readings.size()))};
+        const auto entries = static_cast<Eigen::Index>(2 * readings.size() + direct);
+        Covariate covariate{name, Eigen::VectorXd::Constant(entries, std::nan(""))};
         for (std::size_t k = 0; k < readings.size(); ++k) {
             covariate.values.segment<2>(2 * static_cast<Eigen::Index>(k))
                 .setConstant(of(k, readings[k]));
         }
-        const double low = covariate.values.minCoeff(), high = covariate.values.maxCoeff();
+        const auto of_readings =
+            covariate.values.head(2 * static_cast<Eigen::Index>(readings.size()));
+        const double low = of_readings.minCoeff(), high = of_readings.maxCoeff();
         // Ranks of the time are the run order.
         const bool known = name == "run order" && !result.empty() && result.back().name == "time";
         if (!known && high - low > 0.1 * std::max(std::abs(low), std::abs(high))) {
@@ -91,7 +94,7 @@ std::vector<Covariate> covariates_of(const std::vector<Reading>& readings) {
 }
 
 EntryKinds entries_of(const std::vector<Reading>& readings,
-                      const std::vector<Parameter>& parameters) {
+                      const std::vector<Parameter>& parameters, std::size_t direct) {
     EntryKinds kinds{.observables = {"shear stress", "solid fraction"},
                      .conditions = entries_by_condition(readings)};
     for (const Parameter& parameter : parameters) {
@@ -100,6 +103,11 @@ EntryKinds entries_of(const std::vector<Reading>& readings,
     for (const Reading& reading : readings) {
         kinds.observable.insert(kinds.observable.end(), {0, 1});
         kinds.replicated |= reading.replicates > 1;
+    }
+    for (std::size_t k = 0; k < direct; ++k) {
+        // Like no other entry, and none of the observables that trend with a covariate.
+        kinds.observable.push_back(kinds.observables.size() + k);
+        kinds.conditions.push_back({static_cast<Eigen::Index>(2 * readings.size() + k)});
     }
     return kinds;
 }
@@ -112,7 +120,30 @@ std::string described(const Condition& condition) {
                        : fmt::format(", liquid content {:.3g}", condition.liquid_content));
 }
 
-Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter) {
+namespace {
+
+/// Direct measurements, from this entry on; those of one parameter are suspected together.
+void add_direct(Evidence& evidence, const std::vector<DirectMeasurement>& direct,
+                Eigen::Index entry) {
+    const std::size_t known = evidence.errors.freedom.size();
+    if (!direct.empty()) evidence.errors.freedom.push_back(INFINITY);
+    std::map<std::string, Eigen::MatrixXd> columns;
+    for (const DirectMeasurement& each : direct) {
+        evidence.errors.kind.push_back(known);
+        evidence.conditions.push_back({entry});
+        auto& column = columns[each.parameter];
+        if (column.size() == 0) column.setZero(evidence.measured.value.size(), 1);
+        column(entry++, 0) = each.standard_error;
+    }
+    for (const auto& [parameter, column] : columns) {
+        evidence.suspects.push_back({"the direct measurements of " + parameter, column});
+    }
+}
+
+}  // namespace
+
+Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
+                     const std::vector<DirectMeasurement>& direct) {
     std::vector<Reading> estimated = readings;
     Evidence evidence;
     for (Reading& reading : estimated) {
@@ -120,7 +151,7 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
         evidence.errors_assumed |= reading.error_assumed;
         evidence.errors.kind.insert(evidence.errors.kind.end(), {0, 1});
     }
-    evidence.measured = stack(estimated);
+    evidence.measured = stack(estimated, direct);
     for (const Eigen::Index observable : {0, 1}) {
         const bool scattered = scatter.excess(observable, observable) > 0;
         evidence.errors.freedom.push_back(scattered ? scatter.freedom : INFINITY);
@@ -146,6 +177,7 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
                         members, evidence.measured.value));
         }
     }
+    add_direct(evidence, direct, 2 * static_cast<Eigen::Index>(readings.size()));
     return evidence;
 }
 

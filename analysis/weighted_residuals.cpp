@@ -39,7 +39,9 @@ Eigen::MatrixXd WeightedResiduals::means_over(
         Eigen::MatrixXd::Zero(size(), static_cast<Eigen::Index>(groups.size()));
     for (std::size_t k = 0; k < groups.size(); ++k) {
         for (const Eigen::Index entry : groups[k]) {
-            members(entry, static_cast<Eigen::Index>(k)) = measured_(entry);
+            // Alone it is its own mean, even where it was measured as zero.
+            members(entry, static_cast<Eigen::Index>(k)) =
+                groups[k].size() == 1 ? 1 : measured_(entry);
         }
     }
     const Eigen::HouseholderQR<Eigen::MatrixXd> decomposed(whiten(members));

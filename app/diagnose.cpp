@@ -46,7 +46,8 @@ int diagnose(const std::vector<std::string>& arguments) {
     const StudyModels& models = *d.models;
     const Checks checks =
         check_fit(diagnosis.residuals(d.evidence),
-                  entries_of(d.readings, models.with({}).parameters()), covariates_of(d.readings),
+                  entries_of(d.readings, models.with({}).parameters(), models.direct().size()),
+                  covariates_of(d.readings, models.direct().size()),
                   NullDraws(d.evidence.errors, checked_seed(seed), DiagnosisOptions{}.draws));
     const auto json = to_json(diagnosis, models, d.evidence, checks);
     write_json(common->out_folder() / "diagnosis.json", json);

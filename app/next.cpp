@@ -33,7 +33,21 @@ taken:
   repeats = 5                             # most readings at one point (default 5)
   readings = 12                           # most at several points together (default 12)
   wet_cost = 2                            # of a wet reading, in dry ones (default 1)
-  filling_cost = 3                        # of another filling (default 0))";
+  filling_cost = 3                        # of another filling (default 0)
+  wait = ["0 h", "4 h"]                   # before a reading, from the last one on (default 0)
+  hour_cost = 0.5                         # of an hour of that (default 1)
+
+  [[rig.direct]]                          # an effect that can be measured by itself,
+  effect = "torque-offset"                # as a drag by the torque of the empty cell
+  error = "0.05 mN m"                     # standard error of one such measurement
+  cost = 0.5                              # (default 1)
+
+What was measured so goes into study.toml too, and counts in every fit and diagnosis:
+
+  [[direct]]
+  effect = "torque-offset"
+  value = "0.42 mN m"
+  error = "0.05 mN m")";
 
 double last_time(const std::vector<Reading>& readings) {
     double last = 0;
@@ -70,7 +84,7 @@ int next(const std::vector<std::string>& arguments) {
                          .most_readings = rig.readings};
     const double friction = next.rivals.front().parameters(0);
     const auto dropped = std::erase_if(next.points, [&](const Point& point) {
-        return !d.models->beyond(friction, point.condition).empty();
+        return !point.direct && !d.models->beyond(friction, point.condition).empty();
     });
     if (next.points.empty()) {
         throw InputError({study.file.string()},

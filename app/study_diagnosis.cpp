@@ -53,7 +53,8 @@ StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed) {
                                              options.fidelity, known);
     };
     result.models = models();
-    result.evidence = evidence_of(result.readings, result.input.measurements.scatter);
+    result.evidence =
+        evidence_of(result.readings, result.input.measurements.scatter, result.models->direct());
     const InterruptGuard guard;
     DiagnosisOptions own{.seed = seed};
     own.progress = [&](std::string_view what, std::size_t at, std::size_t of) {

@@ -105,10 +105,10 @@ std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from
 }
 
 /// Fits the model to some readings.
-Fit fit_to(const std::vector<Reading>& readings, FlowModel& model,
-           const CalibrationOptions& options, const CalibrationReport& report) {
+Fit fit_to(const std::vector<Reading>& readings, const std::vector<DirectMeasurement>& direct,
+           FlowModel& model, const CalibrationOptions& options, const CalibrationReport& report) {
     model.predict_for(conditions_of(readings));
-    return calibrate(model, stack(readings), options, report);
+    return calibrate(model, stack(readings, direct), options, report);
 }
 
 /// Wet runs until their noise is small beside the errors of the readings to predict.
@@ -244,6 +244,7 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
     StudyModel study_model(study, conditions_of(c.readings), request.fidelity, request.seed,
                            workers, request.known);
     FlowModel& model = study_model.model();
+    c.direct = study_model.direct();
     const auto counting = [&](int round, const Fit& fit) {
         c.rounds = round;
         if (report) {
@@ -255,10 +256,10 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
     if (c.fitted > dry.size() && !dry.empty() && model.parameters().size() == 1) {
         // Joint fits begin where the dry readings alone lead, so that wet runs are made there;
         // those of effects need not show in dry readings at all.
-        options.start = fit_to(dry, model, request.options, counting).parameters;
+        options.start = fit_to(dry, c.direct, model, request.options, counting).parameters;
     }
     const auto fitted = part(c.readings, 0, c.fitted);
-    c.fit = fit_to(fitted, model, options, counting);
+    c.fit = fit_to(fitted, c.direct, model, options, counting);
     if (c.fitted < c.readings.size()) {
         if (request.stage) {
             request.stage("wet readings");
@@ -271,7 +272,7 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
         if (request.known) {
             // An emulator learns of dry flow from wet runs too, and the friction with it.
             model.predict_for(conditions_of(fitted));
-            c.fit = fit(model, stack(fitted), c.fit.parameters);
+            c.fit = fit(model, stack(fitted, c.direct), c.fit.parameters);
         }
     }
     c.prediction = predict_readings(model, c);
@@ -286,7 +287,7 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
     draw_cohesion_lines(c);
     if (request.profile) {
         model.predict_for(conditions_of(fitted));
-        c.profile = profile_interval(model, stack(fitted), c.fit, 0);
+        c.profile = profile_interval(model, stack(fitted, c.direct), c.fit, 0);
     }
     return c;
 }

@@ -24,6 +24,7 @@ struct Calibration {
     /// only predicted.
     std::vector<Reading> readings;
     std::size_t fitted = 0;
+    std::vector<DirectMeasurement> direct = {};  ///< fitted too
     Grains grains;                               ///< those of the study when it was fitted
     std::optional<Liquid> liquid;                ///< likewise
     ModelChoice model;                           ///< likewise

@@ -214,6 +214,12 @@ ModelSpace::ChangeErrors EffectModel::change_errors(
     const Truths there = without.truths_at(parameters_without, conditions());
     const Eigen::VectorXd own = inside_parameters(parameters);
     const auto n = 2 * static_cast<Eigen::Index>(conditions().size());
+    // No error of the model inside is in a direct measurement.
+    const auto of_readings = [&](Eigen::MatrixXd change, Eigen::MatrixXd with_without) {
+        widen(change, direct_count());
+        widen(with_without, direct_count());
+        return ModelSpace::ChangeErrors{std::move(change), std::move(with_without)};
+    };
     const auto grains = [](const EffectModel& model) {
         return std::ranges::count_if(model.effects_, &Effect::of_grains);
     };
@@ -223,7 +229,7 @@ ModelSpace::ChangeErrors EffectModel::change_errors(
             const Eigen::MatrixXd slopes = shown_by_predicted(truths, inside.value);
             return Eigen::MatrixXd(slopes * inside.run_noise * slopes.transpose());
         };
-        return {covariance(here) - covariance(there), Eigen::MatrixXd::Zero(n, n)};
+        return of_readings(covariance(here) - covariance(there), Eigen::MatrixXd::Zero(n, n));
     }
     // Predictions without, then those of the conditions that are others with.
     std::vector<Condition> asked = there.imposed;
@@ -250,7 +256,7 @@ ModelSpace::ChangeErrors EffectModel::change_errors(
     without_by_asked.leftCols(n) = slopes;
     const Eigen::MatrixXd change = with_by_asked - without_by_asked;
     const Eigen::MatrixXd half = inside.covariance * change.transpose();
-    return {change * half, without_by_asked * half};
+    return of_readings(change * half, without_by_asked * half);
 }
 
 void EffectModel::improve(const Eigen::VectorXd& parameters, double excess) {

@@ -251,13 +251,19 @@ Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const Whitening& whit
 
 }  // namespace
 
-Measured stack(const std::vector<Reading>& readings) {
+Measured stack(const std::vector<Reading>& readings, const std::vector<DirectMeasurement>& direct) {
     const auto n = static_cast<Eigen::Index>(readings.size());
-    Measured measured{Eigen::VectorXd(2 * n), Eigen::MatrixXd::Zero(2 * n, 2 * n)};
+    const auto all = 2 * n + static_cast<Eigen::Index>(direct.size());
+    Measured measured{Eigen::VectorXd(all), Eigen::MatrixXd::Zero(all, all)};
     for (Eigen::Index k = 0; k < n; ++k) {
         measured.value.segment<2>(2 * k) = readings[static_cast<std::size_t>(k)].value;
         measured.covariance.block<2, 2>(2 * k, 2 * k) =
             readings[static_cast<std::size_t>(k)].covariance;
+    }
+    for (std::size_t k = 0; k < direct.size(); ++k) {
+        const auto entry = 2 * n + static_cast<Eigen::Index>(k);
+        measured.value(entry) = direct[k].value;
+        measured.covariance(entry, entry) = std::pow(direct[k].standard_error, 2);
     }
     return measured;
 }

@@ -12,12 +12,14 @@
 
 namespace pendular {
 
-/// Readings stacked as the model predicts them: shear stress [Pa] and solid fraction [1] in turn.
+/// Readings stacked as the model predicts them: shear stress [Pa] and solid fraction [1] in turn,
+/// then direct measurements.
 struct Measured {
     Eigen::VectorXd value;
     Eigen::MatrixXd covariance;
 };
-Measured stack(const std::vector<Reading>& readings);
+Measured stack(const std::vector<Reading>& readings,
+               const std::vector<DirectMeasurement>& direct = {});
 
 /// Outcome of one least-squares fit.
 struct Fit {

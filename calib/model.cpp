@@ -1,6 +1,58 @@
 #include "calib/model.h"
 
+#include <algorithm>
+
 namespace pendular {
+
+void widen(Eigen::MatrixXd& square, Eigen::Index by) {
+    if (square.size() == 0) return;  // not asked for
+    const Eigen::Index n = square.rows();
+    square.conservativeResize(n + by, n + by);
+    square.rightCols(by).setZero();
+    square.bottomRows(by).setZero();
+}
+
+std::optional<Eigen::Index> place_of(const DirectMeasurement& direct,
+                                     const std::vector<Parameter>& parameters) {
+    const auto found = std::ranges::find(parameters, direct.parameter, &Parameter::name);
+    if (found == parameters.end()) return std::nullopt;
+    return found - parameters.begin();
+}
+
+double predicted_value(const DirectMeasurement& direct, const std::vector<Parameter>& parameters,
+                       const Eigen::VectorXd& values) {
+    const auto place = place_of(direct, parameters);
+    return place ? values(*place) : direct.neutral;
+}
+
+Prediction FlowModel::with_direct(const Eigen::VectorXd& parameters, Prediction readings) const {
+    const auto more = static_cast<Eigen::Index>(direct_.size());
+    if (more == 0) return readings;
+    const Eigen::Index n = readings.value.size();
+    readings.value.conservativeResize(n + more);
+    readings.jacobian.conservativeResize(n + more, Eigen::NoChange);
+    readings.jacobian.bottomRows(more).setZero();
+    widen(readings.covariance, more);
+    widen(readings.run_noise, more);
+    for (Eigen::Index k = 0; k < more; ++k) {
+        const DirectMeasurement& direct = direct_[static_cast<std::size_t>(k)];
+        readings.value(n + k) = predicted_value(direct, this->parameters(), parameters);
+        if (const auto place = place_of(direct, this->parameters()))
+            readings.jacobian(n + k, *place) = 1;
+    }
+    return readings;
+}
+
+Eigen::VectorXd FlowModel::values(const Eigen::VectorXd& parameters) const {
+    Eigen::VectorXd all = values_of_conditions(parameters, conditions_);
+    const Eigen::Index n = all.size();
+    all.conservativeResize(n + static_cast<Eigen::Index>(direct_.size()));
+    for (std::size_t k = 0; k < direct_.size(); ++k) {
+        all(n + static_cast<Eigen::Index>(k)) =
+            predicted_value(direct_[k], this->parameters(), parameters);
+    }
+    return all;
+}
 
 FlowModel::Point FlowModel::predict_at(const Eigen::VectorXd& parameters,
                                        const Condition& condition) const {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "data/reading.h"
+#include "sim/direct_measurement.h"
 
 namespace pendular {
 
@@ -19,14 +21,27 @@ struct Parameter {
 };
 
 /// What a model says of n readings, and how sure it is. Entries 2 k and 2 k + 1 belong to reading
-/// k: its shear stress magnitude [Pa] and its solid fraction [1].
+/// k: its shear stress magnitude [Pa] and its solid fraction [1]. Where a model is asked for a
+/// study's direct measurements too, m entries follow, one each in its unit.
 struct Prediction {
-    Eigen::VectorXd value;     ///< 2 n
-    Eigen::MatrixXd jacobian;  ///< 2 n x parameters
-    /// 2 n x 2 n, of `value`: noise of the runs and the error of every correction.
+    Eigen::VectorXd value;     ///< 2 n + m
+    Eigen::MatrixXd jacobian;  ///< 2 n + m x parameters
+    /// 2 n + m squared, of `value`: noise of the runs and the error of every correction.
     Eigen::MatrixXd covariance;
     Eigen::MatrixXd run_noise;  ///< the part of `covariance` that more runs would reduce
 };
+
+/// Place of what was measured directly among parameters; none where it is not among them.
+std::optional<Eigen::Index> place_of(const DirectMeasurement& direct,
+                                     const std::vector<Parameter>& parameters);
+
+/// What a model with these parameters at these values says of a direct measurement: the parameter,
+/// or neutral where it has none of that name.
+double predicted_value(const DirectMeasurement& direct, const std::vector<Parameter>& parameters,
+                       const Eigen::VectorXd& values);
+
+/// Puts as many rows and columns of zeros to the end of a square matrix; an empty one stays so.
+void widen(Eigen::MatrixXd& square, Eigen::Index by);
 
 /// The range of parameters over which a model's predictions are supported by simulation.
 struct Supported {
@@ -70,17 +85,21 @@ class FlowModel : public Model {
   public:
     /// Makes these the conditions of the readings that `predict` predicts.
     void predict_for(std::vector<Condition> conditions) { conditions_ = std::move(conditions); }
+    /// Makes these the direct measurements that `predict` predicts after the readings.
+    void predict_direct(std::vector<DirectMeasurement> direct) { direct_ = std::move(direct); }
+
     Prediction predict(const Eigen::VectorXd& parameters) const final {
-        return predict_conditions(parameters, conditions_);
+        return with_direct(parameters, predict_conditions(parameters, conditions_));
     }
 
     Prediction predict_mean(const Eigen::VectorXd& parameters) const final {
-        return predict_mean_conditions(parameters, conditions_);
+        return with_direct(parameters, predict_mean_conditions(parameters, conditions_));
     }
 
-    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const final {
-        return values_of_conditions(parameters, conditions_);
-    }
+    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const final;
+
+    /// Predictions of readings, and after them those of the direct measurements.
+    Prediction with_direct(const Eigen::VectorXd& parameters, Prediction readings) const;
 
     /// Predictions at `parameters` of readings at these conditions.
     virtual Prediction predict_conditions(const Eigen::VectorXd& parameters,
@@ -112,9 +131,11 @@ class FlowModel : public Model {
 
   protected:
     const std::vector<Condition>& conditions() const { return conditions_; }
+    Eigen::Index direct_count() const { return static_cast<Eigen::Index>(direct_.size()); }
 
   private:
     std::vector<Condition> conditions_;
+    std::vector<DirectMeasurement> direct_;
 };
 
 }  // namespace pendular

@@ -33,7 +33,9 @@ StudyModel::StudyModel(const Study& study, const std::vector<Condition>& conditi
         with_effects_ = std::make_unique<EffectModel>(*model_, study, effects);
         model_ = with_effects_.get();
     }
+    measured_directly_ = direct_measurements(study, *catalogue_);
     model_->predict_for(conditions);
+    model_->predict_direct(measured_directly_);
 }
 
 StudyModel::StudyModel(const Study& study, const Calibration& c)

@@ -28,6 +28,8 @@ class StudyModel {
     FlowModel& model() { return *model_; }
     const FlowModel& model() const { return *model_; }
     const SimulationModel& simulation() const { return *simulation_; }
+    /// The study's direct measurements, which the model predicts too.
+    const std::vector<DirectMeasurement>& direct() const { return measured_directly_; }
 
     /// Writes into a calibration what makes this model again, and what it ordered.
     void note_in(Calibration& calibration) const;
@@ -39,6 +41,7 @@ class StudyModel {
     std::unique_ptr<FlowModel> closure_;      ///< none for base "dem"
     std::unique_ptr<EffectCatalogue> catalogue_;
     std::unique_ptr<FlowModel> with_effects_;  ///< none for a study without
+    std::vector<DirectMeasurement> measured_directly_;
     FlowModel* model_ = nullptr;
 };
 

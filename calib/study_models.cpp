@@ -23,6 +23,7 @@ StudyModels::StudyModels(const Study& study, std::vector<Condition> conditions,
     : study_(study),
       conditions_(std::move(conditions)),
       catalogue_(study),
+      direct_(direct_measurements(study, catalogue_)),
       listed_(catalogue_.active(study)) {
     known.orders_more = false;
     simulation_ = std::make_unique<EmulatedSimulation>(study, conditions_, fidelity, 1, Workers{},
@@ -104,6 +105,7 @@ const EffectModel& StudyModels::with(const Choice& chosen) const {
         }
         model = std::make_unique<EffectModel>(inside(effects), study_, effects);
         model->predict_for(conditions_);
+        model->predict_direct(direct_);
     }
     return *model;
 }

@@ -34,6 +34,9 @@ class StudyModels : public ModelSpace {
     ChangeErrors change_errors(const Choice& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;
 
+    /// The study's direct measurements, which its models predict after the readings.
+    const std::vector<DirectMeasurement>& direct() const { return direct_; }
+
     /// Effects that are neither listed nor candidates.
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
@@ -54,6 +57,7 @@ class StudyModels : public ModelSpace {
     Study study_;
     std::vector<Condition> conditions_;
     EffectCatalogue catalogue_;
+    std::vector<DirectMeasurement> direct_;
     std::vector<const Effect*> listed_, offered_;
     std::vector<Candidate> candidates_;
     std::vector<LeftAside> left_aside_;

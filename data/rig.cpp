@@ -8,9 +8,10 @@
 namespace pendular {
 namespace {
 
-const std::vector<std::string> rig_keys = {"normal_stress",   "inertial_number", "shear_rate",
-                                           "liquid_contents", "bead_mass",       "repeats",
-                                           "readings",        "wet_cost",        "filling_cost"};
+const std::vector<std::string> rig_keys = {
+    "normal_stress", "inertial_number", "shear_rate", "liquid_contents", "bead_mass",
+    "repeats",       "readings",        "wet_cost",   "filling_cost",    "wait",
+    "hour_cost",     "direct"};
 
 /// One value or two ends, all positive.
 std::optional<Span> span(const StudyTable& table, std::string_view key, std::string_view unit) {
@@ -67,6 +68,10 @@ std::optional<Rig> read_rig(const StudyTable& root, const Grains& grains, bool h
     rig.readings = count(*table, "readings", rig.readings);
     rig.wet_cost = cost(*table, "wet_cost", rig.wet_cost);
     rig.filling_cost = cost(*table, "filling_cost", rig.filling_cost);
+    if (table->has("wait")) rig.waits = table->quantities("wait", "s");
+    if (std::ranges::min(rig.waits) < 0) table->refuse("wait", "must not be negative");
+    rig.hour_cost = cost(*table, "hour_cost", rig.hour_cost);
+    rig.direct = read_direct_of_rig(*table);
     return rig;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "data/direct_table.h"
 #include "data/grains.h"
 
 namespace pendular {
@@ -26,6 +27,11 @@ struct Rig {
     int readings = 12;        ///< most in all, where one point is not enough
     double wet_cost = 1;      ///< of a wet reading, in dry ones
     double filling_cost = 0;  ///< of filling the cell with another amount of beads, in dry readings
+    /// Before a reading is taken, after the last one that was [s].
+    std::vector<double> waits = {0};
+    double hour_cost = 1;  ///< of an hour of that, in dry readings
+    /// Effects that can be measured by themselves.
+    std::vector<StatedDirect> direct = {};
 };
 
 /// [rig] of a study; empty where there is none.

@@ -14,7 +14,8 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-const Keys top_keys = {"grains", "liquid", "cell", "recording", "readings", "model", "effect", "rig"};
+const Keys top_keys = {"grains", "liquid", "cell",   "recording", "readings",
+                       "model",  "effect", "direct", "rig"};
 const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_ratio"};
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
 const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
@@ -194,6 +195,7 @@ Study read_study(const std::filesystem::path& path) {
     study.cell = read_cell(root, study.grains);
     study.model = read_model(root);
     study.written_effects = read_written_effects(root);
+    study.direct = read_direct(root);
     study.rig = read_rig(root, study.grains, study.liquid.has_value());
     study.sources = read_sources(root, study);
     return study;

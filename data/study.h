@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "data/annular_cell.h"
+#include "data/direct_table.h"
 #include "data/effect_tables.h"
 #include "data/grains.h"
 #include "data/input_error.h"
@@ -49,6 +50,7 @@ struct Study {
     std::vector<Source> sources;      ///< in run order
     ModelChoice model;
     std::vector<WrittenEffect> written_effects;
+    std::vector<StatedDirect> direct;  ///< effects that were measured by themselves
     std::optional<Rig> rig;
 };
 

@@ -179,6 +179,13 @@ std::optional<std::string> StudyTable::text(std::string_view key) const {
     return node->value<std::string>();
 }
 
+std::optional<Word> StudyTable::stated(std::string_view key) const {
+    const toml::node* const node = table_->get(key);
+    if (!node) return std::nullopt;
+    if (node->is_number()) return Word{fmt::format("{}", finite_number(key, *node)), at(key)};
+    return Word{*text(key), at(key)};
+}
+
 std::string StudyTable::choice(std::string_view key, const std::vector<std::string>& words) const {
     std::string word = text(key).value_or(words.front());
     if (std::find(words.begin(), words.end(), word) == words.end())

@@ -229,6 +229,9 @@ std::vector<std::string> effect_page(const EffectEntry& entry) {
         page.push_back(
             field("acts through", fmt::format("{}", fmt::join(effect.acts_through, ", "))));
     }
+    if (!effect.directly.empty()) {
+        page.push_back(field("measured by", effect.directly + "; see 'pendular next --help'"));
+    }
     for (const std::string& reference : effect.references) {
         page.push_back(field(entry.written ? "written in" : "source", reference));
     }
@@ -249,6 +252,10 @@ std::string manual_page(const EffectEntry& entry, const std::string& figure) {
                                    groups[group_index(effect)].heading, touched(effect));
     if (!effect.acts_through.empty()) {
         text += fmt::format(" It acts through `{}`.", fmt::join(effect.acts_through, "`, `"));
+    }
+    if (!effect.directly.empty()) {
+        text += fmt::format(" Measured by itself it is by {}: `[[direct]]` in a study.",
+                            markdown(effect.directly));
     }
     text +=
         "\n\n## Signature\n\n" + figure + "\n\n## How to switch it on\n\n" + manual_how_to(entry);
@@ -294,6 +301,7 @@ nlohmann::ordered_json to_json(const EffectEntry& entry) {
                                    {"touches", touched(effect)},
                                    {"parameters", nlohmann::ordered_json::array()},
                                    {"acts_through", effect.acts_through},
+                                   {"measured_by", effect.directly},
                                    {"references", effect.references},
                                    {"written", entry.written}};
     for (const EffectParameter& p : effect.parameters) {

@@ -84,12 +84,28 @@ Json formulas_json(const std::vector<WrittenEffect>& effects) {
 }
 
 /// What of a study, besides its readings, a calibration rests on.
+Json direct_json(const DirectMeasurement& direct) {
+    Json json = {{"parameter", direct.parameter}, {"unit", direct.unit}};
+    json.update(uncertain(direct.value, direct.standard_error));
+    return json;
+}
+
+Json direct_json(const std::vector<DirectMeasurement>& direct) {
+    Json json = Json::array();
+    for (const DirectMeasurement& each : direct) {
+        json.push_back(direct_json(each));
+    }
+    return json;
+}
+
 Json basis_json(const Grains& grains, const std::optional<Liquid>& liquid, const ModelChoice& model,
-                const std::vector<WrittenEffect>& written) {
+                const std::vector<WrittenEffect>& written,
+                const std::vector<DirectMeasurement>& direct) {
     return {{"grains", grains_json(grains)},
             {"liquid", liquid_json(liquid)},
             {"model", model_json(model)},
-            {"formulas", formulas_json(written)}};
+            {"formulas", formulas_json(written)},
+            {"direct_measurements", direct_json(direct)}};
 }
 
 Json fidelity_json(const Fidelity& f) {
@@ -236,7 +252,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
         json["predictions"].push_back(prediction_json(comparison.readings[k]));
         json["predictions"].back()["fitted"] = k < c.fitted;
     }
-    json.update(basis_json(c.grains, c.liquid, c.model, c.written_effects));
+    json.update(basis_json(c.grains, c.liquid, c.model, c.written_effects, c.direct));
     json["fidelity"] = fidelity_json(c.fidelity);
     json["seed"] = c.seed;
     json["rounds"] = c.rounds;
@@ -300,9 +316,12 @@ Calibration parse_calibration(const Json& json, const Study& study,
         entries.size() == readings.size() &&
         std::ranges::equal(entries, readings,
                            [](const Json& e, const Reading& r) { return made_from(e, r); });
-    const Json basis = basis_json(study.grains, study.liquid, study.model, study.written_effects);
-    const bool same_basis = std::ranges::all_of(
-        basis.items(), [&](const auto& item) { return json.at(item.key()) == item.value(); });
+    const auto direct = direct_measurements(study, EffectCatalogue(study));
+    const Json basis =
+        basis_json(study.grains, study.liquid, study.model, study.written_effects, direct);
+    const bool same_basis = std::ranges::all_of(basis.items(), [&](const auto& item) {
+        return json.value(item.key(), Json::array()) == item.value();  // none: nothing was measured
+    });
     if (!same_readings || !same_basis) {
         throw InputError(
             where,
@@ -314,6 +333,7 @@ Calibration parse_calibration(const Json& json, const Study& study,
     c.liquid = study.liquid;
     c.model = study.model;
     c.written_effects = study.written_effects;
+    c.direct = direct;
     c.fitted = fitted_count(study, readings);
     c.readings = readings;
     const Json& f = json.at("fidelity");
@@ -369,6 +389,13 @@ Json to_json(const Comparison& comparison, const std::vector<CohesionLine>& line
                            {"solid_fraction", comparison.rms_percent[1]}};
     json["by_observable"] = {{"shear_stress", comparison.by_observable[0]},
                              {"solid_fraction", comparison.by_observable[1]}};
+    json["direct_measurements"] = Json::array();
+    for (const DirectMisfit& direct : comparison.direct) {
+        Json one = direct_json(direct.measurement);
+        one["predicted"] = direct.predicted;
+        one["normalised"] = direct.normalised();
+        json["direct_measurements"].push_back(std::move(one));
+    }
     json["by_condition"] = Json::array();
     for (const auto& group : comparison.by_condition) {
         Json entry = {

@@ -30,11 +30,26 @@ std::string where(const Condition& c, const Study& study) {
                          : text;
 }
 
+std::string where(const Point& point, const Study& study) {
+    if (!point.direct) return where(point.condition, study);
+    return point.direct->parameter +
+           (point.direct->by.empty() ? "" : fmt::format(" ({})", point.direct->by));
+}
+
 std::string readings(int count) {
     return count == 1 ? "1 reading" : fmt::format("{} readings", count);
 }
 
-Eigen::Vector2d error_of(const Forecast& forecast) {
+/// "3 readings at 300 Pa, ...", "1 direct measurement of torque-offset.torque (...)".
+std::string to_measure(const Point& point, int count, const Study& study) {
+    if (!point.direct) return fmt::format("{} at {}", readings(count), where(point, study));
+    return fmt::format(
+        "{} of {}",
+        count == 1 ? "1 direct measurement" : fmt::format("{} direct measurements", count),
+        where(point, study));
+}
+
+Eigen::VectorXd error_of(const Forecast& forecast) {
     return (forecast.from_parameters + forecast.from_simulation).diagonal().cwiseSqrt();
 }
 
@@ -62,11 +77,27 @@ const Plan& plan_at(const NextMeasurement& next, std::size_t point) {
 
 /// What each rival says of a point.
 void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next, const Plan& plan) {
+    if (const auto& direct = next.points[plan.point].direct) {
+        lines.push_back(fmt::format("  {:<44} {:>30}", "if it is", direct->parameter));
+        const std::string unit = direct->unit == "1" ? "" : " " + direct->unit;
+        for (std::size_t k = 0; k < next.rivals.size(); ++k) {
+            const Forecast& forecast = plan.forecasts[k];
+            const double error = error_of(forecast)(0);
+            // Without the effect it is what neutral is, for sure.
+            lines.push_back(fmt::format("  {:<44} {:>30}", next.rivals[k].name,
+                                        error > 0
+                                            ? with_error(forecast.value(0), error, direct->unit)
+                                            : fmt::format("{:g}{}", forecast.value(0), unit)));
+        }
+        lines.push_back(fmt::format("  (one measurement has a standard error of {:.2g}{})",
+                                    direct->standard_error, unit));
+        return;
+    }
     lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", "if it is", "shear stress [Pa]",
                                 "solid fraction [1]"));
     for (std::size_t k = 0; k < next.rivals.size(); ++k) {
         const Forecast& forecast = plan.forecasts[k];
-        const Eigen::Vector2d error = error_of(forecast);
+        const Eigen::VectorXd error = error_of(forecast);
         lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", next.rivals[k].name,
                                     with_error(forecast.value(0), error(0)),
                                     with_error(forecast.value(1), error(1))));
@@ -77,8 +108,8 @@ void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next,
 }
 
 std::vector<std::string> separating_lines(const NextMeasurement& next) {
-    const auto at = [&](std::size_t point) {
-        return where(next.points[point].condition, next.study);
+    const auto measure = [&](const Series::Step& step) {
+        return to_measure(next.points[step.point], step.readings, next.study);
     };
     const auto& steps = next.series.steps;
     std::vector<std::string> lines;
@@ -88,21 +119,20 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
             "Not separable with this rig: {}, by up to {} at one point or {} in all. The most "
             "telling is {}.",
             joined(pair_names(next, false)), readings(next.most_repeats), next.most_readings,
-            at(best.point)));
+            where(next.points[best.point], next.study)));
         add_forecasts(lines, next, best);
         return lines;
     }
     const std::string apart = joined(pair_names(next, true));
     if (steps.size() == 1) {
-        lines.push_back(fmt::format("Measure {} at {}: that tells {} apart.",
-                                    readings(steps[0].readings), at(steps[0].point), apart));
+        lines.push_back(fmt::format("Measure {}: that tells {} apart.", measure(steps[0]), apart));
         add_forecasts(lines, next, plan_at(next, steps[0].point));
     } else {
         lines.push_back(
             fmt::format("No single point tells as much. These {} together tell {} apart:",
                         readings(next.series.readings()), apart));
         for (const Series::Step& step : steps) {
-            lines.push_back(fmt::format("{} at {}", readings(step.readings), at(step.point)));
+            lines.push_back(measure(step));
             add_forecasts(lines, next, plan_at(next, step.point));
         }
     }
@@ -115,9 +145,9 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
 std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     const Sharpening& best = next.sharpenings.front();
     const Rival& model = next.rivals.front();
-    std::vector<std::string> lines = {fmt::format(
-        "No rivals to tell apart. What sharpens the parameters most: {} at {}.",
-        readings(next.most_repeats), where(next.points[best.point].condition, next.study))};
+    std::vector<std::string> lines = {
+        fmt::format("No rivals to tell apart. What sharpens the parameters most: {}.",
+                    to_measure(next.points[best.point], next.most_repeats, next.study))};
     const auto& parameters = model.model->parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
@@ -129,6 +159,11 @@ std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
 }
 
 Json point_json(const Point& point, const Study& study) {
+    if (point.direct) {
+        return {{"direct", point.direct->parameter},
+                {"unit", point.direct->unit},
+                {"stderr", point.direct->standard_error}};
+    }
     const Condition& c = point.condition;
     Json json = {{"normal_stress", c.normal_stress},
                  {"inertial_number", c.inertial_number},
@@ -137,11 +172,15 @@ Json point_json(const Point& point, const Study& study) {
     if (c.bead_volume) {
         json["bead_mass"] = mass_of(c, study);
     }
+    json["time"] = c.time;
     return json;
 }
 
 Json forecast_json(const std::string& name, const Forecast& forecast) {
-    const Eigen::Vector2d error = error_of(forecast);
+    const Eigen::VectorXd error = error_of(forecast);
+    if (error.size() == 1) {
+        return {{"rival", name}, {"direct", uncertain(forecast.value(0), error(0))}};
+    }
     return {{"rival", name},
             {"shear_stress", uncertain(forecast.value(0), error(0))},
             {"solid_fraction", uncertain(forecast.value(1), error(1))}};
@@ -184,12 +223,14 @@ Json series_json(const NextMeasurement& next) {
     return json;
 }
 
+/// Whether two conditions differ in the normal stress alone.
 bool beside(const Condition& a, const Condition& b, const Study& study, bool same_rate) {
     const auto rate = [&](const Condition& c) {
         return shear_rate_at(c.inertial_number, c.normal_stress, study.grains);
     };
     const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-6 * std::abs(y); };
     return a.liquid_content == b.liquid_content && a.bead_volume == b.bead_volume &&
+           a.time == b.time &&
            (same_rate ? close(rate(a), rate(b)) : close(a.inertial_number, b.inertial_number));
 }
 
@@ -239,23 +280,34 @@ Figure next_figure(const NextMeasurement& next) {
     }
     const std::vector<std::string> colours = {model_colour, calibrated_colour, "#2e8b57", "#8e44ad",
                                               "#d68910"};
-    const std::size_t first =
-        next.series.steps.empty() ? next.plans.front().point : next.series.steps.front().point;
+    const auto of_shear = [&](std::size_t point) { return !next.points[point].direct; };
+    const auto best = std::ranges::find_if(next.plans, of_shear, &Plan::point);
+    if (best == next.plans.end()) {
+        return figure;
+    }
+    const auto& steps = next.series.steps;
+    const auto step = std::ranges::find_if(steps, of_shear, &Series::Step::point);
+    const std::size_t first = step == steps.end() ? best->point : step->point;
     const Condition& at = next.points[first].condition;
     const bool same_rate = next.study.rig && next.study.rig->shear_rate;
     std::vector<const Plan*> along;
     for (const Plan& plan : next.plans) {
-        if (beside(next.points[plan.point].condition, at, next.study, same_rate)) {
+        if (of_shear(plan.point) &&
+            beside(next.points[plan.point].condition, at, next.study, same_rate)) {
             along.push_back(&plan);
         }
     }
     std::ranges::sort(along, {}, &Plan::point);
-    std::vector<double> stresses = {at.normal_stress};
-    for (const Series::Step& step : next.series.steps) {
-        const Condition& c = next.points[step.point].condition;
-        if (step.point != first && beside(c, at, next.study, same_rate)) {
+    std::vector<double> stresses;  // to be measured
+    for (const Series::Step& each : steps) {
+        const Condition& c = next.points[each.point].condition;
+        if (of_shear(each.point) && beside(c, at, next.study, same_rate)) {
             stresses.push_back(c.normal_stress);
         }
+    }
+    if (steps.empty()) stresses.push_back(at.normal_stress);
+    if (stresses.empty()) {
+        figure.title = "What the rivals say of readings; a direct measurement tells them apart";
     }
     for (const std::size_t o : {0u, 1u}) {
         Panel panel{.x_label = "normal stress σ_{22} [Pa]",

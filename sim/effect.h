@@ -64,6 +64,7 @@ struct Effect {
     /// On without being listed wherever the study has a liquid, so that neutral is a choice too.
     bool on_with_liquid = false;
     std::vector<std::string> acts_through;  ///< covariates its signature grows with
+    std::string directly = {};  ///< what measures its parameter by itself; empty where nothing does
     std::vector<std::string> references;
 
     bool of_instrument() const { return std::holds_alternative<ChangeInstrument>(change); }

@@ -49,9 +49,7 @@ class Benchmark {
         for (const Truth& truth : truths_) {
             if (wanted(truth)) walk_all(truth);
         }
-        for (const Truth& truth : truths_) {
-            if (wanted(truth)) resolve_all(truth);
-        }
+        resolve_all();
         write_report(truths_, outcomes_, resolutions_, options_.results);
     }
 
@@ -62,8 +60,10 @@ class Benchmark {
                    return truth.name.starts_with(name);
                });
     }
+    /// Truths that ought to be named alone are few; each counts for more than its own world.
+    static int times(const Truth& truth) { return truth.well_separated() ? 2 : 1; }
     int worlds(const Truth& truth) const {
-        return truth.kind == Truth::Kind::complete ? all_worlds : options_.worlds;
+        return truth.kind == Truth::Kind::complete ? all_worlds : times(truth) * options_.worlds;
     }
     /// Studies of a truth take its worlds in turn; neighbours in the table have others.
     int world_of(const Truth& truth, int study) const {
@@ -71,7 +71,8 @@ class Benchmark {
         return 1 + (2 * row + study % worlds(truth)) % all_worlds;
     }
     int studies(const Truth& truth) const {
-        return truth.kind == Truth::Kind::complete ? options_.complete_studies : options_.studies;
+        return truth.kind == Truth::Kind::complete ? options_.complete_studies
+                                                   : times(truth) * options_.studies;
     }
     bool known(const Truth& truth, int study) const {
         return std::ranges::any_of(outcomes_, [&](const Outcome& outcome) {
@@ -127,34 +128,46 @@ class Benchmark {
         });
     }
 
-    /// Goes on measuring where the diagnosis could not tell single effects apart.
-    void resolve_all(const Truth& truth) {
-        std::vector<std::pair<int, Policy>> open;
+    struct Job {
+        const Truth* truth;
+        int study;
+        Policy policy;
+    };
+    /// Studies on which measuring goes on: where the diagnosis could not tell single effects apart.
+    void add_jobs(const Truth& truth, Policy policy, std::vector<Job>& jobs) const {
+        if (truth.kind != Truth::Kind::effect) return;
         for (const Outcome& outcome : outcomes_) {
-            if (truth.kind != Truth::Kind::effect || outcome.truth != truth.name ||
-                outcome.verdict != "indistinguishable" ||
+            if (outcome.truth != truth.name || outcome.verdict != "indistinguishable" ||
                 outcome.study >= options_.resolved_studies) {
                 continue;
             }
-            for (const Policy policy : {Policy::next, Policy::random}) {
-                const bool done = std::ranges::any_of(resolutions_, [&](const Resolution& r) {
-                    return r.truth == truth.name && r.study == outcome.study && r.policy == policy;
-                });
-                if (!done) open.emplace_back(outcome.study, policy);
+            const bool done = std::ranges::any_of(resolutions_, [&](const Resolution& r) {
+                return r.truth == truth.name && r.study == outcome.study && r.policy == policy;
+            });
+            if (!done) jobs.push_back({&truth, outcome.study, policy});
+        }
+    }
+
+    void resolve_all() {
+        std::vector<Job> jobs;
+        for (const Policy policy : {Policy::next, Policy::random}) {
+            for (const Truth& truth : truths_) {
+                if (wanted(truth)) add_jobs(truth, policy, jobs);
             }
         }
-        if (open.empty()) return;
-        std::map<int, LabResult> laboratories;
-        for (const auto& [study, policy] : open) {
-            const int world = world_of(truth, study);
-            if (!laboratories.contains(world)) laboratories[world] = laboratory(truth, world);
+        std::map<std::pair<const Truth*, int>, LabResult> laboratories;
+        for (const Job& job : jobs) {
+            const std::pair key(job.truth, world_of(*job.truth, job.study));
+            if (!laboratories.contains(key)) {
+                laboratories[key] = laboratory(*job.truth, key.second);
+            }
         }
-        side_by_side(open.size(), [&](std::size_t k) {
-            const auto& [study, policy] = open[k];
+        side_by_side(jobs.size(), [&](std::size_t k) {
+            const auto& [truth, study, policy] = jobs[k];
             const Workers workers{1, guard_.token(), {}, &store_};
-            add(resolve(truth, laboratories.at(world_of(truth, study)), study, policy,
+            add(resolve(*truth, laboratories.at({truth, world_of(*truth, study)}), study, policy,
                         options_.most_measurements, workers,
-                        folder_of(policy == Policy::next ? "next" : "random", truth, study)));
+                        folder_of(policy == Policy::next ? "next" : "random", *truth, study)));
         });
     }
 

@@ -19,8 +19,8 @@
 namespace pendular::bench {
 namespace {
 
-/// v (1 - cos^2) from which on an effect ought to be named alone, and up to which it cannot be.
-constexpr double well_separated = 15, hardly_separated = 4;
+/// v (1 - cos^2) up to which an effect cannot be named alone.
+constexpr double hardly_separated = 4;
 
 struct LabStudy {
     const Truth* truth;
@@ -184,8 +184,7 @@ std::vector<std::string> figures_of(const Studies& all) {
     const auto strong = those(all, [](const LabStudy& s) {
         return single(s) && (wanted(s) == 60 || (wanted(s) == 0 && s.truth->noncentrality >= 60));
     });
-    const auto apart =
-        those(strong, [](const LabStudy& s) { return s.truth->separation >= well_separated; });
+    const auto apart = those(strong, [](const LabStudy& s) { return s.truth->well_separated(); });
     add("right single verdict from noncentrality 60 on, v (1 - cos^2) >= 15", rate(apart, right));
     add("  or indistinguishable, with the truth in it", rate(apart, [](const LabStudy& s) {
             return right(s) || (verdict_is(s, "indistinguishable") && points_at_truth(s));

@@ -29,7 +29,10 @@ Rig rig_of_laboratory(const LabPlan& plan) {
             .inertial_number = Span{5e-3, 0.08},
             .liquid_contents = {0, 0.004, 0.014, 0.04},
             .bead_volumes = {beads(20e-3), beads(60e-3), beads(150e-3)},
-            .repeats = 6};
+            .repeats = 6,
+            // The empty cell turned, and the tare.
+            .direct = {{.effect = "torque-offset", .error = "0.1 mN m"},
+                       {.effect = "normal-force-offset", .error = "20 mN"}}};
 }
 
 /// One study on which measurements go on.
@@ -51,15 +54,16 @@ class Campaign {
             input_->study, conditions_of(readings_), truth_fidelity(),
             app::known_runs(StudyModels::with_all_effects(input_->study), truth_fidelity(), nullptr)
                 .value());
-        diagnosis_ =
-            pendular::diagnose(*models_, evidence_of(readings_, input_->measurements.scatter));
+        diagnosis_ = pendular::diagnose(
+            *models_, evidence_of(readings_, input_->measurements.scatter, models_->direct()));
     }
     const Diagnosis& diagnosis() const { return diagnosis_; }
 
     std::vector<Point> points() const {
         std::vector<Point> points = points_of(rig_of_laboratory(plan_), input_->study, 100);
         std::erase_if(points, [&](const Point& point) {
-            return !models_->beyond(diagnosis_.fit.parameters(0), point.condition).empty();
+            return !point.direct &&
+                   !models_->beyond(diagnosis_.fit.parameters(0), point.condition).empty();
         });
         return points;
     }
@@ -74,7 +78,9 @@ class Campaign {
     }
 
     /// Records so many readings at a point, with noise of their own.
-    void measure(const Condition& at, int readings) {
+    void measure(const Point& point, int readings) {
+        if (point.direct) return measure_directly(*point.direct, readings);
+        const Condition& at = point.condition;
         LabPlan plan = plan_;
         // Of its own at every measurement, and in none of the worlds.
         plan.seed =
@@ -92,7 +98,6 @@ class Campaign {
             });
         }
         const LabResult more = simulate_lab(plan, workers_);
-        std::string study = read_text(folder_ / "study.toml");
         const auto files = recordings_with_noise(more, truth_, study_ + 1000 * ++measured_);
         std::string entries;
         for (const LabRecording& recording : more.recordings) {
@@ -103,11 +108,33 @@ class Campaign {
                 "[[recording]]\nfile = \"{}\"\nliquid_content = {}\nbead_mass = \"{:.7g} g\"\n\n",
                 name, at.liquid_content, 1e3 * plan.cell.bead_volume * plan.grains.density);
         }
+        add_to_study(entries);
+    }
+
+  private:
+    /// Measures what the truth has of a parameter, or that it has none.
+    void measure_directly(const DirectMeasurement& direct, int times) {
+        const std::string effect = direct.parameter.substr(0, direct.parameter.find('.'));
+        double truth = direct.neutral;
+        for (const ActiveEffect& active : truth_.hidden) {
+            if (active.effect->name == effect) truth = active.values.front();
+        }
+        std::mt19937_64 random(noise_seed(truth_, study_ + 1000 * ++measured_));
+        std::normal_distribution<double> error(0, direct.standard_error);
+        std::string entries;
+        for (int k = 0; k < times; ++k) {
+            entries += fmt::format(
+                "[[direct]]\neffect = \"{0}\"\nvalue = \"{1} {3}\"\nerror = \"{2} {3}\"\n\n",
+                effect, truth + error(random), direct.standard_error, direct.unit);
+        }
+        add_to_study(entries);
+    }
+    void add_to_study(const std::string& entries) const {
+        std::string study = read_text(folder_ / "study.toml");
         study.insert(study.find("[model]"), entries);
         write_whole(folder_ / "study.toml", study);
     }
 
-  private:
     const Truth& truth_;
     LabPlan plan_;
     int study_;
@@ -144,12 +171,12 @@ std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory,
                 break;
             }
             for (const Series::Step& step : series.steps) {
-                campaign.measure(points[step.point].condition, step.readings);
+                campaign.measure(points[step.point], step.readings);
             }
             result.measurements += series.readings();
         } else {
             std::uniform_int_distribution<std::size_t> any(0, points.size() - 1);
-            campaign.measure(points[any(random)].condition, 1);
+            campaign.measure(points[any(random)], 1);
             ++result.measurements;
         }
         campaign.diagnose();

@@ -46,6 +46,11 @@ bool Truth::hides(const std::string& effect) const {
         hidden, [&](const ActiveEffect& active) { return active.effect->name == effect; });
 }
 
+bool Truth::well_separated() const {
+    constexpr double large = 55, apart = 15;  // planned for 60, by an emulator
+    return kind == Kind::effect && noncentrality >= large && separation >= apart;
+}
+
 std::string to_string(Truth::Kind kind) {
     constexpr std::array names = {"complete", "effect", "pair", "outside"};
     return names.at(static_cast<std::size_t>(kind));

@@ -24,6 +24,9 @@ struct Truth {
     std::string most_like = {};  ///< that effect
 
     bool hides(const std::string& effect) const;
+    /// Whether the effect is large, and its nearest rival leaves so much of it, that it ought to be
+    /// named alone.
+    bool well_separated() const;
 };
 
 std::string to_string(Truth::Kind kind);

@@ -83,7 +83,7 @@ void diagnose_into(Outcome& outcome, const Truth& truth, const app::StudyInput& 
     const StudyModels models(
         study, conditions_of(readings), truth_fidelity(),
         app::known_runs(StudyModels::with_all_effects(study), truth_fidelity(), nullptr).value());
-    const Evidence evidence = evidence_of(readings, input.measurements.scatter);
+    const Evidence evidence = evidence_of(readings, input.measurements.scatter, models.direct());
     const Diagnosis d = diagnose(models, evidence);
     outcome.verdict = to_string(d.verdict);
     outcome.named = d.effects;
@@ -107,16 +107,20 @@ void diagnose_into(Outcome& outcome, const Truth& truth, const app::StudyInput& 
 
 }  // namespace
 
-std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, const Truth& truth,
-                                                         int study) {
+std::uint64_t noise_seed(const Truth& truth, int study) {
     std::uint64_t seed =
         14695981039346656037u;  // the hash of Fowler, Noll and Vo: for ever the same
     for (const char letter : truth.name) {
         seed = (seed ^ static_cast<unsigned char>(letter)) * 1099511628211u;
     }
+    return seed + static_cast<std::uint64_t>(study);
+}
+
+std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, const Truth& truth,
+                                                         int study) {
     for (std::size_t k = 0; k < laboratory.recordings.size(); ++k) {
         laboratory.recordings[k].seed =
-            seed_of_run(seed + static_cast<std::uint64_t>(study), k, SeedDomain::instrument);
+            seed_of_run(noise_seed(truth, study), k, SeedDomain::instrument);
     }
     return study_files(laboratory);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -36,6 +37,9 @@ struct Outcome {
     std::optional<Added> added;
     double seconds = 0;
 };
+
+/// Seed of noise of this number, which no other truth has.
+std::uint64_t noise_seed(const Truth& truth, int study);
 
 /// The files of a laboratory whose instrument has noise of this number, which no other truth has.
 std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, const Truth& truth,

@@ -23,6 +23,7 @@ Effect capillary_bridges() {
             .touches = Touches::wet,
             .on_with_liquid = true,
             .acts_through = {"1/reduced_pressure", "liquid_content"},
+            .directly = "a tensiometer",
             .references = {"Badetti, Fall, Chevoir and Roux, Shear strength of wet granular "
                            "materials: macroscopic cohesion and effective stress (2018)",
                            "Maugis, J. Adhesion Sci. Technol. 1 (1987) 105: adherence of spheres "

@@ -33,6 +33,7 @@ Effect contact_angle() {
             }},
             .touches = Touches::wet,
             .acts_through = {"1/reduced_pressure"},
+            .directly = "a drop on the beads' material, less the study's angle",
             .references = {
                 "de Gennes, Brochard-Wyart and Quere, Capillarity and Wetting Phenomena (2004)",
                 "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "

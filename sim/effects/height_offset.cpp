@@ -23,6 +23,7 @@ Effect height_offset() {
                                        },
                                    .where = ChangeInstrument::Where::transducers},
         .acts_through = {"1/height"},
+        .directly = "a gauge block under the lid",
         .references = {
             "Schulze, Powders and Bulk Solids (2008): height of the sample in ring shear testers",
             "Davies and Stokes, J. Non-Newtonian Fluid Mech. 148 (2008) 73: errors of the gap of "

@@ -25,6 +25,7 @@ Effect lid_slip() {
                                        },
                                    .where = ChangeInstrument::Where::beads},
         .acts_through = {"inertial_number"},
+        .directly = "the velocity of the beads at the lid, seen through the wall",
         .references = {
             "GDR MiDi, Eur. Phys. J. E 14 (2004) 341: slip at the walls of dense granular flows",
             "Barnes, J. Non-Newtonian Fluid Mech. 56 (1995) 221: wall slip"}};

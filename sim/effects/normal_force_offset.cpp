@@ -22,6 +22,7 @@ Effect normal_force_offset() {
                                            },
                                        .where = ChangeInstrument::Where::transducers},
             .acts_through = {"1/normal_stress"},
+            .directly = "the tare: the normal force that the unloaded lid shows",
             .references = {"Schulze, Powders and Bulk Solids (2008): counterweight and tare of the "
                            "normal load of ring shear testers"}};
 }

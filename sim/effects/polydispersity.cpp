@@ -36,6 +36,7 @@ Effect polydispersity() {
             .change = dem::ChangeSample{.diameters = spread},
             .touches = Touches::all,
             .acts_through = {"solid_fraction"},
+            .directly = "sieving",
             .references = {
                 "Voivret, Radjai, Delenne, El Youssoufi, Phys. Rev. Lett. 102 (2009) 178001: "
                 "strength does not depend on the span of sizes",

@@ -21,6 +21,7 @@ Effect torque_gain() {
                                            },
                                        .where = ChangeInstrument::Where::transducers},
             .acts_through = {"shear_stress"},
+            .directly = "a known torque, as of a weight on a lever",
             .references = {
                 "Schulze, Powders and Bulk Solids (2008): calibration of ring shear testers"}};
 }

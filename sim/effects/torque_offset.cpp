@@ -22,6 +22,7 @@ Effect torque_offset() {
                                        },
                                    .where = ChangeInstrument::Where::transducers},
         .acts_through = {"1/normal_stress"},
+        .directly = "the torque of the empty cell while it turns",
         .references = {"Schulze, Powders and Bulk Solids (2008), section 4.3: tare of the shear "
                        "force of ring shear testers"}};
 }

@@ -59,6 +59,7 @@ Effect viscous_bridges() {
                                        }},
         .touches = Touches::wet,
         .acts_through = {"shear_rate", "inertial_number", "liquid_content"},
+        .directly = "a viscometer",
         .references = {
             "Pitois, Moucheront, Chateau, J. Colloid Interface Sci. 231 (2000) 26",
             "Cameron, The Principles of Lubrication (1966), for spheres fully immersed"}};

@@ -70,6 +70,7 @@ Effect wall_friction() {
                                            },
                                        .where = ChangeInstrument::Where::beads},
             .acts_through = {"height"},
+            .directly = "beads glued to a sled on the material of the walls",
             .references = {
                 "Janssen, Z. Ver. dt. Ing. 39 (1895) 1045: silo pressure",
                 "Schulze, Powders and Bulk Solids (2008): wall friction in ring shear testers"}};

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "analysis/diagnosis.h"
 #include "tests/physics/planted_readings.h"
 
@@ -12,6 +14,7 @@ namespace next_measurement_test {
 
 using namespace pendular;
 using testing::Contains;
+using testing::IsSupersetOf;
 using testing::Not;
 
 std::vector<Rival> rivals_of(const Diagnosis& d) {
@@ -64,6 +67,37 @@ TEST(NextMeasurement, TellsAHeightOffsetFromLostBeads) {
     const Diagnosis after = diagnose(more, evidence_of(readings, {}));
     EXPECT_THAT(after.effects, Contains("height-offset"));
     EXPECT_THAT(after.effects, Not(Contains("bead-loss")));
+}
+
+TEST(NextMeasurement, TellsADragFromATareByTheEmptyCell) {
+    // Over the normal stress both are a constant that is short or over.
+    const Planted planted{"torque-offset", 1e-3};
+    const std::vector<Reading> readings = readings_with(planted, 5);
+    const Diagnosis d = diagnose(models(), evidence_of(readings, {}));
+    ASSERT_EQ(d.verdict, Verdict::indistinguishable);
+    ASSERT_THAT(d.effects, IsSupersetOf({"torque-offset", "normal-force-offset"}));
+
+    Rig with_empty_cell = rig();
+    with_empty_cell.repeats = 3;
+    with_empty_cell.direct = {{.effect = "torque-offset", .error = "0.1 mN m", .cost = 0.5}};
+    const std::vector<Point> points = points_of(with_empty_cell, planted_study(), 1000);
+    const auto plans =
+        separating_plans(rivals_of(d), points, relative_errors(readings), with_empty_cell.repeats);
+    const Point& chosen = points[plans.front().point];
+    ASSERT_TRUE(chosen.direct);
+    EXPECT_EQ(chosen.direct->parameter, "torque-offset.torque");
+
+    // The empty cell is turned; of a drag it shows as much as there is, of a tare nothing.
+    Study measured = planted_study();
+    for (const auto& [value, right, wrong] :
+         {std::tuple("1.08 mN m", "torque-offset", "normal-force-offset"),
+          std::tuple("-0.06 mN m", "normal-force-offset", "torque-offset")}) {
+        measured.direct = {{.effect = "torque-offset", .value = value, .error = "0.1 mN m"}};
+        const StudyModels more = models_of(conditions(), measured);
+        const Diagnosis after = diagnose(more, evidence_of(readings, {}, more.direct()));
+        EXPECT_THAT(after.effects, Contains(right)) << value;
+        EXPECT_THAT(after.effects, Not(Contains(wrong))) << value;
+    }
 }
 
 TEST(NextMeasurement, CannotTellTheAngleFromTheTension) {

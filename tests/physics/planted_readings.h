@@ -27,9 +27,10 @@ inline const Study& planted_study() {
     return study;
 }
 
-inline StudyModels models_of(const std::vector<Condition>& conditions) {
+inline StudyModels models_of(const std::vector<Condition>& conditions,
+                             const Study& study = planted_study()) {
     const Fidelity quick = fidelity_named("quick");
-    return {planted_study(),
+    return {study,
             conditions,
             quick,
             {EmulatedSimulation::serving(StudyModels::with_all_effects(planted_study()), quick,

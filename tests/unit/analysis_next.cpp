@@ -21,6 +21,8 @@ class Offset : public FlowModel {
   public:
     explicit Offset(double offset, double simulation_error = 0)
         : offset_(offset), error_(simulation_error) {}
+    /// One that calls its parameter otherwise.
+    explicit Offset(const std::string& parameter) : Offset(0) { parameters_[0].name = parameter; }
     const std::vector<Parameter>& parameters() const override { return parameters_; }
     Prediction predict_conditions(const Eigen::VectorXd& parameters,
                                   const std::vector<Condition>& conditions) const override {
@@ -185,6 +187,80 @@ TEST(NextMeasurement, SpendsNothingOnPairsThatStayTogether) {
     EXPECT_EQ(series.readings(), 1);
 }
 
+/// A direct measurement of a friction that is 0.25 where it is not fitted.
+Point sled(double standard_error, double cost) {
+    return {.direct = DirectMeasurement{.parameter = "friction",
+                                        .unit = "1",
+                                        .neutral = 0.25,
+                                        .standard_error = standard_error},
+            .cost = cost};
+}
+
+TEST(NextMeasurement, IsADirectOneWhereThatTellsMore) {
+    // Alike in every reading; but one has the friction as its parameter.
+    const Offset has("friction"), has_not("wall.slip");
+    const std::vector<Rival> rivals = {rival("a", has, 0.3, 0.01), rival("b", has_not, 0.3, 0.01)};
+    auto points = at({100, 1000});
+    points.push_back(sled(0.02, 1));
+    const auto plans = separating_plans(rivals, points, noise, 20);
+    ASSERT_EQ(plans.front().point, 2u);
+    // 0.05 apart with the parameter's 0.01 and 0.02/sqrt(n): n = 3 is 0.0025/0.000233 = 10.7.
+    EXPECT_EQ(plans.front().repeats, 3);
+    EXPECT_TRUE(plans.back().separated.empty());
+    EXPECT_EQ(plans.front().forecasts[0].value.size(), 1);
+    EXPECT_DOUBLE_EQ(plans.front().forecasts[0].value(0), 0.3);
+    EXPECT_DOUBLE_EQ(plans.front().forecasts[1].value(0), 0.25);
+    EXPECT_DOUBLE_EQ(plans.front().forecasts[1].from_parameters(0, 0), 0);
+    // Too coarse, it tells nothing.
+    points.back() = sled(0.5, 1);
+    EXPECT_TRUE(separating_plans(rivals, points, noise, 20).front().separated.empty());
+}
+
+TEST(NextMeasurement, TakesADirectOneAmongSeveral) {
+    // One fits an offset of 3 Pa with 0.3 of friction, the other 0.303 without: what is known of
+    // the friction to 3 % only. Neither a reading nor the sled tells alone, both together do.
+    const Offset plain(0), with_offset(3);
+    const std::vector<Rival> rivals = {rival("a", plain, 0.303, 0.01),
+                                       rival("b", with_offset, 0.3, 0.01)};
+    auto points = at({300});
+    points.push_back(sled(1e-4, 0.1));
+    ASSERT_TRUE(separating_plans(rivals, at({300}), noise, 20).front().separated.empty());
+    const Rig rig{.repeats = 20, .readings = 12};
+    const auto plans = separating_plans(rivals, points, noise, rig.repeats);
+    EXPECT_TRUE(plans.front().separated.empty());
+    const Series series = next_series(plans, rivals, points, noise, rig);
+    ASSERT_EQ(series.steps.size(), 2u);
+    EXPECT_EQ(series.steps[1].point, 1u);
+    EXPECT_EQ(series.separated.size(), 1u);
+}
+
+TEST(NextMeasurement, WeighsTheWait) {
+    const Study study;
+    Rig rig{.normal_stress = {100, 100},
+            .inertial_number = Span{0.01, 0.01},
+            .waits = {0, 7200},
+            .hour_cost = 0.5};
+    const auto points = points_of(rig, study, 60);
+    ASSERT_EQ(points.size(), 2u);
+    EXPECT_EQ(points[0].condition.time, 60);
+    EXPECT_EQ(points[1].condition.time, 7260);
+    const Offset plain(0), with_offset(3);
+    const auto plans = separating_plans(
+        {rival("a", plain, 0.303, 1e-4), rival("b", with_offset, 0.3, 1e-4)}, points, noise, 10);
+    EXPECT_EQ(plans[0].point, 0u);
+    EXPECT_EQ(plans[1].cost, plans[0].cost + 1);
+}
+
+TEST(NextMeasurement, SharpensAParameterByADirectOne) {
+    const Offset model(0);
+    auto points = at({1000});
+    points.push_back(sled(0.003, 1));
+    const auto plans = sharpening_plans(rival("a", model, 0.3, 0.003), points, noise, 1);
+    const auto direct =
+        std::ranges::find_if(plans, [](const Sharpening& each) { return each.point == 1; });
+    EXPECT_NEAR(direct->standard_errors(0), 0.003 / std::sqrt(2.0), 1e-12);
+}
+
 TEST(NextMeasurement, SharpensAParameterAsMuchAsItSays) {
     const Offset model(0);
     const auto plans = sharpening_plans(rival("a", model, 0.3, 0.003), at({1000}), noise, 4);
@@ -215,6 +291,16 @@ TEST(Rig, IsReadWithItsUnits) {
     EXPECT_NEAR(read.rig->bead_volumes.at(1), 6e-5, 1e-12);
     EXPECT_EQ(points_of(*read.rig, read, 0).size(), 2u * 7u);
 
+    const Study direct = study(
+        "normal_stress = \"1 kPa\"\ninertial_number = 0.01\nwait = [\"0 h\", \"2 h\"]\n"
+        "[[rig.direct]]\neffect = \"polydispersity\"\nerror = 0.01\ncost = 2\n");
+    EXPECT_EQ(direct.rig->waits, (std::vector<double>{0, 7200}));
+    const auto points = points_of(*direct.rig, direct, 0);
+    ASSERT_EQ(points.size(), 2u + 1u);
+    EXPECT_EQ(points.back().direct->parameter, "polydispersity.deviation");
+    EXPECT_EQ(points.back().direct->standard_error, 0.01);
+    EXPECT_EQ(points.back().cost, 2);
+
     const auto refusal = [&](const std::string& rig) {
         try {
             study(rig);
@@ -235,6 +321,11 @@ TEST(Rig, IsReadWithItsUnits) {
                 testing::HasSubstr("whole number"));
     EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\nrepeat = 3\n"),
                 testing::HasSubstr("repeats"));
+    EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\nwait = \"-1 h\"\n"),
+                testing::HasSubstr("'wait': must not be negative"));
+    EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\n"
+                        "[[rig.direct]]\neffect = \"polydispersity\"\n"),
+                testing::HasSubstr("[[direct]] lacks 'error'"));
 }
 
 }  // namespace pendular::analysis_next_test

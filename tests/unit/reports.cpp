@@ -200,6 +200,9 @@ TEST(FitFile, IsReadBackForTheSameReadingsOnly) {
     Study stiffer = study();
     stiffer.grains.youngs_modulus = 3e9;
     EXPECT_THROW(read_calibration(file, stiffer, c.readings), InputError);
+    Study sieved = study();
+    sieved.direct = {{.effect = "polydispersity", .value = "0.02", .error = "0.01"}};
+    EXPECT_THROW(read_calibration(file, sieved, c.readings), InputError);
     EXPECT_THROW(read_calibration(folder.path() / "none.json", study(), c.readings), InputError);
     folder.write("cut.json", content_of(file).substr(0, 200));
     EXPECT_THROW(read_calibration(folder.path() / "cut.json", study(), c.readings), InputError);

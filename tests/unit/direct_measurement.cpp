@@ -1,0 +1,191 @@
+// Effects measured by themselves: how a study states them, what a model says of them, and what they
+// are worth in a fit and a diagnosis.
+#include "sim/direct_measurement.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "analysis/study_evidence.h"
+#include "calib/fit.h"
+#include "data/input_error.h"
+#include "data/study.h"
+#include "tests/unit/app_support.h"
+#include "tests/unit/data_support.h"
+
+namespace pendular::direct_measurement_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A study with these entries.
+Study study_with(const TemporaryFolder& folder, const std::string& entries) {
+    std::ofstream(folder.path() / "points.csv")
+        << "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction [1],"
+           "solid_fraction_sd [1],inertial_number [1],liquid_content [1]\n"
+           "300,79.1,0.8,0.6189,0.0012,0.003,0\n"
+           "1000,258.0,2.6,0.6198,0.0012,0.003,0\n"
+           "3000,766.0,7.7,0.6203,0.0012,0.003,0\n";
+    std::ofstream(folder.path() / "study.toml")
+        << "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n"
+           "[cell]\ninner_radius = \"21 mm\"\nouter_radius = \"45 mm\"\nbead_mass = \"60 g\"\n"
+           "[liquid]\nsurface_tension = \"20 mN/m\"\ncontact_angle = \"0 deg\"\n"
+           "[[readings]]\nfile = \"points.csv\"\n"
+        << entries;
+    return read_study(folder.path());
+}
+
+std::vector<DirectMeasurement> measured(const std::string& entries) {
+    const TemporaryFolder folder;
+    const Study study = study_with(folder, entries);
+    return direct_measurements(study, EffectCatalogue(study));
+}
+
+std::string refusal(const std::string& entries) {
+    try {
+        measured(entries);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(DirectMeasurement, IsReadInTheUnitOfItsEffect) {
+    const auto direct = measured(
+        "[[direct]]\neffect = \"torque-offset\"\nvalue = \"0.42 mN m\"\nerror = \"50 uN m\"\n"
+        "[[direct]]\neffect = \"bead-loss\"\nvalue = 0.002\nerror = \"0.1 %\"\n"
+        "[[direct]]\neffect = \"capillary-bridges\"\nvalue = \"21 mN/m\"\nerror = \"1 mN/m\"\n");
+    ASSERT_EQ(direct.size(), 3u);
+    EXPECT_EQ(direct[0].parameter, "torque-offset.torque");
+    EXPECT_DOUBLE_EQ(direct[0].value, 0.42e-3);
+    EXPECT_DOUBLE_EQ(direct[0].standard_error, 5e-5);
+    EXPECT_EQ(direct[0].neutral, 0);
+    EXPECT_THAT(direct[0].by, HasSubstr("empty cell"));
+    EXPECT_EQ(direct[1].value, 0.002);
+    EXPECT_DOUBLE_EQ(direct[1].standard_error, 0.001);
+    // On in any case: what the study gives is what a model without it says.
+    EXPECT_DOUBLE_EQ(direct[2].neutral, 0.02);
+}
+
+TEST(DirectMeasurement, IsRefusedWithTheWayOut) {
+    EXPECT_THAT(refusal("[[direct]]\neffect = \"torque-ofset\"\nvalue = \"1 mN m\"\n"
+                        "error = \"1 mN m\"\n"),
+                AllOf(HasSubstr("study.toml:14:10"), HasSubstr("torque-offset")));
+    EXPECT_THAT(refusal("[[direct]]\neffect = \"torque-offset\"\nvalue = \"1 N\"\n"
+                        "error = \"1 mN m\"\n"),
+                AllOf(HasSubstr("study.toml:15:9"), HasSubstr("'value'")));
+    EXPECT_THAT(refusal("[[direct]]\neffect = \"torque-offset\"\nvalue = \"1 mN m\"\n"
+                        "error = \"0 mN m\"\n"),
+                AllOf(HasSubstr("study.toml:16:9"), HasSubstr("positive")));
+    EXPECT_THAT(refusal("[[direct]]\neffect = \"torque-offset\"\nerror = \"1 mN m\"\n"),
+                HasSubstr("lacks 'value'"));
+    EXPECT_THAT(refusal("[[direct]]\neffect = \"grain-weight\"\nvalue = 1\nerror = 1\n"),
+                HasSubstr("without a size"));
+    EXPECT_THAT(refusal("[direct]\neffect = \"torque-offset\"\n"), HasSubstr("[[direct]]"));
+}
+
+/// Shear stress theta s22, solid fraction 0.6.
+class Line : public FlowModel {
+  public:
+    explicit Line(const std::string& parameter) : parameters_{{.name = parameter, .upper = 1}} {}
+    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    Prediction predict_conditions(const Eigen::VectorXd& parameters,
+                                  const std::vector<Condition>& conditions) const override {
+        const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
+        Prediction result{Eigen::VectorXd::Constant(n, 0.6), Eigen::MatrixXd::Zero(n, 1),
+                          Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
+        for (std::size_t k = 0; k < conditions.size(); ++k) {
+            const auto entry = 2 * static_cast<Eigen::Index>(k);
+            result.value(entry) = parameters(0) * conditions[k].normal_stress;
+            result.jacobian(entry, 0) = conditions[k].normal_stress;
+        }
+        return result;
+    }
+    void improve(const Eigen::VectorXd&, double) override {}
+    void learn_wet(const Eigen::VectorXd&, int) override {}
+    Supported supported() const override {
+        return {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
+    }
+
+  private:
+    std::vector<Parameter> parameters_;
+};
+
+Reading reading(double shear_stress, double error) {
+    Reading result{.condition = {.normal_stress = 100, .inertial_number = 0.01}};
+    result.value << shear_stress, 0.6;
+    result.covariance = Eigen::Vector2d(error * error, 1e-6).asDiagonal();
+    return result;
+}
+
+const std::vector<DirectMeasurement> two = {
+    {.parameter = "friction", .unit = "1", .value = 0.34, .standard_error = 0.02},
+    {.parameter = "other", .unit = "1", .neutral = 2, .value = 2.3, .standard_error = 0.1}};
+
+TEST(DirectMeasurement, WeighsInAFitByItsError) {
+    Line model("friction");
+    model.predict_for({reading(30, 1).condition});
+    model.predict_direct(two);
+    const Fit best = fit(model, stack({reading(30, 1)}, two), Eigen::VectorXd::Constant(1, 0.2));
+    // 0.30(1) and 0.34(2).
+    EXPECT_NEAR(best.parameters(0), 0.308, 1e-9);
+    EXPECT_NEAR(best.standard_error(0), 0.01 / std::sqrt(1.25), 1e-9);
+    EXPECT_EQ(best.dof, 2 + 2 - 1);
+    // Where a model has no such parameter it says neutral: 0.3 off with an error of 0.1.
+    EXPECT_NEAR(best.chi2, 0.64 + 2.56 + 9, 1e-6);
+    EXPECT_DOUBLE_EQ(model.values(best.parameters)(3), 2);
+}
+
+TEST(DirectMeasurement, IsAnEntryOfItsOwnInADiagnosis) {
+    std::vector<DirectMeasurement> direct = two;
+    direct[1].value = 0;  // nothing of the other was found: that counts too
+    const std::vector<Reading> readings = {reading(30, 1), reading(31, 1)};
+    const Evidence evidence = evidence_of(readings, {}, direct);
+    ASSERT_EQ(evidence.measured.value.size(), 6);
+    EXPECT_EQ(evidence.measured.value(5), 0);
+    EXPECT_DOUBLE_EQ(evidence.measured.covariance(4, 4), 0.0004);
+    EXPECT_THAT(evidence.conditions, testing::IsSupersetOf({std::vector<Eigen::Index>{4},
+                                                            std::vector<Eigen::Index>{5}}));
+    EXPECT_EQ(evidence.suspects.back().name, "the direct measurements of other");
+    EXPECT_GT(evidence.suspects.back().columns(5, 0), 0);
+
+    Line model("friction");
+    model.predict_for({readings[0].condition, readings[1].condition});
+    model.predict_direct(direct);
+    const WeightedResiduals residuals(evidence.measured,
+                                      model.predict(Eigen::VectorXd::Constant(1, 0.305)));
+    // Lack of fit sees 20 standard errors of it.
+    const Eigen::MatrixXd means = residuals.means_over(evidence.conditions);
+    EXPECT_GT((means.transpose() * residuals.residuals()).squaredNorm(), 399);
+}
+
+TEST(DirectMeasurement, CountsOnTheCommandLine) {
+    const TemporaryFolder folder;
+    const auto diagnosis = [&](const std::string& entries) {
+        study_with(folder, entries);
+        const Outcome run =
+            run_pendular("diagnose " + folder.path().string() + " --quiet --json -");
+        EXPECT_EQ(run.code, 0) << run.errors;
+        return nlohmann::json::parse(run.output);
+    };
+    const std::string drag = "[[direct]]\neffect = \"torque-offset\"\nvalue = \"0.1 mN m\"\n",
+                      on = "[model]\neffects = [\"torque-offset\"]\n";
+    // The readings alone do not see a drag of this size; the empty cell does.
+    EXPECT_THAT(diagnosis("").at("verdict"), "inconclusive");
+    const auto missing = diagnosis(drag + "error = \"5 uN m\"\n");
+    EXPECT_EQ(missing.at("verdict"), "missing");
+    EXPECT_THAT(missing.at("effects"), testing::ElementsAre("torque-offset"));
+    // And tells its size where it is on.
+    const auto added = diagnosis(on + drag + "error = \"5 uN m\"\n");
+    EXPECT_EQ(added.at("verdict"), "inconclusive");
+    const auto& torque = added.at("parameters").at("torque-offset.torque");
+    EXPECT_NEAR(torque.at("value"), 1e-4, 5e-6);
+    EXPECT_NEAR(torque.at("stderr"), 5e-6, 1e-6);
+    EXPECT_GT(diagnosis(on).at("parameters").at("torque-offset.torque").at("stderr"), 1.5e-5);
+}
+
+}  // namespace pendular::direct_measurement_test
