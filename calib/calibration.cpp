@@ -128,6 +128,19 @@ bool learn_wet(FlowModel& model, const Calibration& c) {
     return false;
 }
 
+/// What direct measurements know of parameters: J' Sigma^-1 J.
+Eigen::MatrixXd information_of(const std::vector<DirectMeasurement>& direct,
+                               const std::vector<Parameter>& parameters) {
+    const auto count = static_cast<Eigen::Index>(parameters.size());
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
+    for (const DirectMeasurement& each : direct) {
+        if (const auto place = place_of(each, parameters)) {
+            information(*place, *place) += 1 / (each.standard_error * each.standard_error);
+        }
+    }
+    return information;
+}
+
 }  // namespace
 
 void check_range(const std::vector<Reading>& readings, const Study& study,
@@ -188,14 +201,17 @@ Prediction predict_unseen(const FlowModel& model, const Calibration& c,
     const Eigen::MatrixXd weight = (measured + both.covariance.topLeftCorner(n, n)).inverse();
     // theta = K (y - f) + ..., so that errors e of the seen readings and d of all predictions make
     // an error J K (e - d_seen) + d_unseen.
-    const Eigen::MatrixXd through_fit = both.jacobian.bottomRows(rest) * c.fit.covariance *
-                                        both.jacobian.topRows(n).transpose() * weight;
+    const Eigen::MatrixXd slopes = both.jacobian.bottomRows(rest) * c.fit.covariance;
+    const Eigen::MatrixXd through_fit = slopes * both.jacobian.topRows(n).transpose() * weight;
+    // Errors of the direct measurements come through the fit too.
+    const Eigen::MatrixXd direct = information_of(c.direct, model.parameters());
     Eigen::MatrixXd map(rest, n + rest);
     map << -through_fit, Eigen::MatrixXd::Identity(rest, rest);
     return {.value = both.value.tail(rest),
             .jacobian = both.jacobian.bottomRows(rest),
             .covariance = map * both.covariance * map.transpose() +
-                          through_fit * measured * through_fit.transpose(),
+                          through_fit * measured * through_fit.transpose() +
+                          slopes * direct * slopes.transpose(),
             .run_noise = both.run_noise.bottomRightCorner(rest, rest)};
 }
 

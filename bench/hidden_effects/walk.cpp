@@ -67,7 +67,7 @@ Outcome::Added added(const app::StudyInput& input, const std::vector<std::string
     for (const std::string& effect : effects) {
         more = app::plan_change(more, app::Action::add, effect).study;
     }
-    const app::Fitted after = fitted_with(more, input.measurements);
+    const app::Fitted after = effects.empty() ? before : fitted_with(more, input.measurements);
     const boost::math::chi_squared law(after.rung.dof);
     return {.p = boost::math::cdf(boost::math::complement(law, after.rung.chi2)),
             .rms_before = before.rung.rms_percent,
@@ -136,7 +136,7 @@ Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
     for (const ActiveEffect& active : truth.hidden) {
         hidden.push_back(active.effect->name);
     }
-    if (outcome.set_has_truth && !hidden.empty()) outcome.added = added(input, hidden);
+    if (outcome.set_has_truth) outcome.added = added(input, hidden);
     std::filesystem::remove_all(folder);
     outcome.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

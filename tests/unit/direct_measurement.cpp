@@ -11,7 +11,7 @@
 #include <string>
 
 #include "analysis/study_evidence.h"
-#include "calib/fit.h"
+#include "calib/calibration.h"
 #include "data/input_error.h"
 #include "data/study.h"
 #include "tests/unit/app_support.h"
@@ -138,6 +138,19 @@ TEST(DirectMeasurement, WeighsInAFitByItsError) {
     // Where a model has no such parameter it says neutral: 0.3 off with an error of 0.1.
     EXPECT_NEAR(best.chi2, 0.64 + 2.56 + 9, 1e-6);
     EXPECT_DOUBLE_EQ(model.values(best.parameters)(3), 2);
+}
+
+TEST(DirectMeasurement, IsInTheErrorsOfPredictions) {
+    // 0.30(1) and 0.34(2) make an error of 0.01/sqrt(1.25), whichever of them it comes from.
+    Line model("friction");
+    Calibration c{.readings = {reading(30, 1)}, .fitted = 1, .direct = {two[0]}};
+    model.predict_for({c.readings[0].condition});
+    model.predict_direct(c.direct);
+    c.parameters = model.parameters();
+    c.fit = fit(model, stack(c.readings, c.direct), Eigen::VectorXd::Constant(1, 0.2));
+    const Prediction there =
+        predict_unseen(model, c, {{.normal_stress = 1000, .inertial_number = 0.01}});
+    EXPECT_NEAR(std::sqrt(there.covariance(0, 0)), 1000 * 0.01 / std::sqrt(1.25), 1e-6);
 }
 
 TEST(DirectMeasurement, IsAnEntryOfItsOwnInADiagnosis) {
