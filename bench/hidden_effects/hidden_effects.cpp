@@ -49,7 +49,8 @@ class Benchmark {
         for (const Truth& truth : truths_) {
             if (wanted(truth)) walk_all(truth);
         }
-        resolve_all();
+        resolve_all(Policy::next);
+        resolve_all(Policy::random);
         write_report(truths_, outcomes_, resolutions_, options_.results);
     }
 
@@ -144,16 +145,23 @@ class Benchmark {
             const bool done = std::ranges::any_of(resolutions_, [&](const Resolution& r) {
                 return r.truth == truth.name && r.study == outcome.study && r.policy == policy;
             });
-            if (!done) jobs.push_back({&truth, outcome.study, policy});
+            if (!done && (policy == Policy::next || separable(truth.name, outcome.study))) {
+                jobs.push_back({&truth, outcome.study, policy});
+            }
         }
     }
 
-    void resolve_all() {
+    /// Whether `next` said that its rig can tell what a study hides.
+    bool separable(const std::string& truth, int study) const {
+        return std::ranges::any_of(resolutions_, [&](const Resolution& r) {
+            return r.policy == Policy::next && r.separable && r.truth == truth && r.study == study;
+        });
+    }
+
+    void resolve_all(Policy policy) {
         std::vector<Job> jobs;
-        for (const Policy policy : {Policy::next, Policy::random}) {
-            for (const Truth& truth : truths_) {
-                if (wanted(truth)) add_jobs(truth, policy, jobs);
-            }
+        for (const Truth& truth : truths_) {
+            if (wanted(truth)) add_jobs(truth, policy, jobs);
         }
         std::map<std::pair<const Truth*, int>, LabResult> laboratories;
         for (const Job& job : jobs) {

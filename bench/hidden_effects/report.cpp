@@ -251,7 +251,7 @@ std::vector<std::string> figures_of(const Studies& all) {
 }
 
 /// What further measurements settled, by how they were chosen. `next` says itself where its rig
-/// separates nothing; the same studies count for the random choice.
+/// does not tell the truth from all others; the same studies count for the random choice.
 std::vector<std::string> resolved_lines(const std::vector<Resolution>& resolutions) {
     std::vector<std::string> lines;
     const auto hopeless = [&](const Resolution& r) {
@@ -279,11 +279,17 @@ std::vector<std::string> resolved_lines(const std::vector<Resolution>& resolutio
                                        here.size(), percent(right / here.size()),
                                        measurements.empty() ? NAN : median(measurements))));
     }
-    lines.push_back(fmt::format(
-        "{:<78} {}", "  left out: studies in which next said that nothing separates what was left",
-        std::ranges::count_if(resolutions, [](const Resolution& r) {
-            return r.policy == Policy::next && !r.separable;
-        })));
+    const auto count = [&](const auto& test) {
+        return std::ranges::count_if(
+            resolutions, [&](const Resolution& r) { return r.policy == Policy::next && test(r); });
+    };
+    const auto add = [&](const char* what, std::ptrdiff_t studies) {
+        lines.push_back(fmt::format("{:<78} {}", what, studies));
+    };
+    add("  left out: studies in which next said that its rig does not tell all rivals apart",
+        count([](const Resolution& r) { return r.among && !r.separable; }));
+    add("  left out: studies in which what is hidden was not among the rivals",
+        count([](const Resolution& r) { return !r.among; }));
     return lines;
 }
 

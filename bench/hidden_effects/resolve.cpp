@@ -59,6 +59,7 @@ class Campaign {
     }
     const Diagnosis& diagnosis() const { return diagnosis_; }
 
+    std::vector<Rival> rivals() const { return app::rivals_of(diagnosis_, *models_); }
     std::vector<Point> points() const {
         std::vector<Point> points = points_of(rig_of_laboratory(plan_), input_->study, 100);
         std::erase_if(points, [&](const Point& point) {
@@ -71,7 +72,7 @@ class Campaign {
         Rig rig = rig_of_laboratory(plan_);
         rig.readings = most_readings;
         rig.repeats = std::min(rig.repeats, most_readings);
-        const auto rivals = app::rivals_of(diagnosis_, *models_);
+        const auto rivals = this->rivals();
         const Eigen::Vector2d noise = relative_errors(readings_);
         return next_series(separating_plans(rivals, points, noise, rig.repeats), rivals, points,
                            noise, rig);
@@ -147,6 +148,25 @@ class Campaign {
     Diagnosis diagnosis_;
 };
 
+/// Whether readings tell one rival from all others.
+bool tells_apart(const Series& series, std::size_t rival, std::size_t rivals) {
+    const auto with_it = std::ranges::count_if(series.separated, [&](const auto& pair) {
+        return pair.first == rival || pair.second == rival;
+    });
+    return static_cast<std::size_t>(with_it) + 1 == rivals;
+}
+
+/// What `next` says of the truth at first.
+void ask_next(const Campaign& campaign, const Truth& truth, int most_measurements,
+              Resolution& result) {
+    const auto rivals = campaign.rivals();
+    const auto found = std::ranges::find(rivals, truth.hidden.front().effect->name, &Rival::name);
+    result.among = found != rivals.end();
+    result.separable = result.among &&
+                       tells_apart(campaign.series(campaign.points(), most_measurements),
+                                   static_cast<std::size_t>(found - rivals.begin()), rivals.size());
+}
+
 }  // namespace
 
 std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory, int study,
@@ -159,17 +179,15 @@ std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory,
                       .study = study,
                       .policy = policy,
                       .rivals = campaign.diagnosis().confidence_set.size()};
+    if (policy == Policy::next) ask_next(campaign, truth, most_measurements, result);
     std::mt19937_64 random(static_cast<std::uint64_t>(study) + 17);
-    while (campaign.diagnosis().verdict == Verdict::indistinguishable &&
+    while (result.separable && campaign.diagnosis().verdict == Verdict::indistinguishable &&
            result.measurements < most_measurements) {
         const std::vector<Point> points = campaign.points();
         const int left = most_measurements - result.measurements;
         if (policy == Policy::next) {
             const Series series = campaign.series(points, left);
-            if (series.steps.empty()) {
-                result.separable = result.measurements > 0;
-                break;
-            }
+            if (series.steps.empty()) break;
             for (const Series::Step& step : series.steps) {
                 campaign.measure(points[step.point], step.readings);
             }
@@ -197,27 +215,30 @@ std::vector<Resolution> read_resolutions(const std::filesystem::path& file) {
     for (const Row& row : table.rows) {
         const auto text = [&](std::size_t k) { return row.cells.at(k).text; };
         const auto number = [&](std::size_t k) { return parse_number(text(k)).value_or(0); };
-        std::istringstream named(text(7));
+        std::istringstream named(text(8));
         resolutions.push_back({.truth = text(0),
                                .study = static_cast<int>(number(1)),
                                .policy = text(2) == "next" ? Policy::next : Policy::random,
                                .rivals = static_cast<std::size_t>(number(3)),
-                               .separable = number(4) == 1,
-                               .measurements = static_cast<int>(number(5)),
-                               .verdict = text(6),
+                               .among = number(4) == 1,
+                               .separable = number(5) == 1,
+                               .measurements = static_cast<int>(number(6)),
+                               .verdict = text(7),
                                .named = {std::istream_iterator<std::string>(named), {}},
-                               .right = number(8) == 1});
+                               .right = number(9) == 1});
     }
     return resolutions;
 }
 
 void write_resolutions(const std::filesystem::path& file,
                        const std::vector<Resolution>& resolutions) {
-    std::string text = "truth,study,policy,rivals,separable,measurements,verdict,named,right\n";
+    std::string text =
+        "truth,study,policy,rivals,among,separable,measurements,verdict,named,right\n";
     for (const Resolution& r : resolutions) {
-        text += fmt::format("{},{},{},{},{:d},{},{},{},{:d}\n", r.truth, r.study,
-                            r.policy == Policy::next ? "next" : "random", r.rivals, r.separable,
-                            r.measurements, r.verdict, fmt::join(r.named, " "), r.right);
+        text +=
+            fmt::format("{},{},{},{},{:d},{:d},{},{},{},{:d}\n", r.truth, r.study,
+                        r.policy == Policy::next ? "next" : "random", r.rivals, r.among,
+                        r.separable, r.measurements, r.verdict, fmt::join(r.named, " "), r.right);
     }
     write_whole(file, text);
 }

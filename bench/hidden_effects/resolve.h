@@ -18,17 +18,20 @@ struct Resolution {
     int study = 0;
     Policy policy = Policy::next;
     std::size_t rivals = 0;  ///< models that stood at first
-    bool separable = true;   ///< whether `next` knew a point that separates any
-    int measurements = 0;    ///< made
-    std::string verdict;     ///< at the end
+    bool among = true;       ///< what is hidden was one of them
+    /// `next` says that its rig tells what is hidden from all others; of its own policy.
+    bool separable = true;
+    int measurements = 0;  ///< made
+    std::string verdict;   ///< at the end
     std::vector<std::string> named;
     bool right = false;  ///< `missing`, and it is what is hidden
 };
 
 /// Measures on, in the simulated laboratory, until one effect is named, `next` says that nothing on
-/// the rig separates what stands, or so many measurements are made. The rig goes beyond what was
-/// measured: other stresses, rates, contents and fillings. Empty where the study is not
-/// indistinguishable to begin with.
+/// the rig separates what stands, or so many measurements are made; not at all where `next` says
+/// at first that its rig does not tell what is hidden from all that stands beside it. The rig goes
+/// beyond what was measured: other stresses, rates, contents and fillings, the torque of the empty
+/// cell and the tare. Empty where the study is not indistinguishable to begin with.
 std::vector<Resolution> resolve(const Truth& truth, const LabResult& laboratory, int study,
                                 Policy policy, int most_measurements, const Workers& workers,
                                 const std::filesystem::path& folder);
