@@ -6,14 +6,14 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 bash scripts/install_dependencies.sh
-cmake -S . -B build/demo -G Ninja -DCMAKE_BUILD_TYPE=Release -DPENDULAR_BUILD_TESTS=OFF
-cmake --build build/demo
+cmake --preset release
+cmake --build --preset release --parallel "$(nproc)" --target pendular
 
 study=examples/polystyrene
 verdict=$(mktemp)
 trap 'rm -f "$verdict"' EXIT
-build/demo/pendular calibrate "$study" --fidelity quick --store "$study/out/runs.sqlite" | tee "$verdict"
-build/demo/pendular compare "$study" --fidelity quick
+build/release/pendular calibrate "$study" --fidelity quick --store "$study/out/runs.sqlite" | tee "$verdict"
+build/release/pendular compare "$study" --fidelity quick
 
 echo
 echo "Results: $study/out/fit.json, $study/out/compare.json; every run: $study/out/runs.sqlite"
