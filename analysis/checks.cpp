@@ -27,7 +27,7 @@ std::vector<Eigen::Index> order_along(const Eigen::VectorXd& values) {
 
 /// Ranks from -1 to 1, those of equal values alike; 0 where there is no value.
 Eigen::VectorXd ranks(const Eigen::VectorXd& values) {
-    const auto n = static_cast<double>(values.size());
+    const auto n = static_cast<double>(values.size() - values.array().isNaN().count());
     Eigen::VectorXd result(values.size());
     for (Eigen::Index k = 0; k < values.size(); ++k) {
         const auto below = static_cast<double>((values.array() < values(k)).count());

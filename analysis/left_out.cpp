@@ -24,6 +24,9 @@ class AtConditions : public Model {
         return model_.with_direct(parameters,
                                   model_.predict_mean_conditions(parameters, conditions_));
     }
+    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const override {
+        return model_.with_direct(parameters, model_.values_of_conditions(parameters, conditions_));
+    }
     void improve(const Eigen::VectorXd&, double) override {}
     Supported supported() const override { return model_.supported(); }
 

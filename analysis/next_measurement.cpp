@@ -73,8 +73,9 @@ std::vector<std::pair<std::size_t, std::size_t>> separated_by(const Plan& plan, 
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i < plan.forecasts.size(); ++i) {
         for (std::size_t j = i + 1; j < plan.forecasts.size(); ++j) {
+            const double enough = plan.noise.rows() == 1 ? telling_directly : telling_noncentrality;
             if (separation(plan.forecasts[i], plan.forecasts[j], plan.noise, n).noncentrality >=
-                telling_noncentrality) {
+                enough) {
                 pairs.emplace_back(i, j);
             }
         }
@@ -91,9 +92,10 @@ Plan plan_for(std::size_t point, const Point& at, const std::vector<Forecasts>& 
     plan.noise = noise_of(at, plan.forecasts.front(), relative_noise);
     for (std::size_t i = 0; i < plan.forecasts.size(); ++i) {
         for (std::size_t j = i + 1; j < plan.forecasts.size(); ++j) {
-            plan.separation +=
-                separation(plan.forecasts[i], plan.forecasts[j], plan.noise, most_repeats)
-                    .criterion;
+            const Separation most =
+                separation(plan.forecasts[i], plan.forecasts[j], plan.noise, most_repeats);
+            plan.separation += most.criterion;
+            plan.noncentrality += most.noncentrality;
         }
     }
     plan.separated = separated_by(plan, most_repeats);
@@ -126,6 +128,7 @@ std::vector<Point> points_of(const Rig& rig, const Study& study, double time) {
                                   .liquid_content = content,
                                   .bead_volume = filling,
                                   .time = time + wait},
+                    .wait = wait,
                     .wait_cost = rig.hour_cost * wait / hour,
                     .cost = content > 0 ? rig.wet_cost : 1};
         if (filling && study.cell) {

@@ -24,8 +24,9 @@ struct Point {
     Condition condition = {};
     std::optional<DirectMeasurement> direct = {};  ///< if it is one
     double first_cost = 0;                         ///< before the first reading of this filling
-    double wait_cost = 0;  ///< likewise, of the wait; shorter ones are over by then
-    double cost = 1;       ///< of each reading
+    double wait = 0;                               ///< before it, from the last reading on [s]
+    double wait_cost = 0;                          ///< of that; shorter ones are over by then
+    double cost = 1;                               ///< of each reading
 };
 
 /// What a rig can be set to, on a grid: normal stresses and rates in even steps of their logarithm,
@@ -58,18 +59,21 @@ struct Plan {
     int repeats = 0;
     /// Pairs of rivals that these tell apart.
     std::vector<std::pair<std::size_t, std::size_t>> separated;
-    double separation = 0;  ///< criterion below, summed over pairs, at the most readings allowed
+    double separation = 0;     ///< criterion below, summed over pairs, at the most readings allowed
+    double noncentrality = 0;  ///< D' S_1^-1 D below, likewise
     double cost = 0;
 };
 
-/// Noncentrality of two observables at which rivals are told apart in 4 of 5 cases at 5 %.
-inline constexpr double telling_noncentrality = 9.63;
+/// Noncentrality at which rivals are told apart in 4 of 5 cases at 5 %: of two observables, which
+/// counts for several points together too, and of the one of a direct measurement.
+inline constexpr double telling_noncentrality = 9.63, telling_directly = 7.85;
 
 /// Plans of all points, the most telling first. With n readings of covariance V/n, rivals i and j,
 ///     T = D' S^-1 D + tr(2 V S^-1)/n,   D = f_i - f_j,
 ///     S = 2 V/n + J_i C_i J_i' + J_j C_j J_j' + 2 C_f,
 /// C_f of the simulation, whose errors both share. They are told apart where D' S_1^-1 D with only
-/// one V/n and C_f in S_1, since one measurement faces both, reaches `telling_noncentrality`.
+/// one V/n and C_f in S_1, since one measurement faces both, reaches `telling_noncentrality`, or
+/// `telling_directly`.
 /// First come plans that separate more pairs, then cheaper ones, then those of larger T.
 /// `relative_noise`: standard errors of one reading, over the values.
 /// Source: Buzzi-Ferraris and Forzatti, Chem. Eng. Sci. 38 (1983) 225.
@@ -83,7 +87,7 @@ struct Series {
         std::size_t point = 0;
         int readings = 0;
     };
-    std::vector<Step> steps;  ///< in the order of points; empty where these readings are too few
+    std::vector<Step> steps;  ///< the longest waits last; empty where these readings are too few
     std::vector<std::pair<std::size_t, std::size_t>> separated;  ///< pairs of rivals
     double cost = 0;
 

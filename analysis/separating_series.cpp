@@ -169,6 +169,8 @@ class SeriesSearch {
         for (const auto& [point, readings] : counts) {
             series.steps.push_back({point, readings});
         }
+        std::ranges::stable_sort(
+            series.steps, {}, [&](const Series::Step& step) { return points_[step.point].wait; });
         for (const Contrast* contrast : told) {
             series.separated.push_back(contrast->rivals);
         }

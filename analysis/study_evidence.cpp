@@ -132,8 +132,10 @@ void add_direct(Evidence& evidence, const std::vector<DirectMeasurement>& direct
         evidence.errors.kind.push_back(known);
         evidence.conditions.push_back({entry});
         auto& column = columns[each.parameter];
+        // The same for all of them, of the size of an error.
+        const double off = column.size() > 0 ? column.maxCoeff() : each.standard_error;
         if (column.size() == 0) column.setZero(evidence.measured.value.size(), 1);
-        column(entry++, 0) = each.standard_error;
+        column(entry++, 0) = off;
     }
     for (const auto& [parameter, column] : columns) {
         evidence.suspects.push_back({"the direct measurements of " + parameter, column});

@@ -32,11 +32,12 @@ std::vector<Offending> offending_of(const Evidence& evidence, const WeightedResi
 
 WhereItFails where_it_fails(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                             const Prediction& prediction, const std::vector<Parameter>& parameters,
-                            std::uint64_t seed) {
-    const Evidence evidence = evidence_of(readings, scatter);
+                            const std::vector<DirectMeasurement>& direct, std::uint64_t seed) {
+    const Evidence evidence = evidence_of(readings, scatter, direct);
     const WeightedResiduals residuals(evidence.measured, prediction);
     const NullDraws draws(evidence.errors, seed, DiagnosisOptions{}.draws);
-    return {check_fit(residuals, entries_of(readings, parameters), covariates_of(readings), draws),
+    return {check_fit(residuals, entries_of(readings, parameters, direct.size()),
+                      covariates_of(readings, direct.size()), draws),
             offending_of(evidence, residuals, draws)};
 }
 

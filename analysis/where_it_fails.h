@@ -24,9 +24,11 @@ struct WhereItFails {
 };
 
 /// `prediction` of the model at the calibrated `parameters`, with its slopes and the covariance
-/// that the simulation causes. Limits are from random errors with this seed.
+/// that the simulation causes, of the readings and of the direct measurements after them. Limits
+/// are from random errors with this seed.
 WhereItFails where_it_fails(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                             const Prediction& prediction, const std::vector<Parameter>& parameters,
+                            const std::vector<DirectMeasurement>& direct = {},
                             std::uint64_t seed = 1);
 
 }  // namespace pendular

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -59,14 +58,6 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
             c.readings.size() - c.fitted,
             c.model.base == "rumpf" ? "Rumpf's cohesion on the simulated dry law" : "simulation",
             comparison.predicted.chi2, comparison.predicted.dof, comparison.predicted.p()));
-    }
-    for (const DirectMisfit& direct : comparison.direct) {
-        console.line(fmt::format(
-            "{} = {} measured directly; the model is {:.1f} standard errors {}",
-            direct.measurement.parameter,
-            with_error(direct.measurement.value, direct.measurement.standard_error,
-                       direct.measurement.unit),
-            std::abs(direct.normalised()), direct.normalised() > 0 ? "below" : "above"));
     }
     for (const auto& line : predictions_table(comparison)) {
         console.line(line);

@@ -69,7 +69,8 @@ int compare(const std::vector<std::string>& arguments) {
     const Prediction at_fit =
         model.model().predict_conditions(c.fit.parameters, conditions_of(c.readings));
     const WhereItFails where =
-        where_it_fails(c.readings, measurements.scatter, at_fit, c.parameters);
+        where_it_fails(c.readings, measurements.scatter,
+                       model.model().with_direct(c.fit.parameters, at_fit), c.parameters, c.direct);
     const auto json = to_json(comparison, c.cohesion_lines, where);
     write_json(out / "compare.json", json);
     console.line(fmt::format(

@@ -120,8 +120,8 @@ int next(const std::vector<std::string>& arguments) {
                         "out",
                         dropped, dropped + next.points.size()));
     }
-    if (!next.plans.empty()) {
-        draw(next_figure(next), common->out_folder() / "figures");
+    if (const Figure figure = next_figure(next); !figure.panels.empty()) {
+        draw(figure, common->out_folder() / "figures");
         console.line(
             fmt::format("figure: {}", (common->out_folder() / "figures" / "next.png").string()));
     }

@@ -1,6 +1,7 @@
 #include "calib/model.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pendular {
 
@@ -26,32 +27,30 @@ double predicted_value(const DirectMeasurement& direct, const std::vector<Parame
 }
 
 Prediction FlowModel::with_direct(const Eigen::VectorXd& parameters, Prediction readings) const {
-    const auto more = static_cast<Eigen::Index>(direct_.size());
+    const Eigen::Index more = direct_count();
     if (more == 0) return readings;
     const Eigen::Index n = readings.value.size();
-    readings.value.conservativeResize(n + more);
+    readings.value = with_direct(parameters, std::move(readings.value));
     readings.jacobian.conservativeResize(n + more, Eigen::NoChange);
     readings.jacobian.bottomRows(more).setZero();
     widen(readings.covariance, more);
     widen(readings.run_noise, more);
     for (Eigen::Index k = 0; k < more; ++k) {
-        const DirectMeasurement& direct = direct_[static_cast<std::size_t>(k)];
-        readings.value(n + k) = predicted_value(direct, this->parameters(), parameters);
-        if (const auto place = place_of(direct, this->parameters()))
-            readings.jacobian(n + k, *place) = 1;
+        const auto place = place_of(direct_[static_cast<std::size_t>(k)], this->parameters());
+        if (place) readings.jacobian(n + k, *place) = 1;
     }
     return readings;
 }
 
-Eigen::VectorXd FlowModel::values(const Eigen::VectorXd& parameters) const {
-    Eigen::VectorXd all = values_of_conditions(parameters, conditions_);
-    const Eigen::Index n = all.size();
-    all.conservativeResize(n + static_cast<Eigen::Index>(direct_.size()));
+Eigen::VectorXd FlowModel::with_direct(const Eigen::VectorXd& parameters,
+                                       Eigen::VectorXd readings) const {
+    const Eigen::Index n = readings.size();
+    readings.conservativeResize(n + direct_count());
     for (std::size_t k = 0; k < direct_.size(); ++k) {
-        all(n + static_cast<Eigen::Index>(k)) =
+        readings(n + static_cast<Eigen::Index>(k)) =
             predicted_value(direct_[k], this->parameters(), parameters);
     }
-    return all;
+    return readings;
 }
 
 FlowModel::Point FlowModel::predict_at(const Eigen::VectorXd& parameters,

@@ -96,10 +96,14 @@ class FlowModel : public Model {
         return with_direct(parameters, predict_mean_conditions(parameters, conditions_));
     }
 
-    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const final;
+    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const final {
+        return with_direct(parameters, values_of_conditions(parameters, conditions_));
+    }
 
     /// Predictions of readings, and after them those of the direct measurements.
     Prediction with_direct(const Eigen::VectorXd& parameters, Prediction readings) const;
+    /// The same of the values alone.
+    Eigen::VectorXd with_direct(const Eigen::VectorXd& parameters, Eigen::VectorXd readings) const;
 
     /// Predictions at `parameters` of readings at these conditions.
     virtual Prediction predict_conditions(const Eigen::VectorXd& parameters,

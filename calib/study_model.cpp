@@ -21,7 +21,7 @@ StudyModel::StudyModel(const Study& study, const std::vector<Condition>& conditi
     } else {
         auto direct = std::make_unique<DirectSimulation>(study, conditions, fidelity, seed,
                                                          std::move(workers));
-        direct_ = direct.get();
+        simulated_ = direct.get();
         simulation_ = std::move(direct);
     }
     model_ = simulation_.get();
@@ -33,22 +33,22 @@ StudyModel::StudyModel(const Study& study, const std::vector<Condition>& conditi
         with_effects_ = std::make_unique<EffectModel>(*model_, study, effects);
         model_ = with_effects_.get();
     }
-    measured_directly_ = direct_measurements(study, *catalogue_);
+    direct_ = direct_measurements(study, *catalogue_);
     model_->predict_for(conditions);
-    model_->predict_direct(measured_directly_);
+    model_->predict_direct(direct_);
 }
 
 StudyModel::StudyModel(const Study& study, const Calibration& c)
     : StudyModel(study, conditions_of(c.readings), c.fidelity, c.seed, {},
                  c.scales ? std::optional(KnownRuns{c.runs, *c.scales, false}) : std::nullopt) {
-    if (direct_) {
-        direct_->restore(c.runs, c.surface_centre);
+    if (simulated_) {
+        simulated_->restore(c.runs, c.surface_centre);
     }
 }
 
 void StudyModel::note_in(Calibration& c) const {
-    if (direct_) {
-        c.surface_centre = direct_->centre();
+    if (simulated_) {
+        c.surface_centre = simulated_->centre();
     } else {
         c.scales = emulated_->emulator().scales();
         c.orders = emulated_->orders();

@@ -29,19 +29,19 @@ class StudyModel {
     const FlowModel& model() const { return *model_; }
     const SimulationModel& simulation() const { return *simulation_; }
     /// The study's direct measurements, which the model predicts too.
-    const std::vector<DirectMeasurement>& direct() const { return measured_directly_; }
+    const std::vector<DirectMeasurement>& direct() const { return direct_; }
 
     /// Writes into a calibration what makes this model again, and what it ordered.
     void note_in(Calibration& calibration) const;
 
   private:
     std::unique_ptr<SimulationModel> simulation_;
-    DirectSimulation* direct_ = nullptr;      ///< the simulation, if it is this
+    DirectSimulation* simulated_ = nullptr;   ///< the simulation, if it is this
     EmulatedSimulation* emulated_ = nullptr;  ///< or this
     std::unique_ptr<FlowModel> closure_;      ///< none for base "dem"
     std::unique_ptr<EffectCatalogue> catalogue_;
     std::unique_ptr<FlowModel> with_effects_;  ///< none for a study without
-    std::vector<DirectMeasurement> measured_directly_;
+    std::vector<DirectMeasurement> direct_;
     FlowModel* model_ = nullptr;
 };
 

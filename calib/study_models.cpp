@@ -37,6 +37,15 @@ StudyModels::StudyModels(const Study& study, std::vector<Condition> conditions,
                                          listed_[k]->name));
         }
     }
+    for (const StatedDirect& stated : study.direct) {
+        if (!told(catalogue_.find(stated.effect))) {
+            throw InputError(stated.effect_position,
+                             fmt::format("'effect': no known run has {} alone, so that the "
+                                         "emulator cannot tell what it does; 'pendular campaign' "
+                                         "makes such runs, or leave this entry out",
+                                         stated.effect));
+        }
+    }
     for (const Effect& effect : catalogue_.all()) {
         if (std::ranges::find(listed_, &effect) == listed_.end()) {
             add_candidate(effect);
@@ -75,10 +84,8 @@ void StudyModels::add_candidate(const Effect& effect) {
             {effect.name, "no known run has it alone; 'pendular campaign' makes such runs", true});
     } else {
         Candidate candidate{effect.name, effect.parameters};
-        if (effect.on_with_liquid && study_.liquid) {
-            // It is on; what may be wrong is the value that the study gives.
-            candidate.parameters.front().neutral = study_.liquid->surface_tension;
-        }
+        // Where it is on in any case, what may be wrong is the value that the study gives.
+        candidate.parameters.front().neutral = unlisted_value(effect, study_);
         offered_.push_back(&effect);
         candidates_.push_back(std::move(candidate));
     }

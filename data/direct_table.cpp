@@ -7,15 +7,18 @@
 namespace pendular {
 namespace {
 
-Word required(const StudyTable& table, std::string_view key, const char* example) {
+Word required(const StudyTable& table, std::string_view key, const char* what) {
     if (auto word = table.stated(key)) return *word;
     throw InputError(table.position(),
-                     fmt::format("[[direct]] lacks '{}'; add {} = \"{}\"", key, key, example));
+                     fmt::format("{} lacks '{}'; add {}", table.name(), key, what));
 }
 
 StatedDirect read_one(const StudyTable& table) {
-    const Word effect = required(table, "effect", "torque-offset"),
-               error = required(table, "error", "0.05 mN m");
+    const Word
+        effect = required(
+            table, "effect",
+            "the effect that was or can be measured, effect = \"torque-offset\" for example"),
+        error = required(table, "error", "the standard error with its unit");
     StatedDirect stated;
     stated.effect = effect.text, stated.effect_position = effect.position;
     stated.error = error.text, stated.error_position = error.position;
@@ -28,7 +31,7 @@ std::vector<StatedDirect> read_direct(const StudyTable& root) {
     std::vector<StatedDirect> all;
     for (const StudyTable& table : root.tables("direct", {"effect", "value", "error"})) {
         all.push_back(read_one(table));
-        const Word value = required(table, "value", "0.4 mN m");
+        const Word value = required(table, "value", "what was measured, with its unit");
         all.back().value = value.text, all.back().value_position = value.position;
     }
     return all;
@@ -39,7 +42,7 @@ std::vector<StatedDirect> read_direct_of_rig(const StudyTable& rig) {
     for (const StudyTable& table : rig.tables("direct", {"effect", "error", "cost"})) {
         all.push_back(read_one(table));
         all.back().cost = table.quantity("cost", "1").value_or(1);
-        if (all.back().cost < 0) table.refuse("cost", "must not be negative");
+        if (!(all.back().cost > 0)) table.refuse("cost", "must be positive");
     }
     return all;
 }

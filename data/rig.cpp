@@ -67,6 +67,7 @@ std::optional<Rig> read_rig(const StudyTable& root, const Grains& grains, bool h
     rig.repeats = count(*table, "repeats", rig.repeats);
     rig.readings = count(*table, "readings", rig.readings);
     rig.wet_cost = cost(*table, "wet_cost", rig.wet_cost);
+    if (!(rig.wet_cost > 0)) table->refuse("wet_cost", "must be positive");
     rig.filling_cost = cost(*table, "filling_cost", rig.filling_cost);
     if (table->has("wait")) rig.waits = table->quantities("wait", "s");
     if (std::ranges::min(rig.waits) < 0) table->refuse("wait", "must not be negative");

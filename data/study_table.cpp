@@ -65,12 +65,19 @@ void StudyTable::refuse(std::string_view key, const std::string& message) const 
     throw InputError(at(key), fmt::format("'{}': {}", key, message));
 }
 
+std::string StudyTable::path_of(std::string_view key) const {
+    const std::size_t first = name_.find_first_not_of('['), end = name_.find(']');
+    return name_.empty() ? std::string(key)
+                         : fmt::format("{}.{}", name_.substr(first, end - first), key);
+}
+
 std::optional<StudyTable> StudyTable::table(std::string_view key,
                                             const std::vector<std::string>& keys) const {
     const toml::node* const node = table_->get(key);
     if (!node) return std::nullopt;
-    if (!node->is_table()) refuse(key, fmt::format("must be a table; write [{}]", key));
-    return StudyTable(root_, *node->as_table(), position_.file, fmt::format("[{}]", key), keys);
+    if (!node->is_table()) refuse(key, fmt::format("must be a table; write [{}]", path_of(key)));
+    return StudyTable(root_, *node->as_table(), position_.file, fmt::format("[{}]", path_of(key)),
+                      keys);
 }
 
 std::vector<StudyTable> StudyTable::tables(std::string_view key,
@@ -79,10 +86,10 @@ std::vector<StudyTable> StudyTable::tables(std::string_view key,
     const toml::node* const node = table_->get(key);
     if (!node) return result;
     if (!node->is_array_of_tables())
-        refuse(key, fmt::format("must be a list of tables; write [[{}]]", key));
+        refuse(key, fmt::format("must be a list of tables; write [[{}]]", path_of(key)));
     for (const toml::node& element : *node->as_array())
         result.push_back(StudyTable(root_, *element.as_table(), position_.file,
-                                    fmt::format("[[{}]]", key), keys));
+                                    fmt::format("[[{}]]", path_of(key)), keys));
     return result;
 }
 

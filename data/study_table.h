@@ -43,6 +43,8 @@ class StudyTable {
     /// Of a key's value, or of the table where the key is not there.
     Position at(std::string_view key) const;
     const Position& position() const { return position_; }
+    /// As the file has it: "[grains]", "[[effect]]"; empty of the whole file.
+    const std::string& name() const { return name_; }
 
     /// The table under a key, [key]; empty if there is none.
     std::optional<StudyTable> table(std::string_view key,
@@ -86,6 +88,8 @@ class StudyTable {
                const std::string& file, std::string name, const std::vector<std::string>& keys);
 
     Position position_of(const toml::node& node) const;
+    /// "rig.direct" of "direct" in [rig].
+    std::string path_of(std::string_view key) const;
     double finite_number(std::string_view key, const toml::node& node) const;
     double quantity_of(std::string_view key, const toml::node& node, std::string_view unit) const;
     double quantity_from_text(std::string_view key, const toml::node& node,

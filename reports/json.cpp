@@ -83,7 +83,6 @@ Json formulas_json(const std::vector<WrittenEffect>& effects) {
     return json;
 }
 
-/// What of a study, besides its readings, a calibration rests on.
 Json direct_json(const DirectMeasurement& direct) {
     Json json = {{"parameter", direct.parameter}, {"unit", direct.unit}};
     json.update(uncertain(direct.value, direct.standard_error));
@@ -98,6 +97,7 @@ Json direct_json(const std::vector<DirectMeasurement>& direct) {
     return json;
 }
 
+/// What of a study, besides its readings, a calibration rests on.
 Json basis_json(const Grains& grains, const std::optional<Liquid>& liquid, const ModelChoice& model,
                 const std::vector<WrittenEffect>& written,
                 const std::vector<DirectMeasurement>& direct) {
@@ -323,10 +323,11 @@ Calibration parse_calibration(const Json& json, const Study& study,
         return json.value(item.key(), Json::array()) == item.value();  // none: nothing was measured
     });
     if (!same_readings || !same_basis) {
-        throw InputError(
-            where,
-            "this fit was made from other readings, grains, liquid or model than the study holds "
-            "now; run 'pendular calibrate' again");
+        throw InputError(where,
+                         "this fit was made from other readings, direct measurements, grains, "
+                         "liquid or model than "
+                         "the study holds "
+                         "now; run 'pendular calibrate' again");
     }
     Calibration c;
     c.grains = study.grains;

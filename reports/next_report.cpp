@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "analysis/study_evidence.h"
@@ -31,7 +32,11 @@ std::string where(const Condition& c, const Study& study) {
 }
 
 std::string where(const Point& point, const Study& study) {
-    if (!point.direct) return where(point.condition, study);
+    if (!point.direct) {
+        constexpr double hour = 3600;
+        return where(point.condition, study) +
+               (point.wait > 0 ? fmt::format(", after a wait of {:.3g} h", point.wait / hour) : "");
+    }
     return point.direct->parameter +
            (point.direct->by.empty() ? "" : fmt::format(" ({})", point.direct->by));
 }
@@ -71,6 +76,13 @@ std::string joined(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, "; "));
 }
 
+/// The plan to show: the first, or, where nothing tells the rivals apart, the most telling one.
+const Plan& shown_plan(const NextMeasurement& next) {
+    return next.series.steps.empty()
+               ? *std::ranges::max_element(next.plans, {}, &Plan::noncentrality)
+               : next.plans.front();
+}
+
 const Plan& plan_at(const NextMeasurement& next, std::size_t point) {
     return *std::ranges::find(next.plans, point, &Plan::point);
 }
@@ -79,18 +91,14 @@ const Plan& plan_at(const NextMeasurement& next, std::size_t point) {
 void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next, const Plan& plan) {
     if (const auto& direct = next.points[plan.point].direct) {
         lines.push_back(fmt::format("  {:<44} {:>30}", "if it is", direct->parameter));
-        const std::string unit = direct->unit == "1" ? "" : " " + direct->unit;
         for (std::size_t k = 0; k < next.rivals.size(); ++k) {
             const Forecast& forecast = plan.forecasts[k];
-            const double error = error_of(forecast)(0);
-            // Without the effect it is what neutral is, for sure.
-            lines.push_back(fmt::format("  {:<44} {:>30}", next.rivals[k].name,
-                                        error > 0
-                                            ? with_error(forecast.value(0), error, direct->unit)
-                                            : fmt::format("{:g}{}", forecast.value(0), unit)));
+            lines.push_back(
+                fmt::format("  {:<44} {:>30}", next.rivals[k].name,
+                            with_error(forecast.value(0), error_of(forecast)(0), direct->unit)));
         }
-        lines.push_back(fmt::format("  (one measurement has a standard error of {:.2g}{})",
-                                    direct->standard_error, unit));
+        lines.push_back(fmt::format("  (one measurement: {})",
+                                    with_error(0, direct->standard_error, direct->unit)));
         return;
     }
     lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", "if it is", "shear stress [Pa]",
@@ -114,7 +122,7 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
     const auto& steps = next.series.steps;
     std::vector<std::string> lines;
     if (steps.empty()) {
-        const Plan& best = next.plans.front();
+        const Plan& best = shown_plan(next);
         lines.push_back(fmt::format(
             "Not separable with this rig: {}, by up to {} at one point or {} in all. The most "
             "telling is {}.",
@@ -128,9 +136,9 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
         lines.push_back(fmt::format("Measure {}: that tells {} apart.", measure(steps[0]), apart));
         add_forecasts(lines, next, plan_at(next, steps[0].point));
     } else {
-        lines.push_back(
-            fmt::format("No single point tells as much. These {} together tell {} apart:",
-                        readings(next.series.readings()), apart));
+        lines.push_back(fmt::format(
+            "No single point tells as much. These {} measurements together tell {} apart:",
+            next.series.readings(), apart));
         for (const Series::Step& step : steps) {
             lines.push_back(measure(step));
             add_forecasts(lines, next, plan_at(next, step.point));
@@ -173,6 +181,7 @@ Json point_json(const Point& point, const Study& study) {
         json["bead_mass"] = mass_of(c, study);
     }
     json["time"] = c.time;
+    json["wait"] = point.wait;
     return json;
 }
 
@@ -249,7 +258,7 @@ Json to_json(const NextMeasurement& next) {
         constexpr std::size_t others = 5;
         json["separable"] = !next.series.steps.empty();
         json["series"] = series_json(next);
-        json.update(plan_json(next, next.plans.front()));
+        json.update(plan_json(next, shown_plan(next)));
         json["others"] = Json::array();
         for (std::size_t k = 1; k < std::min(next.plans.size(), others); ++k) {
             json["others"].push_back(plan_json(next, next.plans[k]));
@@ -281,19 +290,21 @@ Figure next_figure(const NextMeasurement& next) {
     const std::vector<std::string> colours = {model_colour, calibrated_colour, "#2e8b57", "#8e44ad",
                                               "#d68910"};
     const auto of_shear = [&](std::size_t point) { return !next.points[point].direct; };
-    const auto best = std::ranges::find_if(next.plans, of_shear, &Plan::point);
-    if (best == next.plans.end()) {
+    std::vector<Plan> plans;
+    std::ranges::copy_if(next.plans, std::back_inserter(plans), of_shear, &Plan::point);
+    if (plans.empty()) {
         return figure;
     }
     const auto& steps = next.series.steps;
     const auto step = std::ranges::find_if(steps, of_shear, &Series::Step::point);
-    const std::size_t first = step == steps.end() ? best->point : step->point;
+    const std::size_t first = step == steps.end()
+                                  ? std::ranges::max_element(plans, {}, &Plan::noncentrality)->point
+                                  : step->point;
     const Condition& at = next.points[first].condition;
     const bool same_rate = next.study.rig && next.study.rig->shear_rate;
     std::vector<const Plan*> along;
-    for (const Plan& plan : next.plans) {
-        if (of_shear(plan.point) &&
-            beside(next.points[plan.point].condition, at, next.study, same_rate)) {
+    for (const Plan& plan : plans) {
+        if (beside(next.points[plan.point].condition, at, next.study, same_rate)) {
             along.push_back(&plan);
         }
     }

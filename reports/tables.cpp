@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "reports/with_error.h"
+
 namespace pendular {
 namespace {
 
@@ -47,6 +49,14 @@ std::vector<std::string> predictions_table(const Comparison& comparison) {
             m.normalised(0), m.reading.value(1), m.predicted(1), m.normalised(1), m.chi2.sum()));
     }
     lines.push_back("  (sigma: measured minus model over the standard error of the difference)");
+    for (const DirectMisfit& direct : comparison.direct) {
+        const DirectMeasurement& m = direct.measurement;
+        lines.push_back(fmt::format(
+            "  {} = {} measured directly; the model is {:.1f} standard "
+            "errors {}",
+            m.parameter, with_error(m.value, m.standard_error, m.unit),
+            std::abs(direct.normalised()), direct.normalised() > 0 ? "below" : "above"));
+    }
     return lines;
 }
 

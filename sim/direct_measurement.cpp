@@ -47,9 +47,7 @@ DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& st
     DirectMeasurement direct{.parameter = fmt::format("{}.{}", effect.name, p.name),
                              .unit = p.unit,
                              .by = effect.directly,
-                             .neutral = p.neutral};
-    // It is on; what was measured is compared with what the study gives.
-    if (effect.on_with_liquid && study.liquid) direct.neutral = study.liquid->surface_tension;
+                             .neutral = unlisted_value(effect, study)};
     if (!stated.value.empty())
         direct.value = in_si("value", stated.value, stated.value_position, unit);
     direct.standard_error = in_si("error", stated.error, stated.error_position, unit);

@@ -89,6 +89,12 @@ std::optional<std::string> why_not(const Effect& effect, const Study& study) {
     return std::nullopt;
 }
 
+double unlisted_value(const Effect& effect, const Study& study) {
+    // The one property of a liquid that an effect can take away.
+    if (effect.on_with_liquid && study.liquid) return study.liquid->surface_tension;
+    return effect.parameters.front().neutral;
+}
+
 EffectCatalogue::EffectCatalogue() : effects_(built_in_effects()) {}
 
 EffectCatalogue::EffectCatalogue(const Study& study) : EffectCatalogue() {

@@ -41,6 +41,10 @@ class EffectCatalogue {
     std::vector<Effect> effects_;
 };
 
+/// Value of an effect's first parameter in a study that does not list it: neutral, or, of a liquid
+/// that is there in any case, what the study gives.
+double unlisted_value(const Effect& effect, const Study& study);
+
 /// Why an effect would do nothing in a study, or cannot be taken in, and what to do about it; empty
 /// where it applies.
 std::optional<std::string> why_not(const Effect& effect, const Study& study);

@@ -302,7 +302,7 @@ std::vector<std::string> resolved_lines(const std::vector<Resolution>& resolutio
     const auto add = [&](const char* what, std::ptrdiff_t studies) {
         lines.push_back(fmt::format("{:<78} {}", what, studies));
     };
-    add("  left out: studies in which next said that its rig does not tell all rivals apart",
+    add("  left out: studies in which next said that its rig does not tell it from all others",
         count([](const Resolution& r) { return r.among && !r.separable; }));
     add("  left out: studies in which what is hidden was not among the rivals",
         count([](const Resolution& r) { return !r.among; }));

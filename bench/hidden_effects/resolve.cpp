@@ -212,6 +212,9 @@ std::vector<Resolution> read_resolutions(const std::filesystem::path& file) {
     std::vector<Resolution> resolutions;
     if (!std::filesystem::exists(file)) return resolutions;
     const Table table = read_table(file);
+    if (table.header.size() != 10) {
+        throw InputError({file.string()}, "is not of this version; move it away");
+    }
     for (const Row& row : table.rows) {
         const auto text = [&](std::size_t k) { return row.cells.at(k).text; };
         const auto number = [&](std::size_t k) { return parse_number(text(k)).value_or(0); };

@@ -47,7 +47,7 @@ bool Truth::hides(const std::string& effect) const {
 }
 
 bool Truth::well_separated() const {
-    constexpr double large = 55, apart = 15;  // planned for 60, by an emulator
+    constexpr double large = 59, apart = 15;  // planned for 60, to three digits
     return kind == Kind::effect && noncentrality >= large && separation >= apart;
 }
 

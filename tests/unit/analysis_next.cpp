@@ -8,10 +8,12 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "data/input_error.h"
 #include "data/study.h"
+#include "reports/next_report.h"
 #include "tests/unit/data_support.h"
 
 namespace pendular::analysis_next_test {
@@ -204,8 +206,8 @@ TEST(NextMeasurement, IsADirectOneWhereThatTellsMore) {
     points.push_back(sled(0.02, 1));
     const auto plans = separating_plans(rivals, points, noise, 20);
     ASSERT_EQ(plans.front().point, 2u);
-    // 0.05 apart with the parameter's 0.01 and 0.02/sqrt(n): n = 3 is 0.0025/0.000233 = 10.7.
-    EXPECT_EQ(plans.front().repeats, 3);
+    // 0.05 apart with the parameter's 0.01 and 0.02/sqrt(n): n = 2 is 0.0025/0.0003 = 8.3.
+    EXPECT_EQ(plans.front().repeats, 2);
     EXPECT_TRUE(plans.back().separated.empty());
     EXPECT_EQ(plans.front().forecasts[0].value.size(), 1);
     EXPECT_DOUBLE_EQ(plans.front().forecasts[0].value(0), 0.3);
@@ -249,6 +251,67 @@ TEST(NextMeasurement, WeighsTheWait) {
         {rival("a", plain, 0.303, 1e-4), rival("b", with_offset, 0.3, 1e-4)}, points, noise, 10);
     EXPECT_EQ(plans[0].point, 0u);
     EXPECT_EQ(plans[1].cost, plans[0].cost + 1);
+}
+
+std::string text_of(const NextMeasurement& next) {
+    std::string text;
+    for (const std::string& line : next_lines(next)) {
+        text += line + "\n";
+    }
+    return text;
+}
+
+TEST(NextMeasurement, SaysWhatToMeasureDirectly) {
+    const Offset has("friction"), has_not("wall.slip");
+    const Study study{.grains = {.diameter = 5e-4, .density = 1000}};
+    NextMeasurement next{.study = study,
+                         .rivals = {rival("a", has, 0.3, 0.01), rival("b", has_not, 0.3, 0.01)},
+                         .points = at({100, 1000}),
+                         .plans = {},
+                         .sharpenings = {},
+                         .most_repeats = 20,
+                         .most_readings = 12};
+    next.points.push_back(sled(0.02, 1));
+    next.points.back().direct->by = "a sled";
+    const Rig rig{.repeats = 20, .readings = 12};
+    next.plans = separating_plans(next.rivals, next.points, noise, rig.repeats);
+    next.series = next_series(next.plans, next.rivals, next.points, noise, rig);
+    EXPECT_THAT(text_of(next),
+                testing::AllOf(
+                    testing::HasSubstr("Measure 2 direct measurements of friction (a sled): that "
+                                       "tells a and b apart."),
+                    testing::HasSubstr("0.300 +- 0.010"), testing::HasSubstr("0.25 +- 0")));
+    const auto json = to_json(next);
+    EXPECT_EQ(json.at("point").at("direct"), "friction");
+    EXPECT_EQ(json.at("forecasts").at(1).at("direct").at("value"), 0.25);
+    // Drawn are readings, of which none is to be made.
+    EXPECT_THAT(next_figure(next).title, testing::HasSubstr("a direct measurement"));
+    next.points.erase(next.points.begin(), next.points.begin() + 2);
+    next.plans = separating_plans(next.rivals, next.points, noise, rig.repeats);
+    next.series = next_series(next.plans, next.rivals, next.points, noise, rig);
+    EXPECT_TRUE(next_figure(next).panels.empty());
+}
+
+TEST(NextMeasurement, ShowsTheMostTellingPointWhereNoneTells) {
+    const Offset plain(0), with_offset(3);
+    const Study study{.grains = {.diameter = 5e-4, .density = 1000}};
+    NextMeasurement next{
+        .study = study,
+        .rivals = {rival("a", plain, 0.303, 1e-6), rival("b", with_offset, 0.3, 1e-6)},
+        .points = at({1000, 900}),
+        .plans = {},
+        .sharpenings = {},
+        .most_repeats = 1,
+        .most_readings = 1};
+    next.points.push_back(sled(1, 0.1));  // cheap, and knows nothing
+    next.points[1].wait = 7200;
+    const Rig rig{.repeats = 1, .readings = 1};
+    next.plans = separating_plans(next.rivals, next.points, noise, rig.repeats);
+    next.series = next_series(next.plans, next.rivals, next.points, noise, rig);
+    EXPECT_THAT(text_of(next), testing::AllOf(testing::HasSubstr("Not separable with this rig"),
+                                              testing::HasSubstr("most telling is 900 Pa"),
+                                              testing::HasSubstr("after a wait of 2 h")));
+    EXPECT_EQ(to_json(next).at("point").at("wait"), 7200);
 }
 
 TEST(NextMeasurement, SharpensAParameterByADirectOne) {
@@ -325,7 +388,10 @@ TEST(Rig, IsReadWithItsUnits) {
                 testing::HasSubstr("'wait': must not be negative"));
     EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\n"
                         "[[rig.direct]]\neffect = \"polydispersity\"\n"),
-                testing::HasSubstr("[[direct]] lacks 'error'"));
+                testing::HasSubstr("[[rig.direct]] lacks 'error'"));
+    EXPECT_THAT(refusal("normal_stress = \"1 kPa\"\ninertial_number = 0.01\n"
+                        "[[rig.direct]]\neffect = \"polydispersity\"\nerror = 0.1\ncost = 0\n"),
+                testing::HasSubstr("'cost': must be positive"));
 }
 
 }  // namespace pendular::analysis_next_test

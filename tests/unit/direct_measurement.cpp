@@ -10,10 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "analysis/compare.h"
+#include "analysis/left_out.h"
 #include "analysis/study_evidence.h"
 #include "calib/calibration.h"
 #include "data/input_error.h"
 #include "data/study.h"
+#include "reports/tables.h"
 #include "tests/unit/app_support.h"
 #include "tests/unit/data_support.h"
 
@@ -153,6 +156,43 @@ TEST(DirectMeasurement, IsInTheErrorsOfPredictions) {
     EXPECT_NEAR(std::sqrt(there.covariance(0, 0)), 1000 * 0.01 / std::sqrt(1.25), 1e-6);
 }
 
+TEST(DirectMeasurement, CountsInAComparison) {
+    Line model("friction");
+    Calibration c{.readings = {reading(30, 1), reading(31, 1)}, .fitted = 2, .direct = two};
+    c.parameters = model.parameters();
+    c.fit.parameters = Eigen::VectorXd::Constant(1, 0.3);
+    c.prediction = model.predict_conditions(c.fit.parameters,
+                                            {c.readings[0].condition, c.readings[1].condition});
+    const Comparison comparison = compare(c);
+    // 31 for 30, 0.34(2) for 0.3, 2.3(1) for 2.
+    EXPECT_NEAR(comparison.total.chi2, 1 + 4 + 9, 1e-9);
+    EXPECT_NEAR(comparison.fitted.chi2, 14, 1e-9);
+    EXPECT_EQ(comparison.total.dof, 4 + 2 - 1);
+    ASSERT_EQ(comparison.direct.size(), 2u);
+    EXPECT_NEAR(comparison.direct[1].normalised(), 3, 1e-9);
+    const auto lines = predictions_table(comparison);
+    EXPECT_THAT(lines, testing::Contains(
+                           HasSubstr("other = 2.30 +- 0.10 measured directly; the model is 3.0")));
+}
+
+TEST(DirectMeasurement, HoldsWhereAConditionIsLeftOut) {
+    // Without the only condition at which the friction counts, the sled still knows it.
+    Line model("friction");
+    Calibration c{.readings = {reading(30, 1), reading(3000, 1)},
+                  .fitted = 2,
+                  .direct = {{.parameter = "friction", .value = 0.3, .standard_error = 1e-5}}};
+    c.readings[1].condition.normal_stress = 1e4;
+    c.readings[0].value(0) = 60;  // wrong by a factor of two
+    c.parameters = model.parameters();
+    c.fit.parameters = Eigen::VectorXd::Constant(1, 0.3);
+    Calibration without = c;
+    without.direct.clear();
+    EXPECT_GT(left_out_errors(model, without)->rms_percent[0], 60)
+        << "the wrong reading alone foretells the other";
+    model.predict_direct(c.direct);
+    EXPECT_LT(left_out_errors(model, c)->rms_percent[0], 40);
+}
+
 TEST(DirectMeasurement, IsAnEntryOfItsOwnInADiagnosis) {
     std::vector<DirectMeasurement> direct = two;
     direct[1].value = 0;  // nothing of the other was found: that counts too
@@ -165,6 +205,13 @@ TEST(DirectMeasurement, IsAnEntryOfItsOwnInADiagnosis) {
                                                             std::vector<Eigen::Index>{5}}));
     EXPECT_EQ(evidence.suspects.back().name, "the direct measurements of other");
     EXPECT_GT(evidence.suspects.back().columns(5, 0), 0);
+    // Several of one parameter are off together, by the same amount.
+    direct[1].parameter = "friction";
+    const Evidence of_one = evidence_of(readings, {}, direct);
+    EXPECT_EQ(of_one.suspects.size(), evidence.suspects.size() - 1);
+    EXPECT_GT(of_one.suspects.back().columns(4, 0), 0);
+    EXPECT_EQ(of_one.suspects.back().columns(4, 0), of_one.suspects.back().columns(5, 0));
+    direct[1].parameter = "other";
 
     Line model("friction");
     model.predict_for({readings[0].condition, readings[1].condition});

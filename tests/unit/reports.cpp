@@ -119,7 +119,7 @@ TEST(Compare, FindsAFailureOfAModelThatHoldsAsOftenAsItSays) {
             e.readings[k].value = value.segment<2>(static_cast<Eigen::Index>(2 * k));
         }
         const WhereItFails where =
-            where_it_fails(e.readings, {}, e.prediction, {{.name = "friction"}}, 100 + study);
+            where_it_fails(e.readings, {}, e.prediction, {{.name = "friction"}}, {}, 100 + study);
         failures += where.checks.p < 0.05;
         offending += !where.offending.empty();
     }
