@@ -158,10 +158,10 @@ class Benchmark {
         });
     }
 
-    void resolve_all(Policy policy) {
+    void resolve_all(Policy chosen_by) {
         std::vector<Job> jobs;
         for (const Truth& truth : truths_) {
-            if (wanted(truth)) add_jobs(truth, policy, jobs);
+            if (wanted(truth)) add_jobs(truth, chosen_by, jobs);
         }
         std::map<std::pair<const Truth*, int>, LabResult> laboratories;
         for (const Job& job : jobs) {

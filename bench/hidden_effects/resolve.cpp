@@ -212,7 +212,7 @@ std::vector<Resolution> read_resolutions(const std::filesystem::path& file) {
     std::vector<Resolution> resolutions;
     if (!std::filesystem::exists(file)) return resolutions;
     const Table table = read_table(file);
-    if (table.header.size() != 10) {
+    if (table.header.cells.size() != 10) {
         throw InputError({file.string()}, "is not of this version; move it away");
     }
     for (const Row& row : table.rows) {
