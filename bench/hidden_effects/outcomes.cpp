@@ -14,30 +14,30 @@
 namespace pendular::bench {
 namespace {
 
-constexpr std::array columns = {"truth",
-                                "study",
-                                "verdict",
-                                "named",
-                                "suspects",
-                                "confidence_set",
-                                "set_size",
-                                "set_has_truth",
-                                "chi2",
-                                "dof",
-                                "foretold_drop",
-                                "refitted_drop",
-                                "p_after",
-                                "shear_stress_rms_before",
-                                "solid_fraction_rms_before",
-                                "shear_stress_rms_after",
-                                "solid_fraction_rms_after",
-                                "shear_stress_scatter",
-                                "solid_fraction_scatter",
-                                "shear_stress_left_out_before",
-                                "solid_fraction_left_out_before",
-                                "shear_stress_left_out_after",
-                                "solid_fraction_left_out_after",
-                                "seconds"};
+constexpr std::array outcome_columns = {"truth",
+                                        "study",
+                                        "verdict",
+                                        "named",
+                                        "suspects",
+                                        "confidence_set",
+                                        "set_size",
+                                        "set_has_truth",
+                                        "chi2",
+                                        "dof",
+                                        "foretold_drop",
+                                        "refitted_drop",
+                                        "p_after",
+                                        "shear_stress_rms_before",
+                                        "solid_fraction_rms_before",
+                                        "shear_stress_rms_after",
+                                        "solid_fraction_rms_after",
+                                        "shear_stress_scatter",
+                                        "solid_fraction_scatter",
+                                        "shear_stress_left_out_before",
+                                        "solid_fraction_left_out_before",
+                                        "shear_stress_left_out_after",
+                                        "solid_fraction_left_out_after",
+                                        "seconds"};
 
 std::string text_of(std::optional<double> value) {
     return value ? fmt::format("{:.4g}", *value) : "";
@@ -94,7 +94,7 @@ std::vector<std::string> cells_of(const Outcome& o) {
             cells.push_back(text_of(two[1]));
         }
     } else {
-        cells.resize(columns.size() - 1);
+        cells.resize(outcome_columns.size() - 1);
     }
     cells.push_back(text_of(o.seconds));
     return cells;
@@ -135,7 +135,7 @@ std::vector<Outcome> read_outcomes(const std::filesystem::path& file) {
 }
 
 void write_outcomes(const std::filesystem::path& file, const std::vector<Outcome>& outcomes) {
-    std::string text = fmt::format("{}\n", fmt::join(columns, ","));
+    std::string text = fmt::format("{}\n", fmt::join(outcome_columns, ","));
     for (const Outcome& outcome : outcomes) {
         std::vector<std::string> cells;
         for (const std::string& cell : cells_of(outcome)) {
