@@ -32,6 +32,7 @@ std::vector<StatedDirect> read_direct(const StudyTable& root) {
     for (const StudyTable& table : root.tables("direct", {"effect", "value", "error"})) {
         all.push_back(read_one(table));
         const Word value = required(table, "value", "what was measured, with its unit");
+        if (value.text.empty()) table.refuse("value", "is empty; write what was measured");
         all.back().value = value.text, all.back().value_position = value.position;
     }
     return all;

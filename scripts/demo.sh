@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to a calibrated friction with its figures: installs what is missing, builds, calibrates
 # the published measurement of dry polystyrene beads, confirms it by discrete-element simulation, predicts the wet
-# range, and compares. About eight minutes on 2 cores once the packages are installed, three of them to build.
+# range, and compares. About six minutes on 2 cores once the packages are installed, the build among them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

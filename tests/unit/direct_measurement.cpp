@@ -86,6 +86,9 @@ TEST(DirectMeasurement, IsRefusedWithTheWayOut) {
                 AllOf(HasSubstr("study.toml:16:9"), HasSubstr("positive")));
     EXPECT_THAT(refusal("[[direct]]\neffect = \"torque-offset\"\nerror = \"1 mN m\"\n"),
                 HasSubstr("lacks 'value'"));
+    EXPECT_THAT(
+        refusal("[[direct]]\neffect = \"torque-offset\"\nvalue = \"\"\nerror = \"1 mN m\"\n"),
+        AllOf(HasSubstr("study.toml:15:9"), HasSubstr("is empty")));
     EXPECT_THAT(refusal("[[direct]]\neffect = \"grain-weight\"\nvalue = 1\nerror = 1\n"),
                 HasSubstr("without a size"));
     EXPECT_THAT(refusal("[direct]\neffect = \"torque-offset\"\n"), HasSubstr("[[direct]]"));
