@@ -13,6 +13,7 @@
 #include "app_support.h"
 #include "reports/ladder_figure.h"
 #include "reports/layout.h"
+#include "tests/unit/known_flow.h"
 
 namespace analysis_ladder_test {
 
@@ -20,15 +21,9 @@ using namespace pendular;
 using testing::HasSubstr;
 
 /// Both observables are the polynomial sum_j theta_j x^j of the normal stress x.
-class Polynomial : public FlowModel {
+class Polynomial : public KnownFlow {
   public:
-    explicit Polynomial(std::size_t terms) {
-        for (std::size_t k = 0; k < terms; ++k) {
-            names_.push_back(
-                {.name = fmt::format("p{}", k), .lower = -1e6, .upper = 1e6, .start = 0});
-        }
-    }
-    const std::vector<Parameter>& parameters() const override { return names_; }
+    explicit Polynomial(std::size_t terms) : KnownFlow(coefficients(terms)) {}
     Prediction predict_conditions(const Eigen::VectorXd& p,
                                   const std::vector<Condition>& conditions) const override {
         const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
@@ -40,15 +35,15 @@ class Polynomial : public FlowModel {
         }
         return {a * p, a, Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
     }
-    void improve(const Eigen::VectorXd&, double) override {}
-    void learn_wet(const Eigen::VectorXd&, int) override {}
-    Supported supported() const override {
-        const auto n = static_cast<Eigen::Index>(names_.size());
-        return {Eigen::VectorXd::Constant(n, -1e6), Eigen::VectorXd::Constant(n, 1e6)};
-    }
 
   private:
-    std::vector<Parameter> names_;
+    static std::vector<Parameter> coefficients(std::size_t terms) {
+        std::vector<Parameter> all;
+        for (std::size_t k = 0; k < terms; ++k) {
+            all.push_back({.name = fmt::format("p{}", k), .lower = -1e6, .upper = 1e6, .start = 0});
+        }
+        return all;
+    }
 };
 
 Reading reading(double x, double y) {

@@ -15,17 +15,18 @@
 #include "data/study.h"
 #include "reports/next_report.h"
 #include "tests/unit/data_support.h"
+#include "tests/unit/known_flow.h"
 
 namespace pendular::analysis_next_test {
 
 /// Shear stress theta s22 + offset, solid fraction 0.6.
-class Offset : public FlowModel {
+class Offset : public KnownFlow {
   public:
-    explicit Offset(double offset, double simulation_error = 0)
-        : offset_(offset), error_(simulation_error) {}
+    explicit Offset(double offset, double simulation_error = 0,
+                    const std::string& parameter = "friction")
+        : KnownFlow({{.name = parameter, .upper = 1}}), offset_(offset), error_(simulation_error) {}
     /// One that calls its parameter otherwise.
-    explicit Offset(const std::string& parameter) : Offset(0) { parameters_[0].name = parameter; }
-    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    explicit Offset(const std::string& parameter) : Offset(0, 0, parameter) {}
     Prediction predict_conditions(const Eigen::VectorXd& parameters,
                                   const std::vector<Condition>& conditions) const override {
         const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
@@ -39,15 +40,9 @@ class Offset : public FlowModel {
         }
         return result;
     }
-    void improve(const Eigen::VectorXd&, double) override {}
-    void learn_wet(const Eigen::VectorXd&, int) override {}
-    Supported supported() const override {
-        return {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
-    }
 
   private:
     double offset_, error_;
-    std::vector<Parameter> parameters_ = {{.name = "friction", .lower = 0, .upper = 1}};
 };
 
 Rival rival(const std::string& name, const FlowModel& model, double friction, double error) {

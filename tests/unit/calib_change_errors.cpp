@@ -8,16 +8,17 @@
 
 #include "calib/effect_model.h"
 #include "data/annular_cell.h"
+#include "tests/unit/known_flow.h"
 
 namespace pendular::calib_change_errors_test {
 
 constexpr double size = 1e-3;  ///< standard deviation of the factors
 
-class Uncertain : public FlowModel {
+class Uncertain : public KnownFlow {
   public:
+    Uncertain() : KnownFlow({{.name = "friction", .upper = 1}}) {}
     Eigen::Vector2d factors = Eigen::Vector2d::Zero();
 
-    const std::vector<Parameter>& parameters() const override { return parameters_; }
     Prediction predict_conditions(const Eigen::VectorXd& parameters,
                                   const std::vector<Condition>& conditions) const override {
         const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
@@ -36,14 +37,6 @@ class Uncertain : public FlowModel {
         result.covariance = result.run_noise = size * size * by_factor * by_factor.transpose();
         return result;
     }
-    void improve(const Eigen::VectorXd&, double) override {}
-    void learn_wet(const Eigen::VectorXd&, int) override {}
-    Supported supported() const override {
-        return {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
-    }
-
-  private:
-    std::vector<Parameter> parameters_ = {{.name = "friction", .lower = 0, .upper = 1}};
 };
 
 class ErrorsOfChanges : public testing::TestWithParam<std::pair<const char*, double>> {};

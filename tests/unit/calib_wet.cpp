@@ -9,6 +9,7 @@
 
 #include "calib/calibration.h"
 #include "calib/rumpf.h"
+#include "tests/unit/known_flow.h"
 
 namespace calib_wet_test {
 
@@ -284,13 +285,13 @@ TEST(CalibrateStudy, PredictsWetReadingsWithTheErrorOfTheDryFit) {
 }
 
 /// y = A friction + b with errors common to dry and wet readings.
-class LinearFlow : public FlowModel {
+class LinearFlow : public KnownFlow {
   public:
+    LinearFlow() : KnownFlow({{.name = "friction", .lower = -9, .upper = 9, .start = 0}}) {}
+
     Eigen::VectorXd slope, offset;
     Eigen::MatrixXd noise;
-    std::vector<Parameter> names = {{.name = "friction", .lower = -9, .upper = 9, .start = 0}};
 
-    const std::vector<Parameter>& parameters() const override { return names; }
     Prediction predict_conditions(const Eigen::VectorXd& p,
                                   const std::vector<Condition>& conditions) const override {
         std::vector<Eigen::Index> rows;
@@ -302,11 +303,6 @@ class LinearFlow : public FlowModel {
         }
         const Eigen::MatrixXd part = noise(rows, rows);
         return {slope(rows) * p(0) + offset(rows), slope(rows), part, part};
-    }
-    void improve(const Eigen::VectorXd&, double) override {}
-    void learn_wet(const Eigen::VectorXd&, int) override {}
-    Supported supported() const override {
-        return {Eigen::VectorXd::Constant(1, -9), Eigen::VectorXd::Constant(1, 9)};
     }
 };
 

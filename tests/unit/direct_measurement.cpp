@@ -19,6 +19,7 @@
 #include "reports/tables.h"
 #include "tests/unit/app_support.h"
 #include "tests/unit/data_support.h"
+#include "tests/unit/known_flow.h"
 
 namespace pendular::direct_measurement_test {
 
@@ -95,10 +96,9 @@ TEST(DirectMeasurement, IsRefusedWithTheWayOut) {
 }
 
 /// Shear stress theta s22, solid fraction 0.6.
-class Line : public FlowModel {
+class Line : public KnownFlow {
   public:
-    explicit Line(const std::string& parameter) : parameters_{{.name = parameter, .upper = 1}} {}
-    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    explicit Line(const std::string& parameter) : KnownFlow({{.name = parameter, .upper = 1}}) {}
     Prediction predict_conditions(const Eigen::VectorXd& parameters,
                                   const std::vector<Condition>& conditions) const override {
         const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
@@ -111,14 +111,6 @@ class Line : public FlowModel {
         }
         return result;
     }
-    void improve(const Eigen::VectorXd&, double) override {}
-    void learn_wet(const Eigen::VectorXd&, int) override {}
-    Supported supported() const override {
-        return {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
-    }
-
-  private:
-    std::vector<Parameter> parameters_;
 };
 
 Reading reading(double shear_stress, double error) {
