@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 #include "calib/effect_model.h"
 #include "calib/undetermined.h"
@@ -63,8 +64,50 @@ void check_fitted(const Study& study, const Measurements& measurements, const Ca
                                  study.model.fit_to == "dry" ? "dry " : "", why));
 }
 
+/// What lowers the errors of a model whose runs know too little of the readings.
+std::string remedy(const Calibration& c) {
+    return c.scales && c.orders.empty()
+               ? "fresh runs there help, which 'calibrate' and 'add --confirm' make"
+               : "a higher fidelity helps";
+}
+
+std::size_t dry_count(const std::vector<Reading>& readings) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(readings, [](const Reading& r) { return r.condition.dry(); }));
+}
+
+/// Readings [from, to).
+std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from, std::size_t to) {
+    return {readings.begin() + static_cast<std::ptrdiff_t>(from),
+            readings.begin() + static_cast<std::ptrdiff_t>(to)};
+}
+
+/// Says so where the model is less sure of the fitted readings than they are themselves.
+std::optional<std::string> unsure_note(const Calibration& c) {
+    const Measured readings = stack(part(c.readings, 0, c.fitted));
+    const auto rms_percent = [&](const Eigen::MatrixXd& covariance, int first) {
+        const Eigen::ArrayXd relative = covariance.diagonal().head(readings.value.size()).array() /
+                                        readings.value.array().square();
+        return 100 * std::sqrt(relative(Eigen::seq(first, Eigen::last, 2)).mean());
+    };
+    for (const auto& [first, observable] : {std::pair(0, "shear stress"), {1, "solid fraction"}}) {
+        const double simulated = rms_percent(c.fit.prediction.run_noise, first),
+                     measured = rms_percent(readings.covariance, first);
+        if (simulated > measured) {
+            return fmt::format(
+                "the runs that are known tell the {} of the readings to {:.2g} %, they themselves "
+                "to {:.2g} %: {}",
+                observable, simulated, measured, remedy(c));
+        }
+    }
+    return std::nullopt;
+}
+
 std::vector<std::string> warnings(const Calibration& c) {
     std::vector<std::string> notes;
+    if (const auto note = unsure_note(c)) {
+        notes.push_back(*note);
+    }
     const Eigen::MatrixXd corrections = c.fit.covariance - c.fit.measurement_part - c.fit.run_part;
     if (corrections(0, 0) > 0.3 * c.fit.covariance(0, 0)) {
         notes.push_back(fmt::format(
@@ -91,17 +134,6 @@ std::vector<std::string> warnings(const Calibration& c) {
         }
     }
     return notes;
-}
-
-std::size_t dry_count(const std::vector<Reading>& readings) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(readings, [](const Reading& r) { return r.condition.dry(); }));
-}
-
-/// Readings [from, to).
-std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from, std::size_t to) {
-    return {readings.begin() + static_cast<std::ptrdiff_t>(from),
-            readings.begin() + static_cast<std::ptrdiff_t>(to)};
 }
 
 /// Fits the model to some readings.
@@ -276,15 +308,12 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
     }
     const auto fitted = part(c.readings, 0, c.fitted);
     c.fit = fit_to(fitted, c.direct, model, options, counting);
+    bool wet_known = true;
     if (c.fitted < c.readings.size()) {
         if (request.stage) {
             request.stage("wet readings");
         }
-        if (!learn_wet(model, c)) {
-            c.notes.push_back(
-                "the noise of the wet runs is not small beside the errors of the wet readings: "
-                "their predictions are less sharp than the readings; a higher fidelity helps");
-        }
+        wet_known = learn_wet(model, c);
         if (request.known) {
             // An emulator learns of dry flow from wet runs too, and the friction with it.
             model.predict_for(conditions_of(fitted));
@@ -296,6 +325,12 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
     c.parameters = model.parameters();
     c.runs = simulation.runs();
     study_model.note_in(c);
+    if (!wet_known) {
+        c.notes.push_back(
+            "the noise of the wet runs is not small beside the errors of the wet readings: their "
+            "predictions are less sharp than the readings; " +
+            remedy(c));
+    }
     std::ranges::copy(simulation.notes(), std::back_inserter(c.notes));
     std::ranges::copy(warnings(c), std::back_inserter(c.notes));
     std::ranges::copy(undetermined(c.fit, c.parameters), std::back_inserter(c.notes));

@@ -86,10 +86,12 @@ TEST_P(HiddenEffects, AreFoundByTheWholeWalk) {
         const auto& found = parameters.at(truth.parameter);
         EXPECT_NEAR(found.at("value"), truth.value, 4 * found.at("stderr").get<double>());
     }
+    const auto& friction = parameters.at("friction");
+    EXPECT_NEAR(friction.at("value"), truth.friction, 4 * friction.at("stderr").get<double>());
 }
 
 INSTANTIATE_TEST_SUITE_P(Sealed, HiddenEffects,
-                         testing::Values("study_1", "study_2", "study_3", "study_4"),
+                         testing::Values("study_1", "study_2", "study_3", "study_4", "study_5"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace walk_test
