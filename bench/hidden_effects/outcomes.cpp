@@ -33,6 +33,8 @@ constexpr std::array outcome_columns = {"truth",
                                         "solid_fraction_rms_after",
                                         "shear_stress_scatter",
                                         "solid_fraction_scatter",
+                                        "shear_stress_noise",
+                                        "solid_fraction_noise",
                                         "shear_stress_left_out_before",
                                         "solid_fraction_left_out_before",
                                         "shear_stress_left_out_after",
@@ -89,7 +91,7 @@ std::vector<std::string> cells_of(const Outcome& o) {
         const auto& a = *o.added;
         cells.push_back(text_of(a.p));
         for (const auto& two :
-             {a.rms_before, a.rms_after, a.scatter, a.left_out_before, a.left_out_after}) {
+             {a.rms_before, a.rms_after, a.scatter, a.noise, a.left_out_before, a.left_out_after}) {
             cells.push_back(text_of(two[0]));
             cells.push_back(text_of(two[1]));
         }
@@ -123,8 +125,8 @@ std::vector<Outcome> read_outcomes(const std::filesystem::path& file) {
         o.refitted_drop = cells.number();
         const auto p = cells.number();
         Outcome::Added a{.p = p.value_or(0)};
-        for (auto* two :
-             {&a.rms_before, &a.rms_after, &a.scatter, &a.left_out_before, &a.left_out_after}) {
+        for (auto* two : {&a.rms_before, &a.rms_after, &a.scatter, &a.noise, &a.left_out_before,
+                          &a.left_out_after}) {
             *two = cells.two();
         }
         if (p) o.added = a;

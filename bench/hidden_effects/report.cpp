@@ -250,19 +250,21 @@ std::vector<std::string> figures_of(const Studies& every) {
         }));
     add("after add of what is hidden, where the set has it: p of chi2 above 0.01",
         rate(added, [](const LabStudy& s) { return s.outcome->added->p > 0.01; }));
-    const auto over_floor = [](std::size_t k) {
-        return [k](const LabStudy& s) {
-            return s.outcome->added->rms_after[k] / s.outcome->added->scatter[k];
-        };
+    const auto add_floor = [&](const char* name, std::array<double, 2> Outcome::Added::*floor) {
+        for (const auto& [k, observable] :
+             {std::pair(0u, "shear stress"), {1u, "solid fraction"}}) {
+            const auto over = [&](const LabStudy& s) {
+                return s.outcome->added->rms_after[k] / ((*s.outcome->added).*floor)[k];
+            };
+            const auto near = [&](const LabStudy& s) { return over(s) <= 1.2; };
+            add(fmt::format("  median RMS error over {}, {}", name, observable),
+                fmt::format("{:.3f}", median_of(added, over)));
+            add("    at most a fifth above it", rate(added, near));
+            add("    of complete laboratories, which need no effect", rate(nothing_added, near));
+        }
     };
-    for (const auto& [k, observable] : {std::pair(0u, "shear stress"), {1u, "solid fraction"}}) {
-        add(fmt::format("  median RMS error over the scatter of replicates, {}", observable),
-            fmt::format("{:.3f}", median_of(added, over_floor(k))));
-        const auto near = [&](const LabStudy& s) { return over_floor(k)(s) <= 1.2; };
-        add("    at most a fifth above it", rate(added, near));
-        add("    of complete laboratories, which need no effect: what chance leaves",
-            rate(nothing_added, near));
-    }
+    add_floor("the noise of these readings", &Outcome::Added::noise);
+    add_floor("the scatter of replicates", &Outcome::Added::scatter);
     return lines;
 }
 

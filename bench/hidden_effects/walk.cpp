@@ -7,6 +7,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 #include "analysis/study_evidence.h"
 #include "app/calibration_run.h"
@@ -59,6 +60,33 @@ std::array<double, 2> scatter_of(const std::vector<Reading>& readings) {
         freedom += static_cast<double>(group.size()) - 1;
     }
     return {100 * std::sqrt(squares(0) / freedom), 100 * std::sqrt(squares(1) / freedom)};
+}
+
+std::filesystem::path file_of(const Reading& reading) {
+    return std::filesystem::path(reading.origin.file).filename();
+}
+
+/// RMS error [%] of a model that is the truth: what the instrument's noise did to these readings,
+/// which the laboratory knows, and the standard error of its own runs.
+std::array<double, 2> noise_of(const std::vector<Reading>& readings, LabResult laboratory,
+                               const std::filesystem::path& folder) {
+    laboratory.plan.instrument.noise = laboratory.plan.instrument.drift = 0;
+    write_whole_folder(folder, study_files(laboratory));
+    const std::vector<Reading> exact = app::read_input(folder).measurements.readings;
+    std::filesystem::remove_all(folder);
+    Eigen::Array2d squares = Eigen::Array2d::Zero();
+    for (const Reading& reading : readings) {
+        const auto same = std::ranges::find_if(exact, [&](const Reading& one) {
+            return one.step == reading.step && file_of(one) == file_of(reading);
+        });
+        if (same == exact.end()) throw std::logic_error("a step is steady only with noise");
+        squares += (same->value.array() / reading.value.array() - 1).square();
+    }
+    squares /= static_cast<double>(readings.size());
+    return {100 * std::hypot(std::sqrt(squares(0)),
+                             typical_error(laboratory, dem::Observable::stress_ratio)),
+            100 * std::hypot(std::sqrt(squares(1)),
+                             typical_error(laboratory, dem::Observable::solid_fraction))};
 }
 
 Outcome::Added added(const app::StudyInput& input, const std::vector<std::string>& effects) {
@@ -136,7 +164,11 @@ Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
     for (const ActiveEffect& active : truth.hidden) {
         hidden.push_back(active.effect->name);
     }
-    if (outcome.set_has_truth) outcome.added = added(input, hidden);
+    if (outcome.set_has_truth) {
+        outcome.added = added(input, hidden);
+        outcome.added->noise =
+            noise_of(input.measurements.readings, laboratory, folder.string() + " without noise");
+    }
     std::filesystem::remove_all(folder);
     outcome.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

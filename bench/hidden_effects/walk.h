@@ -32,6 +32,7 @@ struct Outcome {
     struct Added {
         double p = 0;                                                ///< of chi2, after
         std::array<double, 2> rms_before{}, rms_after{}, scatter{};  ///< [%]
+        std::array<double, 2> noise{};                               ///< the laboratory's own [%]
         std::array<double, 2> left_out_before{}, left_out_after{};   ///< [%]
     };
     std::optional<Added> added;

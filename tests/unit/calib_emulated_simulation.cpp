@@ -105,6 +105,24 @@ TEST(EmulatedSimulation, OrdersNothingWhereItMayNot) {
     EXPECT_THAT(model.notes()[0], HasSubstr("is below 0.5"));
 }
 
+TEST(EmulatedSimulation, SaysWhereItKnowsLessThanTheReadings) {
+    const std::vector<Condition> conditions = {dry_at(1000, 0.003), dry_at(300, 0.03)};
+    const KnownRuns known{shipped_runs(), shipped_scales(), false};
+    const EmulatedSimulation model(wet_study(), conditions, fidelity_named("quick"), 1, {}, known);
+    Measurements measurements = measured_at(conditions, model, 0.2);
+    CalibrationRequest request{.fidelity = fidelity_named("quick"), .known = known};
+    request.options.fewest_rounds = request.options.most_rounds = 1;
+    const auto notes = [&] {
+        return calibrate_study(wet_study(), measurements, request, {}).notes;
+    };
+    const auto says_so = testing::Contains(HasSubstr("add --confirm"));
+    EXPECT_THAT(notes(), testing::Not(says_so));
+    for (Reading& reading : measurements.readings) {
+        reading.covariance /= 1e4;  // errors of 0.02 %
+    }
+    EXPECT_THAT(notes(), says_so);
+}
+
 TEST(EmulatedSimulation, OrdersWhatLiesBeyondItsRuns) {
     EmulatedSimulation model(wet_study(), {dry_at(1000, 0.3)}, tiny, 1, {.threads = 2},
                              {tiny_runs(), {}, true});
