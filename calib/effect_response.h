@@ -7,7 +7,7 @@
 namespace pendular {
 
 /// Coordinates at which the response to an effect is asked: friction, sqrt(I), ln(1 + 10/P*), ln V0
-/// and the effect's amplitudes, each of the order of 1 over the range of the studies.
+/// and how far the effect goes, each of the order of 1 over the range of the studies.
 using ResponsePlace = Eigen::Vector<double, 5>;
 
 /// What an effect on grains adds to an observable, from runs with the effect less what the emulator

@@ -22,6 +22,15 @@ bool in_pair(Observable which) {
     return which == pair[0] || which == pair[1];
 }
 
+std::vector<Query> pairs_at(const std::vector<FlowState>& states) {
+    std::vector<Query> queries;
+    for (const FlowState& state : states) {
+        queries.push_back({state, pair[0]});
+        queries.push_back({state, pair[1]});
+    }
+    return queries;
+}
+
 Unit unit_at(Observable which, const FlowState& state) {
     using enum Observable;
     switch (which) {

@@ -15,6 +15,8 @@ inline constexpr double exponent = 0.5;
 inline constexpr dem::Observable pair[] = {dem::Observable::stress_ratio,
                                            dem::Observable::solid_fraction};
 bool in_pair(dem::Observable which);
+/// Both at these states, one after the other.
+std::vector<Query> pairs_at(const std::vector<FlowState>& states);
 
 /// What an observable is emulated over, so that what is left changes little: value = offset + size
 /// x process. Capillary stresses over s22 go with 1/P*, the gap of distant pairs with the rupture

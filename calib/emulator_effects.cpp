@@ -30,10 +30,13 @@ double response_scale(const std::string& name) {
 
 /// The amplitude with which an effect grows in proportion, 0 at neutral; of a few parameters the
 /// first that is off neutral.
-double response_amplitude(const EffectValues& values) {
+double response_amplitude(const EffectValues& values, double friction) {
     const Effect& effect = built_in_effect(values.effect);
     const EffectParameter& p = effect.parameters.front();
     const double value = values.values.front();
+    if (p.felt) {
+        return p.felt(value, friction);
+    }
     return p.amplitude ? p.amplitude(value) - p.amplitude(p.neutral) : value - p.neutral;
 }
 
@@ -48,7 +51,16 @@ bool fades(const Effect& effect) {
 double response_size(const EffectValues& values, const FlowState& state, Observable which) {
     const bool with_pressure =
         domain_of(which) == Domain::all_flow && fades(built_in_effect(values.effect));
-    return response_amplitude(values) * (with_pressure ? state.inverse_pressure : 1);
+    return response_amplitude(values, state.friction) *
+           (with_pressure ? state.inverse_pressure : 1);
+}
+
+/// How far an effect goes, of the order of 1: over what it comes to in studies, or over what
+/// friction lets it be at most.
+double response_degree(const EffectValues& values, double friction) {
+    const EffectParameter& p = built_in_effect(values.effect).parameters.front();
+    const double most = p.felt ? p.felt(p.upper, friction) : response_scale(values.effect);
+    return most > 0 ? response_amplitude(values, friction) / most : 0;
 }
 
 /// Where the response to an effect is asked; widths are those of the studies' range.
@@ -56,7 +68,7 @@ ResponsePlace response_place(const FlowState& state, const EffectValues& values)
     const Coordinates at = place_of(state);
     ResponsePlace place;
     place << at.x, at.q / 0.1, std::log1p(10 * at.u) / 1.5, state.dry() ? 0.0 : at.v,
-        response_amplitude(values) / response_scale(values.effect);
+        response_degree(values, state.friction);
     return place;
 }
 

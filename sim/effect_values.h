@@ -17,6 +17,9 @@ struct EffectParameter {
     /// What the effect grows with in proportion, as a function of the value; itself where empty. It
     /// must not have a zero slope at neutral, as 1 - cos has.
     double (*amplitude)(double value) = nullptr;
+    /// Of an effect on grains that acts only as far as friction lets it: what flow responds to in
+    /// proportion, 0 at neutral and greatest at `upper`. The emulator learns responses by it.
+    double (*felt)(double value, double friction) = nullptr;
 
     bool is_switch() const { return name == "on"; }
 };

@@ -34,6 +34,14 @@ void roll(const dem::PairBatch& batch, const dem::PairContext& context) {
     }
 }
 
+/// What of a coefficient flow feels: contacts slide rather than roll once that takes less, so that
+/// it saturates with the coefficient over the friction. The factor is that of the greatest
+/// likelihood for the runs of the atlas, both of stress ratio and of solid fraction.
+double felt(double coefficient, double friction) {
+    constexpr double sliding = 3;
+    return friction > 0 ? -friction / sliding * std::expm1(-sliding * coefficient / friction) : 0;
+}
+
 }  // namespace
 
 /// Rough or slightly angular beads touch over a patch and resist being rolled. Dry beads then leave
@@ -48,7 +56,8 @@ Effect rolling_resistance() {
                             .upper = 0.5,
                             .neutral = 0,
                             .matters = 0.02,
-                            .meaning = "largest rolling torque over (a/2) F_N"}},
+                            .meaning = "largest rolling torque over (a/2) F_N",
+                            .felt = felt}},
             .change = dem::ChangePairs{.memory = 3, .add = roll},
             .touches = Touches::all,
             .acts_through = {"stress_ratio", "solid_fraction"},

@@ -73,6 +73,17 @@ TEST_P(EffectRegistry, HasAnAmplitudeThatVanishesAtNeutralAndGrows) {
     }
 }
 
+TEST_P(EffectRegistry, IsFeltFromNeutralOnAndMostAtItsUpperBound) {
+    for (const EffectParameter& p : effect().parameters) {
+        if (!p.felt) continue;
+        for (const double friction : {0.02, 0.1, 0.5}) {
+            EXPECT_EQ(p.felt(p.neutral, friction), 0) << p.name;
+            EXPECT_GT(p.felt(p.neutral + p.matters, friction), 0) << p.name;
+            EXPECT_GE(p.felt(p.upper, friction), p.felt((p.neutral + p.upper) / 2, friction));
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Effects, EffectRegistry,
                          testing::ValuesIn(names_of_effects([](const Effect&) { return true; })),
                          test_name);

@@ -56,7 +56,7 @@ TEST(Emulator, AddsTheChangeThatRunsWithAnEffectShow) {
     auto changed = invented_runs(40, 2);
     for (auto& run : changed) {
         const double amplitude = run.parameters.seed % 2 == 0 ? 0.05 : 0.2;
-        run.parameters.effects = {{"rolling-resistance", {amplitude}}};
+        run.parameters.effects = {{"dry-adhesion", {amplitude}}};
         run.means[static_cast<std::size_t>(Observable::stress_ratio)].value +=
             2 * amplitude * run.parameters.friction;
         runs.push_back(run);
@@ -66,7 +66,7 @@ TEST(Emulator, AddsTheChangeThatRunsWithAnEffectShow) {
         for (const double amplitude : {0.0, 0.1, 0.2}) {
             const FlowState plain{friction, 0.01};
             FlowState with_it = plain;
-            with_it.effects = {{"rolling-resistance", {amplitude}}};
+            with_it.effects = {{"dry-adhesion", {amplitude}}};
             const std::vector<Query> both = {{with_it, Observable::stress_ratio},
                                              {plain, Observable::stress_ratio}};
             const Eigen::VectorXd said = emulator.mean(both);
@@ -81,6 +81,27 @@ TEST(Emulator, AddsTheChangeThatRunsWithAnEffectShow) {
             }
         }
     }
+}
+
+/// Rolling resistance is felt as far as friction lets it be: of 72 runs with it, of frictions from
+/// 0.05 to 0.5, a third is foretold from the others to 0.006 RMS, hardly more than the runs' own
+/// errors. A response in proportion to the coefficient is off by 0.011, or 0.016 in other thirds.
+TEST(Emulator, ForetellsRollingResistanceAtOtherFrictions) {
+    std::vector<dem::RunResult> known, others;
+    for (const auto& run : all_shipped_runs()) {
+        const auto& effects = run.parameters.effects;
+        const bool rolling = effects.size() == 1 && effects[0].effect == "rolling-resistance";
+        (rolling && (known.size() + others.size()) % 3 == 0 ? others : known).push_back(run);
+    }
+    ASSERT_GT(others.size(), 20u);
+    const Emulator emulator(known, shipped_scales());
+    double squares = 0;
+    for (const auto& run : others) {
+        const double said =
+            emulator.mean({{Emulator::state_of(run.parameters), Observable::stress_ratio}})(0);
+        squares += std::pow(said - run[Observable::stress_ratio].value, 2);
+    }
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(others.size())), 0.009);
 }
 
 /// Relative change of the stress ratio by a switch that only wet beads feel, at friction 0.09 and
