@@ -166,7 +166,7 @@ def main():
     version = run([options.pendular, "--version"]).stdout.splitlines()[0]
     with options.out.open("w", newline="") as file:
         file.write(f"# {version}; bench/planted_effects.py\n")
-        writer = csv.DictWriter(file, fields)
+        writer = csv.DictWriter(file, fields, lineterminator="\n")
         writer.writeheader()
         for row in rows:
             writer.writerow({k: f"{v:.4g}" if isinstance(v, float) else v for k, v in row.items()})
