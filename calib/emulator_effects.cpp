@@ -28,8 +28,8 @@ double response_scale(const std::string& name) {
     return p.amplitude ? p.amplitude(value) : value - p.neutral;
 }
 
-/// The amplitude with which an effect grows in proportion, 0 at neutral; of a few parameters the
-/// first that is off neutral.
+/// The amplitude with which an effect grows in proportion, as far as friction lets it be felt, 0 at
+/// neutral; that of the first parameter.
 double response_amplitude(const EffectValues& values, double friction) {
     const Effect& effect = built_in_effect(values.effect);
     const EffectParameter& p = effect.parameters.front();

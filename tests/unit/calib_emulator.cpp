@@ -84,8 +84,8 @@ TEST(Emulator, AddsTheChangeThatRunsWithAnEffectShow) {
 }
 
 /// Rolling resistance is felt as far as friction lets it be: of 72 runs with it, of frictions from
-/// 0.05 to 0.5, a third is foretold from the others to 0.006 RMS, hardly more than the runs' own
-/// errors. A response in proportion to the coefficient is off by 0.011, or 0.016 in other thirds.
+/// 0.05 to 0.5, a third is foretold from the others to 0.006 RMS; their own errors are 0.005 to
+/// 0.010. A response in proportion to the coefficient is off by 0.011, or 0.016 in other thirds.
 TEST(Emulator, ForetellsRollingResistanceAtOtherFrictions) {
     std::vector<dem::RunResult> known, others;
     for (const auto& run : all_shipped_runs()) {
