@@ -57,7 +57,7 @@ class Checking {
         : residuals_(residuals), kinds_(kinds), covariates_(covariates) {
         // Away from the optimum too, as where only some readings were fitted.
         own_residuals_ = residuals.project(residuals.residuals());
-        drawn_residuals_ = residuals.project(draws.errors());
+        drawn_residuals_ = residuals.project(draws.whitened(residuals));
     }
     Checks run() {
         lack_of_fit();

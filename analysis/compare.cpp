@@ -3,7 +3,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <map>
+#include <span>
+#include <utility>
 
 #include "data/replicates.h"
 
@@ -16,7 +20,7 @@ std::vector<ConditionMisfit> misfit_by_condition(const std::vector<Reading>& rea
                                                  const Eigen::VectorXd& misfit,
                                                  const Eigen::MatrixXd& total) {
     std::vector<ConditionMisfit> groups;
-    for (const auto& members : condition_groups(readings)) {
+    for (const auto& members : replicate_groups(readings)) {
         ConditionMisfit group{readings[members.front()].condition, members};
         Eigen::Vector2d sum = Eigen::Vector2d::Zero(), variance = Eigen::Vector2d::Zero();
         for (const std::size_t k : members) {
@@ -31,6 +35,17 @@ std::vector<ConditionMisfit> misfit_by_condition(const std::vector<Reading>& rea
         groups.push_back(group);
     }
     return groups;
+}
+
+/// Misfits as independent ones of variance 1 that are as like their own normalised misfits as can
+/// be, so that the squares are parts of chi2, none of them negative:
+///     R^(-1/2) V^(-1/2) e,   Sigma = V^(1/2) R V^(1/2),  V diagonal.
+/// Source: Kessy, Lewin and Strimmer, Am. Stat. 72 (2018) 309, ZCA-cor whitening.
+Eigen::VectorXd whitened_alike(const Eigen::VectorXd& misfit, const Eigen::MatrixXd& covariance) {
+    const Eigen::VectorXd scale = covariance.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd correlation = scale.asDiagonal() * covariance * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(correlation);
+    return modes.operatorInverseSqrt() * scale.cwiseProduct(misfit);
 }
 
 std::vector<FileMisfit> misfit_by_file(const std::vector<ReadingMisfit>& misfits) {
@@ -49,24 +64,27 @@ std::vector<FileMisfit> misfit_by_file(const std::vector<ReadingMisfit>& misfits
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> condition_groups(const std::vector<Reading>& readings) {
-    std::vector<std::vector<std::size_t>> groups;
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-        const auto group = std::ranges::find_if(groups, [&](const auto& members) {
-            return are_replicates(readings[members.front()], readings[k]);
-        });
-        if (group == groups.end()) {
-            groups.push_back({k});
-        } else {
-            group->push_back(k);
+double freedom_behind(std::span<const Reading> readings) {
+    std::map<std::pair<std::size_t, double>, double> shares;
+    for (const Reading& reading : readings) {
+        for (const Eigen::Index o : {0, 1}) {
+            shares[{2 * reading.scatter_group + static_cast<std::size_t>(o),
+                    reading.scatter_freedom(o)}] += 0.5 / static_cast<double>(readings.size());
         }
     }
-    return groups;
+    double inverse = 0;
+    for (const auto& [group, share] : shares) {
+        inverse += share * share / group.second;
+    }
+    return inverse > 0 ? 1 / inverse : INFINITY;
 }
 
 double Misfit::p() const {
-    return dof > 0 ? boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), chi2))
-                   : 1.0;
+    using namespace boost::math;
+    if (dof <= 0) return 1;
+    return std::isfinite(freedom)
+               ? cdf(complement(fisher_f(static_cast<double>(dof), freedom), chi2 / dof))
+               : cdf(complement(chi_squared(dof), chi2));
 }
 
 Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction,
@@ -74,14 +92,17 @@ Comparison compare(const std::vector<Reading>& readings, const Prediction& predi
     const Measured measured = stack(readings);
     const Eigen::MatrixXd total = measured.covariance + prediction.covariance;
     const Eigen::VectorXd misfit = measured.value - prediction.value;
-    const Eigen::VectorXd terms = misfit.cwiseProduct(total.llt().solve(misfit));
+    const Eigen::VectorXd terms = whitened_alike(misfit, total).cwiseAbs2();
     Comparison result;
     const auto split = 2 * static_cast<Eigen::Index>(fitted);
-    result.fitted = {terms.head(split).sum(), static_cast<int>(split) - parameters};
+    const std::span all(readings);
+    result.fitted = {terms.head(split).sum(), static_cast<int>(split) - parameters,
+                     freedom_behind(all.first(fitted))};
     result.predicted = {terms.tail(terms.size() - split).sum(),
-                        static_cast<int>(terms.size() - split)};
+                        static_cast<int>(terms.size() - split),
+                        freedom_behind(all.subspan(fitted))};
     result.total = {result.fitted.chi2 + result.predicted.chi2,
-                    result.fitted.dof + result.predicted.dof};
+                    result.fitted.dof + result.predicted.dof, freedom_behind(all)};
     for (std::size_t k = 0; k < readings.size(); ++k) {
         const auto at = static_cast<Eigen::Index>(2 * k);
         const Eigen::Vector2d errors = total.diagonal().segment<2>(at).cwiseSqrt();

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,14 +17,10 @@ struct ReadingMisfit {
     Reading reading;
     Eigen::Vector2d predicted;
     Eigen::Matrix2d predicted_covariance;
-    Eigen::Vector2d chi2;  ///< its parts of the total, by observable; with correlated errors one
-                           ///< may be negative
+    Eigen::Vector2d chi2;  ///< its parts of the total, by observable; none is negative
     Eigen::Vector2d
         normalised;  ///< (measured - predicted) over the standard error of the difference [1]
 };
-
-/// Places of readings of the same condition (replicates) among some readings, in their order.
-std::vector<std::vector<std::size_t>> condition_groups(const std::vector<Reading>& readings);
 
 /// Readings of one condition (replicates) taken together.
 struct ConditionMisfit {
@@ -50,12 +48,19 @@ struct DirectMisfit {
     }
 };
 
+/// Degrees of freedom behind the errors of readings, whose variances were estimated in groups:
+///     1/nu = sum (n_g/n)^2/nu_g
+/// Source: Satterthwaite, Biometrics Bull. 2 (1946) 110, for equal variances.
+double freedom_behind(std::span<const Reading> readings);
+
 /// chi2 of some readings.
 struct Misfit {
-    double chi2 = 0;
+    double chi2 = 0;  ///< with the scatter of replicates as it was estimated
     int dof = 0;
+    double freedom = INFINITY;  ///< degrees of freedom behind the errors
 
-    /// Probability of a chi2 at least this large if the model and all errors are right [1].
+    /// Probability of a chi2 at least this large if the model and all errors are right [1]; where
+    /// the errors were estimated, by the F distribution of chi2/dof.
     double p() const;
 };
 
@@ -76,8 +81,8 @@ struct Comparison {
 
 /// Puts every reading beside its prediction.
 ///     chi2 = e' (Sigma_measurement + Sigma_simulation)^-1 e,  e = measured - predicted
-/// split so that entry i contributes e_i [Sigma^-1 e]_i. `fitted` of the readings, the first ones,
-/// were fitted with so many parameters.
+/// split so that entry i contributes the square of its decorrelated misfit (ZCA-cor). `fitted` of
+/// the readings, the first ones, were fitted with so many parameters.
 Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction,
                    int parameters, std::size_t fitted);
 

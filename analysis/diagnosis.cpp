@@ -154,7 +154,7 @@ void Diagnostician::scan() {
     say("scan", count, count);
     suspect_tests_ = explanations_.suspect_tests(*residuals_);
     tests.insert(tests.end(), suspect_tests_.begin(), suspect_tests_.end());
-    const FamilyOfTests family(tests, explanations_.draws());
+    const FamilyOfTests family(tests, *residuals_, explanations_.draws());
     double smallest = 1;
     for (const ScoreTest& test : tests) {
         smallest = std::min(smallest, test.p());

@@ -69,7 +69,7 @@ Explanations::Explanations(const ModelSpace& space, const Evidence& evidence,
     : space_(space),
       evidence_(evidence),
       options_(options),
-      draws_(evidence.errors, options.seed, options.draws) {
+      draws_(evidence.measured, evidence.errors, options.seed, options.draws) {
     errors.resize(space.candidates().size());
 }
 
@@ -119,7 +119,7 @@ double Explanations::lack_of_fit_p(const WeightedResiduals& residuals) const {
     const Eigen::MatrixXd means = residuals.means_over(evidence_.conditions);
     const double observed = (means.transpose() * residuals.residuals()).squaredNorm();
     const Eigen::VectorXd drawn =
-        (means.transpose() * draws_.errors()).colwise().squaredNorm().transpose();
+        draws_.along(residuals, means).colwise().squaredNorm().transpose();
     return NullDraws::p(observed, drawn);
 }
 
@@ -170,7 +170,7 @@ void Explanations::judge(Explanation& explanation) const {
     for (const ScoreTest& test : tests) {
         smallest = std::min(smallest, test.p());
     }
-    explanation.further_p = FamilyOfTests(tests, draws_).p(smallest);
+    explanation.further_p = FamilyOfTests(tests, residuals, draws_).p(smallest);
     explanation.accepted = explanation.further_p >= half_significance();
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "data/input_error.h"
+#include "data/json_text.h"
 #include "data/text_file.h"
 
 namespace pendular {
@@ -143,7 +144,9 @@ Ladder read_ladder(const std::filesystem::path& file) {
         return {};
     }
     try {
-        return ladder_from(Json::parse(read_text(file)));
+        const Json json = Json::parse(read_text(file));
+        check_json_format(json, file, "move this file away to begin a new ladder");
+        return ladder_from(json);
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {
@@ -160,7 +163,7 @@ void write_ladder(const std::filesystem::path& file, const Ladder& ladder) {
     for (const Rung& rung : ladder) {
         json["rungs"].push_back(to_json(rung));
     }
-    write_whole(file, json.dump(2) + "\n");
+    write_whole(file, json_text(json));
 }
 
 }  // namespace pendular

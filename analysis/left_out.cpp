@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/compare.h"
+#include "data/replicates.h"
 
 namespace pendular {
 namespace {
@@ -92,7 +93,7 @@ bool determined(const Fit& fit, const Measured& measured) {
 std::optional<LeftOut> left_out_errors(const FlowModel& model, const Calibration& c) {
     const auto end_of_fitted = c.readings.begin() + static_cast<std::ptrdiff_t>(c.fitted);
     const std::vector<Reading> fitted(c.readings.begin(), end_of_fitted);
-    const auto groups = condition_groups(fitted);
+    const auto groups = replicate_groups(fitted);
     if (groups.size() < 2) {
         return std::nullopt;
     }

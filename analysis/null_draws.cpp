@@ -1,31 +1,89 @@
 #include "analysis/null_draws.h"
 
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 namespace pendular {
+namespace {
 
-ErrorKnowledge ErrorKnowledge::known(Eigen::Index n) {
-    return {std::vector<std::size_t>(static_cast<std::size_t>(n), 0), {INFINITY}};
+using Random = std::mt19937_64;
+
+/// nu/chi2_nu: a true variance over the one believed; 1 where that is known.
+double over_believed(double freedom, Random& random) {
+    return std::isfinite(freedom) ? freedom / std::chi_squared_distribution<double>(freedom)(random)
+                                  : 1.0;
 }
 
-NullDraws::NullDraws(const ErrorKnowledge& knowledge, std::uint64_t seed, Eigen::Index count)
-    : errors_(static_cast<Eigen::Index>(knowledge.kind.size()), count) {
-    std::mt19937_64 random(seed);
+double drawn_variance(const SharedErrors& shared, Random& random) {
+    if (!std::isfinite(shared.freedom_between)) return shared.variance;
+    const double between = shared.between * over_believed(shared.freedom_between, random);
+    const double within = shared.within * over_believed(shared.freedom_within, random);
+    return std::max(0.0, between - within) / shared.steps;
+}
+
+/// Square root of the covariance of what entries do not share.
+Eigen::MatrixXd own_root(const Measured& measured, const ErrorKnowledge& knowledge) {
+    Eigen::MatrixXd own = measured.covariance;
+    for (const SharedErrors& shared : knowledge.shared) {
+        own -= shared.variance * shared.loadings * shared.loadings.transpose();
+    }
+    // In units of the errors, since stresses and solid fractions are of different sizes.
+    const Eigen::VectorXd size = measured.covariance.diagonal().cwiseSqrt();
+    const Eigen::MatrixXd scaled =
+        size.cwiseInverse().asDiagonal() * own * size.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled);
+    return size.asDiagonal() * modes.eigenvectors() *
+           modes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
+           modes.eigenvectors().transpose();
+}
+
+Eigen::MatrixXd normals(Eigen::Index rows, Random& random) {
     std::normal_distribution<double> normal;
+    return Eigen::MatrixXd::NullaryExpr(rows, 1, [&] { return normal(random); });
+}
+
+}  // namespace
+
+ErrorKnowledge ErrorKnowledge::known(Eigen::Index n) {
+    return {std::vector<std::size_t>(static_cast<std::size_t>(n), 0), {INFINITY}, {}};
+}
+
+NullDraws::NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, std::uint64_t seed,
+                     Eigen::Index count)
+    : errors_(measured.value.size(), count), predictions_(measured.value.size(), count) {
+    Random random(seed);
+    const Eigen::Index n = errors_.rows();
+    const Eigen::MatrixXd root = own_root(measured, knowledge);
     for (Eigen::Index draw = 0; draw < count; ++draw) {
-        std::vector<double> believed;  // true error over the believed one
+        errors_.col(draw) = normals(n, random);
+        predictions_.col(draw) = normals(n, random);
+    }
+    errors_ = root * errors_;
+    for (Eigen::Index draw = 0; draw < count; ++draw) {
+        std::vector<double> believed;
         for (const double freedom : knowledge.freedom) {
-            believed.push_back(
-                std::isfinite(freedom)
-                    ? std::sqrt(freedom / std::chi_squared_distribution<double>(freedom)(random))
-                    : 1.0);
+            believed.push_back(std::sqrt(over_believed(freedom, random)));
         }
-        for (Eigen::Index k = 0; k < errors_.rows(); ++k) {
-            errors_(k, draw) =
-                normal(random) * believed[knowledge.kind[static_cast<std::size_t>(k)]];
+        for (Eigen::Index k = 0; k < n; ++k) {
+            errors_(k, draw) *= believed[knowledge.kind[static_cast<std::size_t>(k)]];
+        }
+        for (const SharedErrors& shared : knowledge.shared) {
+            errors_.col(draw) += std::sqrt(drawn_variance(shared, random)) *
+                                 (shared.loadings * normals(shared.loadings.cols(), random));
         }
     }
+}
+
+Eigen::MatrixXd NullDraws::along(const WeightedResiduals& residuals,
+                                 const Eigen::MatrixXd& basis) const {
+    return residuals.whiten_basis(basis).transpose() * errors_ +
+           (residuals.prediction_root().transpose() * basis).transpose() * predictions_;
+}
+
+Eigen::MatrixXd NullDraws::whitened(const WeightedResiduals& residuals) const {
+    return residuals.whiten(errors_) + residuals.prediction_root() * predictions_;
 }
 
 double NullDraws::p(double observed, const Eigen::VectorXd& drawn) {

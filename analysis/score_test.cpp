@@ -92,11 +92,12 @@ double ScoreTest::critical(double limit) const {
         boost::math::chi_squared(static_cast<double>(basis.cols())), std::max(tail, 1e-300)));
 }
 
-Eigen::VectorXd ScoreTest::drawn(const NullDraws& draws) const {
+Eigen::VectorXd ScoreTest::drawn(const WeightedResiduals& residuals, const NullDraws& draws) const {
+    const Eigen::MatrixXd along = draws.along(residuals, basis);
     if (one_sided) {
-        return (basis.transpose() * draws.errors()).cwiseMax(0.0).cwiseAbs2().transpose();
+        return along.cwiseMax(0.0).cwiseAbs2().transpose();
     }
-    return (basis.transpose() * draws.errors()).colwise().squaredNorm().transpose();
+    return along.colwise().squaredNorm().transpose();
 }
 
 double ScoreTest::power(double amplitude, double limit) const {
@@ -122,11 +123,12 @@ double ScoreTest::detectable(double wanted, double limit) const {
     return away * std::sqrt(length) / information;
 }
 
-FamilyOfTests::FamilyOfTests(const std::vector<ScoreTest>& tests, const NullDraws& draws) {
+FamilyOfTests::FamilyOfTests(const std::vector<ScoreTest>& tests,
+                             const WeightedResiduals& residuals, const NullDraws& draws) {
     std::ranges::copy_if(tests, std::back_inserter(tests_), &ScoreTest::seen);
     drawn_.resize(draws.count(), static_cast<Eigen::Index>(tests_.size()));
     for (std::size_t k = 0; k < tests_.size(); ++k) {
-        drawn_.col(static_cast<Eigen::Index>(k)) = tests_[k].drawn(draws);
+        drawn_.col(static_cast<Eigen::Index>(k)) = tests_[k].drawn(residuals, draws);
     }
 }
 

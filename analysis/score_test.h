@@ -37,7 +37,7 @@ struct ScoreTest {
     /// Statistic at which p() is this.
     double critical(double p) const;
     /// The statistic in each draw of errors.
-    Eigen::VectorXd drawn(const NullDraws& draws) const;
+    Eigen::VectorXd drawn(const WeightedResiduals& residuals, const NullDraws& draws) const;
     /// Probability that a true amplitude leads to a p below a limit.
     double power(double amplitude, double limit) const;
     /// Amplitude at which that is `wanted`.
@@ -51,7 +51,9 @@ ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signat
 /// Many score tests at a time, of which each may be wrong.
 class FamilyOfTests {
   public:
-    FamilyOfTests(const std::vector<ScoreTest>& tests, const NullDraws& draws);
+    /// `residuals`: those that were tested.
+    FamilyOfTests(const std::vector<ScoreTest>& tests, const WeightedResiduals& residuals,
+                  const NullDraws& draws);
 
     /// Probability that any of the tests has a p as small as this where nothing is missing.
     double p(double smallest) const;

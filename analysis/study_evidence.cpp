@@ -33,7 +33,7 @@ Suspect suspect(std::string name, const std::vector<std::size_t>& readings,
 /// Entries of each condition, one observable after the other.
 std::vector<std::vector<Eigen::Index>> entries_by_condition(const std::vector<Reading>& readings) {
     std::vector<std::vector<Eigen::Index>> result;
-    for (const auto& group : condition_groups(readings)) {
+    for (const auto& group : replicate_groups(readings)) {
         for (const Eigen::Index observable : {0, 1}) {
             std::vector<Eigen::Index> entries;
             for (const std::size_t k : group) {
@@ -142,24 +142,92 @@ void add_direct(Evidence& evidence, const std::vector<DirectMeasurement>& direct
     }
 }
 
+/// Errors that readings of one filling share in one observable.
+SharedErrors filling_errors(const std::vector<Reading>& readings,
+                            const ReplicateScatter::Filling& filling, Eigen::Index observable,
+                            Eigen::Index entries) {
+    std::map<std::string, std::vector<std::size_t>> files;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        if (readings[k].within_run_only) files[readings[k].origin.file].push_back(k);
+    }
+    SharedErrors shared{.loadings = Eigen::MatrixXd::Zero(entries, std::ssize(files)),
+                        .variance = filling.variance,
+                        .between = filling.between,
+                        .within = filling.within,
+                        .freedom_between = filling.freedom_between,
+                        .freedom_within = filling.freedom_within,
+                        .steps = filling.steps};
+    Eigen::Index source = 0;
+    for (const auto& [file, members] : files) {
+        for (const std::size_t k : members) {
+            shared.loadings(2 * static_cast<Eigen::Index>(k) + observable, source) =
+                readings[k].value(observable);
+        }
+        ++source;
+    }
+    return shared;
+}
+
+/// Errors that readings share and whose size is known, such as those of rounding.
+SharedErrors known_shared_errors(const std::vector<Reading>& readings, Eigen::Index entries) {
+    std::map<std::size_t, Eigen::VectorXd> loadings;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        for (const SharedError& error : readings[k].shared) {
+            if (!error.known) continue;
+            auto& column =
+                loadings.emplace(error.source, Eigen::VectorXd::Zero(entries)).first->second;
+            column.segment<2>(2 * static_cast<Eigen::Index>(k)) = error.estimated;
+        }
+    }
+    SharedErrors shared{.loadings = Eigen::MatrixXd(entries, std::ssize(loadings)), .variance = 1};
+    Eigen::Index source = 0;
+    for (const auto& [number, column] : loadings) {
+        shared.loadings.col(source++) = column;
+    }
+    return shared;
+}
+
+ErrorKnowledge knowledge_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
+                            Eigen::Index entries) {
+    ErrorKnowledge knowledge;
+    // Groups whose scatter was pooled share one estimate, and so its error.
+    std::map<std::tuple<Eigen::Index, double, double>, std::size_t> kinds;
+    for (const Reading& reading : readings) {
+        for (const Eigen::Index o : {0, 1}) {
+            double excess = 0, freedom = INFINITY;
+            if (reading.scatter_group < scatter.groups.size()) {
+                const auto& group = scatter.groups[reading.scatter_group];
+                excess = group.excess(o, o);
+                if (excess > 0) freedom = group.freedom(o);
+            }
+            const auto [kind, added] =
+                kinds.emplace(std::tuple(o, excess, freedom), knowledge.freedom.size());
+            if (added) knowledge.freedom.push_back(freedom);
+            knowledge.kind.push_back(kind->second);
+        }
+    }
+    if (auto known = known_shared_errors(readings, entries); known.loadings.cols() > 0) {
+        knowledge.shared.push_back(std::move(known));
+    }
+    for (const Eigen::Index o : {0, 1}) {
+        const auto& filling = scatter.filling[static_cast<std::size_t>(o)];
+        if (filling.freedom_between > 0) {
+            knowledge.shared.push_back(filling_errors(readings, filling, o, entries));
+        }
+    }
+    return knowledge;
+}
+
 }  // namespace
 
 Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                      const std::vector<DirectMeasurement>& direct) {
-    std::vector<Reading> estimated = readings;
     Evidence evidence;
-    for (Reading& reading : estimated) {
-        reading.covariance = estimated_covariance(reading, scatter);
-        evidence.errors_assumed |= reading.error_assumed;
-        evidence.errors.kind.insert(evidence.errors.kind.end(), {0, 1});
-    }
-    evidence.measured = stack(estimated, direct);
-    for (const Eigen::Index observable : {0, 1}) {
-        const bool scattered = scatter.excess(observable, observable) > 0;
-        evidence.errors.freedom.push_back(scattered ? scatter.freedom : INFINITY);
-    }
+    evidence.errors_assumed = std::ranges::any_of(readings, &Reading::error_assumed);
+    evidence.measured = stack(readings, direct);
+    evidence.errors = knowledge_of(readings, scatter, evidence.measured.value.size());
     evidence.conditions = entries_by_condition(readings);
-    const auto groups = condition_groups(readings);
+    const auto groups = replicate_groups(readings);
     std::map<std::string, std::vector<std::size_t>> files;
     for (std::size_t k = 0; k < readings.size(); ++k) {
         files[readings[k].origin.file].push_back(k);

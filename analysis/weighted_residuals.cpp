@@ -12,6 +12,11 @@ WeightedResiduals::WeightedResiduals(const Measured& measured, const Prediction&
         throw std::logic_error("the covariance of the readings is not positive definite");
     }
     lower_ = factor.matrixL();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+        whiten_covariance(prediction.covariance));
+    prediction_root_ = modes.eigenvectors() *
+                       modes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
+                       modes.eigenvectors().transpose();
     residuals_ = whiten(measured.value - prediction.value);
     slopes_ = whiten(prediction.jacobian);
     lengths_ = slopes_.colwise().norm().cwiseMax(1e-300);
@@ -23,6 +28,10 @@ WeightedResiduals::WeightedResiduals(const Measured& measured, const Prediction&
 
 Eigen::MatrixXd WeightedResiduals::whiten(const Eigen::MatrixXd& columns) const {
     return lower_.triangularView<Eigen::Lower>().solve(columns);
+}
+
+Eigen::MatrixXd WeightedResiduals::whiten_basis(const Eigen::MatrixXd& columns) const {
+    return lower_.transpose().triangularView<Eigen::Upper>().solve(columns);
 }
 
 Eigen::MatrixXd WeightedResiduals::whiten_covariance(const Eigen::MatrixXd& covariance) const {

@@ -26,6 +26,10 @@ class WeightedResiduals {
 
     /// L^-1 times columns of changes in the units of the readings.
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
+    /// L^-T times whitened columns: what their products with whitened changes are with the changes.
+    Eigen::MatrixXd whiten_basis(const Eigen::MatrixXd& columns) const;
+    /// Symmetric root of the prediction's covariance in whitened units.
+    const Eigen::MatrixXd& prediction_root() const { return prediction_root_; }
     /// L^-1 C L^-T of a matrix in those units.
     Eigen::MatrixXd whiten_covariance(const Eigen::MatrixXd& covariance) const;
     /// P times whitened columns.
@@ -44,6 +48,7 @@ class WeightedResiduals {
   private:
     Eigen::VectorXd measured_;
     Eigen::MatrixXd lower_;  ///< L
+    Eigen::MatrixXd prediction_root_;
     Eigen::VectorXd residuals_;
     Eigen::MatrixXd slopes_;
     Eigen::VectorXd lengths_;  ///< of the columns of J, by which they are divided first

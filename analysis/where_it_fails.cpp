@@ -16,7 +16,7 @@ std::vector<Offending> offending_of(const Evidence& evidence, const WeightedResi
     for (const Suspect& suspect : evidence.suspects) {
         tests.push_back(score_test(residuals, {.change = suspect.columns}, false));
     }
-    const FamilyOfTests family(tests, draws);
+    const FamilyOfTests family(tests, residuals, draws);
     std::vector<Offending> result;
     for (std::size_t k = 0; k < tests.size(); ++k) {
         const double p = family.p(tests[k].p());
@@ -35,7 +35,7 @@ WhereItFails where_it_fails(const std::vector<Reading>& readings, const Replicat
                             const std::vector<DirectMeasurement>& direct, std::uint64_t seed) {
     const Evidence evidence = evidence_of(readings, scatter, direct);
     const WeightedResiduals residuals(evidence.measured, prediction);
-    const NullDraws draws(evidence.errors, seed, DiagnosisOptions{}.draws);
+    const NullDraws draws(evidence.measured, evidence.errors, seed, DiagnosisOptions{}.draws);
     return {check_fit(residuals, entries_of(readings, parameters, direct.size()),
                       covariates_of(readings, direct.size()), draws),
             offending_of(evidence, residuals, draws)};

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "app/belief.h"
 #include "app/calibration_run.h"
 #include "app/command.h"
 #include "app/interrupt.h"
@@ -15,6 +16,7 @@
 #include "app/study_input.h"
 #include "data/input_error.h"
 #include "reports/json.h"
+#include "reports/json_parts.h"
 #include "reports/ladder_figure.h"
 
 namespace pendular::app {
@@ -193,17 +195,19 @@ int change_study(Action what, const std::vector<std::string>& arguments) {
     }
     Console console(*common);
     const auto out = common->out_folder();
-    const auto [study, measurements] = read_input(common->study);
+    const auto [study, measurements] = read_input(*common, {"fit.json", "ladder.json", "figures"});
     const StudyChange change = plan_change(study, what, own.effect);
     Ladder ladder = read_ladder(out / "ladder.json");  // refused before any work
 
     ChangeRun run(console, *common, own);
     const Fitted before = run.before(study, measurements);
-    const Fitted after = run.after(change, measurements);
+    Fitted after = run.after(change, measurements);
+    after.belief = belief_in(change.study, measurements, after.calibration, after.comparison);
     const bool converged = after.calibration.fit.converged;
     if (converged) {
         carry_out(change, before.rung, after, ladder, out);
         console.line(verdict_of(change, before.rung, after.rung));
+        print_doubts(console, after.belief);
         print_evidence(console, change, before, after, *common);
         const Figure figure = ladder_figure(ladder);
         draw(figure, out / "figures");
@@ -211,8 +215,10 @@ int change_study(Action what, const std::vector<std::string>& arguments) {
             fmt::format("figure: {}", (out / "figures" / (figure.name + ".png")).string()));
     }
     const int code = converged ? static_cast<int>(done) : refuse_fit(console, change, after);
-    console.json(to_json(change, before.rung, after.rung, converged));
-    return code;
+    auto json = to_json(change, before.rung, after.rung, converged);
+    add_belief(json, after.belief);
+    console.json(json);
+    return after.belief.meaningless ? static_cast<int>(not_converged) : code;
 }
 
 }  // namespace

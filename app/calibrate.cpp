@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/compare.h"
+#include "app/belief.h"
 #include "app/calibration_run.h"
 #include "app/command.h"
 #include "app/console.h"
@@ -35,14 +36,16 @@ std::string basis_of(const Calibration& c) {
                        ordered, c.fidelity.name, why);
 }
 
-void print_result(Console& console, const Calibration& c, const Comparison& comparison) {
+void print_result(Console& console, const Calibration& c, const Comparison& comparison,
+                  const Belief& belief, const std::string& basis) {
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        console.line(fmt::format("{} = {} (measurement {:.2g}, simulation {:.2g})",
-                                 c.parameters[k].name,
-                                 with_error(c.fit.parameters(i), c.fit.standard_error(i)),
-                                 c.fit.measurement_error(i), c.fit.simulation_error(i)));
+        console.line(fmt::format(
+            "{} = {} (measurement {:.2g}, simulation {:.2g}){}", c.parameters[k].name,
+            with_error(c.fit.parameters(i), c.fit.standard_error(i)), c.fit.measurement_error(i),
+            c.fit.simulation_error(i), k == 0 ? verdict_on(belief, basis) : ""));
     }
+    print_doubts(console, belief);
     if (c.profile) {
         console.line(fmt::format("68 % profile interval: {:.4g} to {:.4g}", c.profile->first,
                                  c.profile->second));
@@ -118,16 +121,16 @@ int calibrate(const std::vector<std::string>& arguments) {
     check(request.cohesion);
     request.seed = checked_seed(seed);
     request.fidelity = common->fidelity;
-    const auto [study, measurements] = read_input(common->study);
+    const auto [study, measurements] = read_input(*common, {"fit.json", "figures"});
     const auto store = open_store(*common);
     choose_rounds(request, cold ? std::nullopt : known_runs(study, request.fidelity, store.get()),
                   !no_confirm);
     const Calibration c = run_calibration(console, *common, study, measurements, request,
                                           store.get(), !cold, guard.token());
     const Comparison comparison = compare(c);
-    const auto json = to_json(c, comparison);
-    write_json(common->out_folder() / "fit.json", json);
-    print_result(console, c, comparison);
+    const Belief belief = belief_in(study, measurements, c, comparison);
+    const auto json = write_calibration(common->out_folder(), c, comparison, belief);
+    print_result(console, c, comparison, belief, error_basis(measurements));
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
@@ -137,7 +140,12 @@ int calibrate(const std::vector<std::string>& arguments) {
             measurements.excluded.size()));
     }
     console.json(json);
-    return c.fit.converged ? done : not_converged;
+    constexpr double significant = 0.05;
+    if (!belief.believable() || comparison.total.p() < significant) {
+        console.line(
+            fmt::format("What may be missing: pendular diagnose {}", common->study.string()));
+    }
+    return c.fit.converged && !belief.meaningless ? done : not_converged;
 }
 
 }  // namespace pendular::app

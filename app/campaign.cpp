@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "data/input_error.h"
 #include "sim/campaign.h"
 #include "sim/mpi_ensemble.h"
+#include "sim/store/run_table.h"
 
 namespace pendular::app {
 namespace {
@@ -62,6 +64,60 @@ void or_abort(const MpiProcesses& processes, const std::function<void()>& work) 
     }
 }
 
+/// Says how long the missing runs will take, from the speed of the runs of the store, else from
+/// that of the atlas.
+std::optional<double> estimate_duration(const Survey& found, const RunStore& store, int threads,
+                                        Console& console) {
+    if (found.missing.empty()) {
+        return 0;
+    }
+    const auto runs_of = [](std::vector<StoredRun> stored) {
+        std::vector<dem::RunResult> runs;
+        for (StoredRun& each : stored) {
+            runs.push_back(std::move(each.run));
+        }
+        return runs;
+    };
+    std::vector<dem::RunResult> measured = runs_of(store.select());
+    std::string source = fmt::format("the speed of the {} runs in the store", measured.size());
+    auto seconds = expected_seconds(found.missing, measured, threads);
+    if (const auto atlas = atlas_file(); !seconds && !atlas.empty()) {
+        seconds = expected_seconds(found.missing, runs_of(read_runs(atlas)), threads);
+        source = "the speed of the atlas's runs, which were measured on another machine";
+    }
+    if (!seconds) {
+        console.line("The duration cannot be estimated: no run has been measured yet.");
+        return seconds;
+    }
+    console.line(fmt::format(
+        "Estimated duration of the {} runs to do: about {} on {} thread{}, from "
+        "{}.",
+        found.missing.size(), duration(*seconds), threads, threads == 1 ? "" : "s", source));
+    return seconds;
+}
+
+/// What a campaign would do, without a new store.
+void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOptions& common,
+                 Console& console) {
+    const bool there = std::filesystem::exists(common.store);
+    const RunStore store(there ? common.store : std::filesystem::path(RunStore::in_memory), there);
+    const Survey found = survey(runs, store);
+    console.line(fmt::format("{} of {} runs are in {}, {} are to do.",
+                             runs.size() - found.missing.size(), runs.size(), common.store.string(),
+                             found.missing.size()));
+    const auto seconds = estimate_duration(found, store, common.threads, console);
+    nlohmann::ordered_json json = {{"runs", runs.size()},
+                                   {"stored", runs.size() - found.missing.size()},
+                                   {"new", 0},
+                                   {"failed", found.failed.size()},
+                                   {"store", common.store.string()},
+                                   {"estimated_seconds", nullptr}};
+    if (seconds) {
+        json["estimated_seconds"] = *seconds;
+    }
+    console.json(json);
+}
+
 void report(std::size_t runs, const Survey& before, const Survey& after, const RunStore& store,
             Console& console) {
     for (const auto& run : after.failed) {
@@ -100,7 +156,8 @@ int campaign(const std::vector<std::string>& arguments) {
     std::string shard;
     options.add("shard", &shard, "i/n: only the i-th of n shares of equal cost (a Slurm array)");
     bool dry_run = false;
-    options.add_switch("dry-run", &dry_run, "only say what there is to do");
+    options.add_switch("dry-run", &dry_run,
+                       "only say which runs are to do and how long they will take; writes nothing");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -112,8 +169,12 @@ int campaign(const std::vector<std::string>& arguments) {
         const auto [share, shares] = share_from(shard);
         runs = share_of(runs, share, shares);
     }
+    if (dry_run) {
+        report_plan(runs, *common, console);
+        return done;
+    }
     std::optional<MpiProcesses> processes;
-    if (MpiProcesses::there() && !dry_run) {
+    if (MpiProcesses::there()) {
         processes.emplace();
         if (!processes->manager()) {
             or_abort(*processes, [&] { processes->work(guard.token()); });
@@ -131,7 +192,7 @@ int campaign(const std::vector<std::string>& arguments) {
         try {
             if (processes && processes->workers() > 0) {
                 processes->manage(before.missing, workers);
-            } else if (!dry_run) {
+            } else {
                 run_all(before.missing, workers);
             }
         } catch (const dem::Interrupted&) {

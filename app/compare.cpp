@@ -5,6 +5,7 @@
 
 #include "analysis/compare.h"
 #include "analysis/where_it_fails.h"
+#include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/options.h"
@@ -13,6 +14,7 @@
 #include "reports/comparison_figures.h"
 #include "reports/failure_report.h"
 #include "reports/json.h"
+#include "reports/json_parts.h"
 #include "reports/tables.h"
 
 namespace pendular::app {
@@ -52,7 +54,7 @@ int compare(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const auto [study, measurements] = read_input(common->study);
+    const auto [study, measurements] = read_input(*common, {"compare.json", "figures"});
     const auto out = common->out_folder();
     Calibration c = read_calibration(out / "fit.json", study, dry_first(measurements));
     const StudyModel model(study, c);
@@ -71,13 +73,17 @@ int compare(const std::vector<std::string>& arguments) {
     const WhereItFails where =
         where_it_fails(c.readings, measurements.scatter,
                        model.model().with_direct(c.fit.parameters, at_fit), c.parameters, c.direct);
-    const auto json = to_json(comparison, c.cohesion_lines, where);
+    const Belief belief = belief_in(study, measurements, c, comparison);
+    auto json = to_json(comparison, c.cohesion_lines, where);
+    add_belief(json, belief);
     write_json(out / "compare.json", json);
     console.line(fmt::format(
         "{}chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear "
-        "stress, {:.2f} % in solid fraction",
+        "stress, {:.2f} % in solid fraction{}",
         with_effects(c.model), comparison.total.chi2, comparison.total.dof, comparison.total.p(),
-        comparison.rms_percent[0], comparison.rms_percent[1]));
+        comparison.rms_percent[0], comparison.rms_percent[1],
+        verdict_on(belief, error_basis(measurements))));
+    print_doubts(console, belief);
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format(
             "of which chi2 = {:.2f} for {} from readings that were only "

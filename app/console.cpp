@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "data/json_text.h"
 #include "reports/json.h"
 
 namespace pendular::app {
@@ -28,7 +29,7 @@ void Console::json(const nlohmann::ordered_json& json) {
         return;
     }
     if (*options_.json == "-") {
-        fmt::print("{}\n", json.dump(2));
+        fmt::print("{}", json_text(json));
     } else {
         write_json(*options_.json, json);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/study_evidence.h"
+#include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/options.h"
@@ -14,6 +15,7 @@
 #include "reports/diagnosis_report.h"
 #include "reports/failure_report.h"
 #include "reports/json.h"
+#include "reports/json_parts.h"
 
 namespace pendular::app {
 namespace {
@@ -41,17 +43,25 @@ int diagnose(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const StudyDiagnosis d = diagnosed(*common, checked_seed(seed));
+    const StudyDiagnosis d = diagnosed(*common, checked_seed(seed), "diagnosis.json");
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModels& models = *d.models;
     const Checks checks =
         check_fit(diagnosis.residuals(d.evidence),
                   entries_of(d.readings, models.with({}).parameters(), models.direct().size()),
                   covariates_of(d.readings, models.direct().size()),
-                  NullDraws(d.evidence.errors, checked_seed(seed), DiagnosisOptions{}.draws));
-    const auto json = to_json(diagnosis, models, d.evidence, checks);
+                  NullDraws(d.evidence.measured, d.evidence.errors, checked_seed(seed),
+                            DiagnosisOptions{}.draws));
+    const Belief belief = pendular::belief_in(diagnosis.fit, models.with({}).parameters(),
+                                              d.misfit(), d.input.measurements, d.mistake);
+    auto json = to_json(diagnosis, models, d.evidence, checks);
+    add_belief(json, belief);
     write_json(common->out_folder() / "diagnosis.json", json);
     console.line(verdict_line(diagnosis, models, checks));
+    if (d.input.measurements.doubts.empty() && !d.mistake) {
+        console.line(fmt::format("The verdict rests on {}.", error_basis(d.input.measurements)));
+    }
+    print_doubts(console, belief);
     for (const auto& lines : {checks_table(checks), diagnosis_table(diagnosis, models, d.evidence),
                               advice_on(diagnosis, models, common->study.string())}) {
         for (const auto& line : lines) {
@@ -72,11 +82,12 @@ int diagnose(const std::vector<std::string>& arguments) {
                         "not at its best; 'pendular calibrate' says more",
                         diagnosis.fit.message));
     }
-    for (const std::string& beyond : models.beyond(diagnosis.fit.parameters(0))) {
-        console.note(fmt::format(
-            "the emulator extrapolates: {} of the runs it knows; what seems missing there may be "
-            "its own error ('pendular calibrate' orders runs there)",
-            beyond));
+    for (const std::string& why : models.why_unsupported(diagnosis.fit.parameters(0))) {
+        console.note(
+            fmt::format("The known runs do not support a part of the readings: {}. What seems "
+                        "missing there may be the emulator's own error. To simulate there: "
+                        "pendular calibrate {}",
+                        why, common->study.string()));
     }
     const auto figures = common->out_folder() / "figures";
     draw(diagnosis_figure(diagnosis, models), figures);

@@ -9,6 +9,7 @@
 #include "app/console.h"
 #include "app/options.h"
 #include "app/stored_runs.h"
+#include "app/study_input.h"
 #include "data/input_error.h"
 #include "data/text_file.h"
 #include "reports/effect_pages.h"
@@ -182,6 +183,7 @@ int effects(const std::vector<std::string>& arguments) {
     std::optional<Study> study;
     if (options.given("study")) {
         study = read_study(study_path);
+        protect_inputs(*study, *common, {});
     }
     const EffectCatalogue catalogue = study ? EffectCatalogue(*study) : EffectCatalogue();
     if (!words.empty()) {

@@ -27,15 +27,25 @@ int import(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const auto [study, measurements] = read_input(common->study);
+    const auto [study, measurements] = read_input(*common, {"readings.csv", "excluded.csv"});
     const auto readings = common->out_folder() / "readings.csv";
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
     console.line(
         fmt::format("readings: {}, ranges of rows excluded: {}; see {} and excluded.csv beside it",
                     measurements.readings.size(), measurements.excluded.size(), readings.string()));
+    for (const Doubt& doubt : measurements.doubts) {
+        console.line(fmt::format("doubt: {} {}", doubt.what,
+                                 doubt.set_aside ? "Set aside; see excluded.csv." : "Kept."));
+    }
     for (const auto& line : readings_table(measurements)) {
         console.line(line);
+    }
+    for (const auto& line : scatter_table(measurements)) {
+        console.line(line);
+    }
+    for (const Doubt& doubt : measurements.doubts) {
+        console.line(fmt::format("doubt: {}{}", doubt.what, doubt.set_aside ? " Set aside." : ""));
     }
     for (const auto& note : measurements.notes) {
         console.note(note);

@@ -72,7 +72,7 @@ int next(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const StudyDiagnosis d = diagnosed(*common, checked_seed(seed));
+    const StudyDiagnosis d = diagnosed(*common, checked_seed(seed), "next.json");
     const Study& study = d.input.study;
     const Rig rig = study.rig.value_or(rig_of(d.readings));
     NextMeasurement next{.study = study,
@@ -84,11 +84,11 @@ int next(const std::vector<std::string>& arguments) {
                          .most_readings = rig.readings};
     const double friction = next.rivals.front().parameters(0);
     const auto dropped = std::erase_if(next.points, [&](const Point& point) {
-        return !point.direct && !d.models->beyond(friction, point.condition).empty();
+        return !point.direct && !d.models->why_unsupported(friction, point.condition).empty();
     });
     if (next.points.empty()) {
         throw InputError({study.file.string()},
-                         "[rig]: all of it lies beyond the runs that are known; 'pendular "
+                         "[rig]: the known runs support none of its conditions; 'pendular "
                          "campaign' makes runs there");
     }
     const Eigen::Vector2d errors = relative_errors(d.readings);
@@ -116,8 +116,7 @@ int next(const std::vector<std::string>& arguments) {
     }
     if (dropped > 0) {
         console.note(
-            fmt::format("{} of {} points lie beyond the runs that are known and were left "
-                        "out",
+            fmt::format("The known runs do not support {} of {} conditions, which were left out.",
                         dropped, dropped + next.points.size()));
     }
     if (const Figure figure = next_figure(next); !figure.panels.empty()) {

@@ -170,6 +170,11 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
         result.json = json;
         if (json != "-") {
             demand_writable(json, "--json", false);
+            std::error_code error;
+            if (takes_study_ && std::filesystem::equivalent(json, study, error)) {
+                throw InputError(fmt::format(
+                    "--json {}: that is what the command reads; name another file", json));
+            }
         }
     }
     result.store_named = !store.empty() || std::getenv("PENDULAR_STORE");

@@ -42,7 +42,7 @@ void print_overview() {
     fmt::print(
         "\n'pendular COMMAND --help' describes one, with examples.\n"
         "Exit codes: 0 done; 1 the program failed; 2 the input or the command line is wrong; "
-        "3 the fit did not converge; 130 interrupted.\n");
+        "3 the fit did not converge or is meaningless; 130 interrupted.\n");
 }
 
 const Command& command_named(const std::string& name) {

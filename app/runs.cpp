@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -34,7 +35,7 @@ struct Request {
     /// The runs of the store, or of the atlas, that --where names.
     std::vector<StoredRun> selected() const {
         if (!atlas) {
-            return RunStore(common.store).select(condition);
+            return RunStore(common.store, true).select(condition);
         }
         const auto file = atlas_file();
         if (file.empty()) {
@@ -203,13 +204,19 @@ int export_runs(const Request& request, Console& console) {
 int take_in(const Request& request, Console& console, const std::string& what,
             const std::function<std::size_t(RunStore&, const std::string&)>& take) {
     demand_words(request, 1, what);
+    for (const std::string& file : request.words) {
+        if (!std::filesystem::exists(file)) {
+            // Before a store is made that nothing would be added to.
+            throw InputError(file + ": no such file");
+        }
+    }
     RunStore store(request.common.store);
     std::size_t added = 0;
     for (const std::string& file : request.words) {
         added += take(store, file);
     }
-    console.line(fmt::format("{} runs added to {}, which holds {}", added, store.file().string(),
-                             store.size()));
+    console.line(fmt::format("{} runs added to {}, which now holds {} runs.", added,
+                             store.file().string(), store.size()));
     console.json({{"added", added}, {"runs", store.size()}});
     return done;
 }
@@ -290,7 +297,7 @@ int runs(const std::vector<std::string>& arguments) {
     Request request;
     Options options(
         "runs list|show|compare|plot|export|import|merge|prune|learn [words] [options]",
-        "Looks after the runs in the store.\n"
+        "Lists, shows, compares, draws, exports, adds and removes runs of the store.\n"
         "  list              a line each\n"
         "  show ID...        everything known of a run; with --out, a figure of its course\n"
         "  compare ID ID     two runs beside each other\n"

@@ -195,8 +195,9 @@ std::string what_remains(const dem::Checkpoint* checkpoint, const dem::Snapshots
     return text.empty() ? "nothing was written" : text;
 }
 
-/// The stored run to start from: the one of that number, or the nearest.
-StoredRun start_of(const dem::RunParameters& run, const std::string& word, const RunStore& store) {
+/// The stored run to start from: the one of that number, or the nearest if there is one.
+std::optional<StoredRun> start_of(const dem::RunParameters& run, const std::string& word,
+                                  const RunStore& store) {
     if (word != "nearest") {
         StoredRun stored = store.get(run_number(word));
         if (stored.run.final_state.beads.empty()) {
@@ -207,12 +208,7 @@ StoredRun start_of(const dem::RunParameters& run, const std::string& word, const
         }
         return stored;
     }
-    if (auto nearest = store.nearest(run)) {
-        return *nearest;
-    }
-    throw InputError(
-        fmt::format("--start nearest: {} has no steady {} run of {} beads with its final state",
-                    store.file().string(), run.wetting ? "wet" : "dry", run.beads));
+    return store.nearest(run);
 }
 
 dem::RunResult shear(const dem::RunParameters& run, const dem::StoredSample* start,
@@ -264,7 +260,14 @@ void carry_out(dem::RunParameters run, const RunEffects& effects, const Extras& 
             throw InputError("--start needs a store: name one with --store FILE");
         }
         start = start_of(run, extras.start, *store);
-        run.start = dem::fingerprint(dem::described(start->run.parameters, start->run.threads));
+        if (start) {
+            run.start = dem::fingerprint(dem::described(start->run.parameters, start->run.threads));
+        } else {
+            console.note(fmt::format(
+                "The run starts from a random sample: {} holds no steady {} run of {} grains with "
+                "its final state.",
+                store->file().string(), run.wetting ? "wet" : "dry", run.beads));
+        }
     }
     const dem::RunResult result =
         shear(run, start ? &start->run.final_state : nullptr, checkpoint ? &*checkpoint : nullptr,
@@ -347,7 +350,7 @@ int simulate(const std::vector<std::string>& arguments) {
     options.add(
         "start", &extras.start,
         "stored run whose final state to start from in place of a random one, by number, or "
-        "'nearest': shortens the transient");
+        "'nearest' (a random one where the store has none): shortens the transient");
     options.add("snapshot-every", &extras.snapshot_every,
                 "strain between snapshots for OVITO and ParaView in the folder of --out [1]");
     options.add("checkpoint", &extras.checkpoint,

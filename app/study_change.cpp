@@ -154,8 +154,11 @@ Fitted fitted(const Study& study, Calibration c) {
     Comparison comparison = compare(c);
     Rung rung = rung_of(c, comparison, left_out);
     const LeftOut counted = left_out.value_or(LeftOut{});
-    return {std::move(c), std::move(comparison), std::move(rung), counted.conditions,
-            counted.undetermined};
+    return {.calibration = std::move(c),
+            .comparison = std::move(comparison),
+            .rung = std::move(rung),
+            .left_out = counted.conditions,
+            .undetermined = counted.undetermined};
 }
 
 std::string verdict_of(const StudyChange& change, const Rung& before, const Rung& after) {
@@ -228,7 +231,7 @@ void carry_out(const StudyChange& change, const Rung& before, const Fitted& afte
     rung.change = word_for(change.change);
     rung.effect = change.effect;
     climb(ladder, before, std::move(rung));
-    write_json(out / "fit.json", pendular::to_json(after.calibration, after.comparison));
+    write_calibration(out, after.calibration, after.comparison, after.belief);
     write_ladder(out / "ladder.json", ladder);
     replace_study(file, change.new_text);
 }

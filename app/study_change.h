@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/believable.h"
 #include "analysis/ladder.h"
 #include "app/console.h"
 #include "data/study.h"
@@ -32,6 +33,7 @@ struct Fitted {
     Calibration calibration;
     Comparison comparison;
     Rung rung;
+    Belief belief = {};            ///< judged by whoever knows the measurements
     std::size_t left_out = 0;      ///< conditions left out, one after the other
     std::size_t undetermined = 0;  ///< those without which a parameter was not determined
 };

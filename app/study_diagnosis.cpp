@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,8 @@
 #include "app/stored_runs.h"
 #include "calib/calibration.h"
 #include "data/input_error.h"
+#include "data/quantity.h"
+#include "data/replicates.h"
 
 namespace pendular::app {
 namespace {
@@ -21,6 +24,33 @@ std::string name_of(const Explanation& explanation, const StudyModels& models) {
         name += (name.empty() ? "" : " + ") + models.candidates()[k].name;
     }
     return name.empty() ? "the model as it is" : name;
+}
+
+/// What may be wrong where an implausible value of this quantity was kept.
+std::string cause_of(const std::string& quantity) {
+    if (quantity == "solid_fraction") return "the gap or the bead mass (solid fraction)";
+    if (quantity == "stress_ratio") return "the torque or the normal force (stress ratio)";
+    return "the " + std::string(pendular::quantity(quantity).meaning);
+}
+
+/// A measurement that cannot be right comes before any effect.
+void suspect_measurement(StudyDiagnosis& result) {
+    std::set<std::string> suspects;
+    if (result.mistake) {
+        suspects.insert(fmt::format(
+            "the unit of the {} {}", result.mistake->column,
+            result.mistake->file.empty() ? "of all recordings" : "of " + result.mistake->file));
+    }
+    for (const Doubt& doubt : result.input.measurements.doubts) {
+        if (!doubt.set_aside && result.input.study.import.keep_implausible) {
+            suspects.insert(cause_of(doubt.quantity));
+        }
+    }
+    if (suspects.empty()) return;
+    result.diagnosis.verdict = Verdict::suspect_measurement;
+    result.diagnosis.effects.clear();
+    result.diagnosis.cosines.resize(0, 0);
+    result.diagnosis.suspects.assign(suspects.begin(), suspects.end());
 }
 
 KnownRuns known_for(const Study& study, const CommonOptions& options) {
@@ -37,12 +67,13 @@ KnownRuns known_for(const Study& study, const CommonOptions& options) {
 
 }  // namespace
 
-StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed) {
-    StudyDiagnosis result{.input = read_input(options.study)};
+StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed,
+                         const std::filesystem::path& output) {
+    StudyDiagnosis result{.input = read_input(options, {output, "figures"})};
     const Study& study = result.input.study;
     result.readings = dry_first(result.input.measurements);
     check_range(result.readings, study, options.fidelity);
-    if (condition_groups(result.readings).size() < 2) {
+    if (replicate_groups(result.readings).size() < 2) {
         throw InputError({study.file.string()},
                          "all readings are at one condition, where every effect looks like every "
                          "other: measure at two normal stresses at least");
@@ -68,6 +99,9 @@ StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed) {
     own.another = models;
     own.threads = static_cast<std::size_t>(options.threads);
     result.diagnosis = diagnose(*result.models, result.evidence, own);
+    result.mistake = find_unit_mistake(result.models->with({}), result.readings, study,
+                                       result.diagnosis.fit.parameters);
+    suspect_measurement(result);
     return result;
 }
 

@@ -1,12 +1,86 @@
 #include "app/study_input.h"
 
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "data/files.h"
+#include "data/input_error.h"
 #include "sim/direct_measurement.h"
 
 namespace pendular::app {
+namespace {
 
-StudyInput read_input(const std::filesystem::path& path) {
-    Study study = read_study(path);
-    // What cannot be used is refused before any work.
+namespace fs = std::filesystem;
+
+/// Everything a study is read from.
+std::vector<fs::path> inputs_of(const Study& study) {
+    std::vector<fs::path> inputs = {study.file};
+    for (const Source& source : study.sources) {
+        inputs.insert(inputs.end(), source.files.begin(), source.files.end());
+    }
+    return inputs;
+}
+
+/// The pattern of the study that would read an output, a file with an extension or a folder of
+/// files, as a measurement; none if none would.
+std::optional<std::string> pattern_that_reads(const fs::path& output, const Study& study) {
+    for (const Source& source : study.sources) {
+        const bool folder = !output.has_extension();
+        if (folder ? matches(output, study.folder, fs::path(source.pattern).parent_path().string())
+                   : matches(output, study.folder, source.pattern)) {
+            return source.pattern;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Whether writing `output`, a file or any file in a folder, replaces an input.
+bool would_replace(const fs::path& output, const fs::path& input) {
+    std::error_code error;  // an output that is not there yet replaces nothing
+    if (!fs::is_directory(output, error)) {
+        return fs::equivalent(output, input, error);
+    }
+    return fs::equivalent(output, fs::canonical(input, error).parent_path(), error);
+}
+
+}  // namespace
+
+void protect_inputs(const Study& study, const CommonOptions& options,
+                    const std::vector<fs::path>& outputs) {
+    for (const fs::path& input : inputs_of(study)) {
+        for (const fs::path& output : outputs) {
+            const fs::path path = options.out_folder() / output;
+            if (would_replace(path, input)) {
+                throw InputError(
+                    fmt::format("--out {}: this command writes {}, where the study has its input "
+                                "{}; nothing was written: name another folder",
+                                options.out_folder().string(), path.string(), input.string()));
+            }
+        }
+        if (options.json && *options.json != "-" && would_replace(*options.json, input)) {
+            throw InputError(
+                fmt::format("--json {}: that is the study's input {}; nothing was written: name "
+                            "another file",
+                            *options.json, input.string()));
+        }
+    }
+    for (const fs::path& output : outputs) {
+        const fs::path path = options.out_folder() / output;
+        if (const auto pattern = pattern_that_reads(path, study)) {
+            throw InputError(
+                fmt::format("--out {}: this command writes {}, which 'file = \"{}\"' of the study "
+                            "would read as a measurement; nothing was written: name another "
+                            "folder, or a narrower pattern",
+                            options.out_folder().string(), path.string(), *pattern));
+        }
+    }
+}
+
+namespace {
+
+/// What cannot be used is refused before any work.
+StudyInput with_measurements(Study study) {
     const EffectCatalogue catalogue(study);
     catalogue.active(study);
     direct_measurements(study, catalogue);
@@ -17,6 +91,18 @@ StudyInput read_input(const std::filesystem::path& path) {
     }
     Measurements measurements = read_measurements(study);
     return {std::move(study), std::move(measurements)};
+}
+
+}  // namespace
+
+StudyInput read_input(const fs::path& study) {
+    return with_measurements(read_study(study));
+}
+
+StudyInput read_input(const CommonOptions& options, const std::vector<fs::path>& outputs) {
+    Study study = read_study(options.study);
+    protect_inputs(study, options, outputs);
+    return with_measurements(std::move(study));
 }
 
 }  // namespace pendular::app

@@ -8,6 +8,7 @@
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "data/input_error.h"
+#include "data/json_text.h"
 #include "data/text_file.h"
 #include "data/units.h"
 #include "reports/truth.h"
@@ -203,7 +204,7 @@ int virtual_lab(const std::vector<std::string>& arguments) {
         simulate_lab(plan, workers, [&](const std::string& name) { phase = name; });
     const auto truth = to_json(result);
     auto files = study_files(result);
-    files["truth.json"] = truth.dump(1) + "\n";
+    files["truth.json"] = json_text(truth, 1);
     demand_new(folder);
     write_whole_folder(folder, files);
     print_result(console, result, folder);

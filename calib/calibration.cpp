@@ -103,7 +103,34 @@ std::optional<std::string> unsure_note(const Calibration& c) {
     return std::nullopt;
 }
 
-std::vector<std::string> warnings(const Calibration& c) {
+/// What a parameter at a bound of its range means: that an effect is not needed where the bound is
+/// its neutral value, else that the readings ask for more than it can give.
+std::string bound_note(const Parameter& parameter, double value, const Study& study,
+                       const EffectCatalogue& catalogue) {
+    const auto dot = parameter.name.rfind('.');
+    const double close = 1e-6 * (parameter.upper - parameter.lower);
+    if (dot != std::string::npos) {
+        const std::string name = parameter.name.substr(0, dot);
+        const Effect& effect = catalogue.find(name);
+        const double neutral =
+            effect.parameters[effect.parameter(parameter.name.substr(dot + 1))].neutral;
+        // Without being listed it is on all the same, at what the study gives.
+        const bool stays_on = effect.on_with_liquid && study.liquid;
+        if (!stays_on && std::abs(value - neutral) <= close) {
+            const auto folder = study.file.parent_path();
+            return fmt::format(
+                "The readings show no sign of {0}: {1} ended at {2:.3g}, where it has no effect, "
+                "and is not needed. To leave it out: pendular drop {3} {0}",
+                name, parameter.name, neutral, folder.empty() ? "." : folder.string());
+        }
+    }
+    return fmt::format(
+        "{} ended at the bound of its range, {:.3g} to {:.3g}: the readings ask for more than it "
+        "can give",
+        parameter.name, parameter.lower, parameter.upper);
+}
+
+std::vector<std::string> warnings(const Calibration& c, const Study& study) {
     std::vector<std::string> notes;
     if (const auto note = unsure_note(c)) {
         notes.push_back(*note);
@@ -125,12 +152,11 @@ std::vector<std::string> warnings(const Calibration& c) {
                         "shear in bands: neither cell nor simulation need be uniform there",
                         localised, uniform_reduced_pressure));
     }
+    const EffectCatalogue catalogue(study);
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         if (c.fit.at_bound[k]) {
-            notes.push_back(fmt::format(
-                "{} ended at the bound of its range, {:.3g} to {:.3g}: the readings ask for "
-                "more than it can give",
-                c.parameters[k].name, c.parameters[k].lower, c.parameters[k].upper));
+            notes.push_back(bound_note(
+                c.parameters[k], c.fit.parameters(static_cast<Eigen::Index>(k)), study, catalogue));
         }
     }
     return notes;
@@ -332,7 +358,7 @@ Calibration calibrate_study(const Study& study, const Measurements& measurements
             remedy(c));
     }
     std::ranges::copy(simulation.notes(), std::back_inserter(c.notes));
-    std::ranges::copy(warnings(c), std::back_inserter(c.notes));
+    std::ranges::copy(warnings(c, study), std::back_inserter(c.notes));
     std::ranges::copy(undetermined(c.fit, c.parameters), std::back_inserter(c.notes));
     c.cohesion = request.cohesion;
     draw_cohesion_lines(c);

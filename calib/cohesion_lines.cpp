@@ -163,8 +163,10 @@ bool has_two_distinct(const Points& points) {
 
 std::string list_of_pressures(const Points& points, const std::vector<Eigen::Index>& which) {
     std::vector<std::string> texts;
-    for (const Eigen::Index k : which)
-        texts.push_back(fmt::format("{:.3g}", points.reduced_pressure(k)));
+    for (const Eigen::Index k : which) {
+        const std::string text = fmt::format("{:.3g}", points.reduced_pressure(k));
+        if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);  // replicates
+    }
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -226,8 +228,10 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, c
                                          const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes) {
     const Measured measured = stack(readings);
-    return lines({"measured", measured, measured.covariance}, readings, grains, liquid, options,
-                 notes);
+    return lines({"measured",
+                  {measured.value, measured.covariance + measured.widening},
+                  measured.covariance},
+                 readings, grains, liquid, options, notes);
 }
 
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,

@@ -91,6 +91,11 @@ EffectModel::Truths EffectModel::truths_at(const Eigen::VectorXd& parameters,
     return truths;
 }
 
+std::vector<Condition> EffectModel::imposed(const Eigen::VectorXd& parameters,
+                                            const std::vector<Condition>& conditions) const {
+    return truths_at(parameters, conditions).imposed;
+}
+
 Eigen::VectorXd EffectModel::shown(const Truths& truths, const Eigen::VectorXd& predicted) const {
     Eigen::VectorXd result = predicted;
     for (std::size_t k = 0; k < truths.maps.size(); ++k) {

@@ -52,6 +52,11 @@ class EffectModel : public FlowModel {
     /// The effects at these parameters.
     std::vector<ActiveEffect> effects_at(const Eigen::VectorXd& parameters) const;
 
+    /// Conditions that are truly imposed where the instrument shows these: what the model inside is
+    /// asked for.
+    std::vector<Condition> imposed(const Eigen::VectorXd& parameters,
+                                   const std::vector<Condition>& conditions) const;
+
   private:
     /// What of the model inside is asked: with covariances or without.
     using Ask = Prediction (FlowModel::*)(const Eigen::VectorXd&,

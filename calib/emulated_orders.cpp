@@ -175,18 +175,8 @@ void EmulatedSimulation::order_beyond(double friction, bool wet) {
             from.insert(from.end(), {all.below[k], all.at_friction[k], all.above[k]});
         }
     }
-    if (targets.empty()) {
-        return;
-    }
-    if (!orders_more_) {
-        const std::string note = fmt::format(
-            "the emulator extrapolates: {} of the runs it knows; without --no-confirm it orders "
-            "runs there",
-            why);
-        if (std::ranges::find(notes_, note) == notes_.end()) {
-            notes_.push_back(note);
-        }
-        return;
+    if (targets.empty() || !orders_more_) {
+        return;  // a calibration names the readings whose predictions runs do not support
     }
     // The error to begin with is that of a guess.
     order(most_informative(targets, from, unknown), "since " + why + " of the known runs");

@@ -65,6 +65,8 @@ class EmulatedSimulation : public SimulationModel {
                                              const Condition& condition) const override;
 
     const Emulator& emulator() const { return emulator_; }
+    /// Whether it may order runs.
+    bool orders_more() const { return orders_more_; }
     /// All that was ordered so far.
     const std::vector<Order>& orders() const { return orders_; }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -249,17 +250,46 @@ Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const Whitening& whit
     return covariance * whitened_jacobian.transpose() * whitened * whitened_jacobian * covariance;
 }
 
+/// Adds what errors that readings share put between them; that of each alone is there.
+void add_shared_errors(const std::vector<Reading>& readings, Measured& measured) {
+    struct Part {
+        Eigen::Index entry;
+        Eigen::Vector2d estimated, size;
+    };
+    std::map<std::size_t, std::vector<Part>> sources;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        for (const SharedError& error : readings[k].shared) {
+            sources[error.source].push_back(
+                {2 * static_cast<Eigen::Index>(k), error.estimated, error.size});
+        }
+    }
+    for (const auto& [source, parts] : sources) {
+        for (const Part& a : parts) {
+            for (const Part& b : parts) {
+                if (a.entry == b.entry) continue;
+                const Eigen::Matrix2d estimated = a.estimated * b.estimated.transpose();
+                measured.covariance.block<2, 2>(a.entry, b.entry) += estimated;
+                measured.widening.block<2, 2>(a.entry, b.entry) +=
+                    a.size * b.size.transpose() - estimated;
+            }
+        }
+    }
+}
+
 }  // namespace
 
 Measured stack(const std::vector<Reading>& readings, const std::vector<DirectMeasurement>& direct) {
     const auto n = static_cast<Eigen::Index>(readings.size());
     const auto all = 2 * n + static_cast<Eigen::Index>(direct.size());
-    Measured measured{Eigen::VectorXd(all), Eigen::MatrixXd::Zero(all, all)};
+    Measured measured{Eigen::VectorXd(all), Eigen::MatrixXd::Zero(all, all),
+                      Eigen::MatrixXd::Zero(all, all)};
     for (Eigen::Index k = 0; k < n; ++k) {
-        measured.value.segment<2>(2 * k) = readings[static_cast<std::size_t>(k)].value;
-        measured.covariance.block<2, 2>(2 * k, 2 * k) =
-            readings[static_cast<std::size_t>(k)].covariance;
+        const Reading& reading = readings[static_cast<std::size_t>(k)];
+        measured.value.segment<2>(2 * k) = reading.value;
+        measured.covariance.block<2, 2>(2 * k, 2 * k) = reading.estimated_covariance();
+        measured.widening.block<2, 2>(2 * k, 2 * k) = reading.widened_by;
     }
+    add_shared_errors(readings, measured);
     for (std::size_t k = 0; k < direct.size(); ++k) {
         const auto entry = 2 * n + static_cast<Eigen::Index>(k);
         measured.value(entry) = direct[k].value;
@@ -269,10 +299,10 @@ Measured stack(const std::vector<Reading>& readings, const std::vector<DirectMea
 }
 
 double Fit::standard_error(Eigen::Index k) const {
-    return std::sqrt(covariance(k, k));
+    return std::sqrt(covariance(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
 }
 double Fit::measurement_error(Eigen::Index k) const {
-    return std::sqrt(measurement_part(k, k));
+    return std::sqrt(measurement_part(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
 }
 double Fit::simulation_error(Eigen::Index k) const {
     return std::sqrt(std::max(0.0, covariance(k, k) - measurement_part(k, k)));
@@ -310,6 +340,7 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
         return part_of(result.covariance, whitening, result.prediction.jacobian, part);
     };
     result.measurement_part = caused_by(measured.covariance);
+    if (measured.widening.size() > 0) result.widening = caused_by(measured.widening);
     result.run_part = caused_by(result.prediction.run_noise);
     for (Eigen::Index k = 0; k < parameters.size(); ++k) {
         if (!(result.prediction.jacobian.col(k).squaredNorm() > 0)) {

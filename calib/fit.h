@@ -16,7 +16,9 @@ namespace pendular {
 /// then direct measurements.
 struct Measured {
     Eigen::VectorXd value;
-    Eigen::MatrixXd covariance;
+    Eigen::MatrixXd covariance;  ///< with the scatter of replicates as it was estimated
+    /// What standard errors count beyond that, since few replicates tell the scatter; empty: none.
+    Eigen::MatrixXd widening = {};
 };
 Measured stack(const std::vector<Reading>& readings,
                const std::vector<DirectMeasurement>& direct = {});
@@ -26,6 +28,7 @@ struct Fit {
     Eigen::VectorXd parameters;
     /// Of the parameters, (J' J)^-1 of the whitened derivatives; not scaled by chi2/dof.
     Eigen::MatrixXd covariance;
+    Eigen::MatrixXd widening;  ///< of the parameters, beyond `covariance`: see Measured::widening
     Eigen::MatrixXd measurement_part;  ///< what of it the measurement alone causes
     Eigen::MatrixXd run_part;  ///< what of it the runs' noise causes; the rest are corrections
     double chi2 = 0;
@@ -35,6 +38,7 @@ struct Fit {
     Prediction prediction;       ///< at the parameters
     std::string message;         ///< what Ceres said
 
+    /// Of a parameter, in its unit, widened where few replicates tell the scatter.
     double standard_error(Eigen::Index k) const;
     double measurement_error(Eigen::Index k) const;
     double simulation_error(Eigen::Index k) const;

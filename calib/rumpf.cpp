@@ -10,9 +10,6 @@ void RumpfModel::improve(const Eigen::VectorXd& parameters, double excess) {
     simulation_.improve(parameters, excess);
 }
 
-namespace {
-
-/// Each wet condition has a dry twin, at the end, which gives the dry law.
 std::vector<Condition> with_dry_twins(const std::vector<Condition>& conditions) {
     std::vector<Condition> all = conditions;
     for (const auto& condition : conditions) {
@@ -26,8 +23,6 @@ std::vector<Condition> with_dry_twins(const std::vector<Condition>& conditions) 
     }
     return all;
 }
-
-}  // namespace
 
 RumpfModel::Closure RumpfModel::closure_at(double friction, const Condition& condition) const {
     return {.z = simulation_.effective_coordination(friction, condition),

@@ -57,4 +57,8 @@ class RumpfModel : public FlowModel {
     closures::Terms terms_;
 };
 
+/// Conditions, then a dry twin of each wet one in their order, which gives the dry law at the
+/// friction of the wet grains; effects on grains that need liquid are off there.
+std::vector<Condition> with_dry_twins(const std::vector<Condition>& conditions);
+
 }  // namespace pendular

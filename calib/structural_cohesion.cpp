@@ -2,8 +2,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
+#include "calib/rumpf.h"
 #include "calib/wet_groups.h"
 #include "sim/closures/strength.h"
 
@@ -22,66 +23,107 @@ std::vector<Condition> fitted_conditions(const WetGroup& group, const Calibratio
     return conditions;
 }
 
-std::vector<Condition> each_with_dry_twin(std::vector<Condition> conditions) {
-    const std::size_t n = conditions.size();
-    for (std::size_t k = 0; k < n; ++k) {
-        conditions.push_back(conditions[k]);
-        conditions.back().liquid_content = 0;
-    }
-    return conditions;
+/// Force of a bridge of the liquid that effects make of the study's, over that of the study's own.
+double force_ratio(const Condition& imposed, const Calibration& c) {
+    return imposed.liquid
+               ? pull_off_force(c.grains, *imposed.liquid) / pull_off_force(c.grains, *c.liquid)
+               : 1;
 }
 
-/// Mean over conditions, each wet one with its dry twin n places on.
-StructuralCohesion mean_over(const std::vector<Condition>& conditions,
-                             const SimulationModel& simulation, const Calibration& c) {
-    const double friction = c.fit.parameters(0);
-    const Prediction predicted =
-        simulation.predict_conditions(c.fit.parameters, each_with_dry_twin(conditions));
-    const auto n = static_cast<Eigen::Index>(conditions.size());
-    const double share = 1 / static_cast<double>(n);
-    StructuralCohesion mean;
-    Eigen::RowVectorXd slopes = Eigen::RowVectorXd::Zero(4 * n);  // by what is predicted
-    double by_coordination = 0, by_shear_stress = 0;              // by friction, through these
-    for (Eigen::Index k = 0; k < n; ++k) {
-        const Condition& condition = conditions[static_cast<std::size_t>(k)];
-        const Eigen::Index dry = 2 * (n + k), fraction = 2 * k + 1;
-        const double dry_ratio = predicted.value(dry) / condition.normal_stress;
-        const double solid_fraction = predicted.value(fraction);
-        const auto z = simulation.effective_coordination(friction, condition);
-        const auto shear = simulation.capillary_shear_stress(friction, condition);
-        using closures::reduced_cohesion;
-        mean.rumpf.value += share * reduced_cohesion(dry_ratio, solid_fraction, z.value);
-        mean.generalised.value +=
-            share * closures::generalised_cohesion(dry_ratio, solid_fraction, z.value, shear.value);
-        // A product of three: each slope is the formula with 1 in its place.
-        slopes(dry) =
-            share * reduced_cohesion(1, solid_fraction, z.value) / condition.normal_stress;
-        slopes(fraction) = share * reduced_cohesion(dry_ratio, 1, z.value);
-        by_coordination += share * reduced_cohesion(dry_ratio, solid_fraction, 1) * z.by_friction;
-        by_shear_stress -= share * shear.by_friction;
+/// Means of the formulas over readings at some conditions, (Rumpf, generalised).
+class Means {
+  public:
+    Means(const StudyModel& model, const Calibration& c, std::vector<Condition> conditions)
+        : model_(model), c_(c), conditions_(std::move(conditions)) {}
+
+    /// `slopes`, where wanted: derivatives of either by the predictions of the simulation.
+    Eigen::Vector2d at(const Eigen::VectorXd& parameters, Eigen::RowVectorXd* slopes = {}) const {
+        const SimulationModel& simulation = model_.simulation();
+        const std::vector<Condition> imposed = model_.imposed(parameters, conditions_);
+        const Eigen::VectorXd predicted =
+            simulation.values_of_conditions(parameters.head(1), with_dry_twins(imposed));
+        if (slopes) *slopes = Eigen::RowVectorXd::Zero(predicted.size());
+        Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+        auto dry = 2 * static_cast<Eigen::Index>(imposed.size());
+        for (std::size_t k = 0; k < imposed.size(); ++k) {
+            const Condition& condition = imposed[k];
+            if (condition.dry()) continue;  // a liquid without surface tension makes no cohesion
+            const double share = force_ratio(condition, c_) / static_cast<double>(imposed.size());
+            const Eigen::Index fraction = 2 * static_cast<Eigen::Index>(k) + 1;
+            const double dry_ratio = predicted(dry) / condition.normal_stress;
+            const double z = simulation.effective_coordination(parameters(0), condition).value;
+            const double shear = simulation.capillary_shear_stress(parameters(0), condition).value;
+            using closures::reduced_cohesion;
+            mean(0) += share * reduced_cohesion(dry_ratio, predicted(fraction), z);
+            mean(1) +=
+                share * closures::generalised_cohesion(dry_ratio, predicted(fraction), z, shear);
+            if (slopes) {
+                // A product of three: each slope is the formula with 1 in its place.
+                (*slopes)(dry) =
+                    share * reduced_cohesion(1, predicted(fraction), z) / condition.normal_stress;
+                (*slopes)(fraction) = share * reduced_cohesion(dry_ratio, 1, z);
+            }
+            dry += 2;
+        }
+        return mean;
     }
-    const double simulated = slopes * predicted.covariance * slopes.transpose();
-    const double by_friction = slopes.dot(predicted.jacobian.col(0)) + by_coordination;
-    const auto error = [&](double slope) {
-        return std::sqrt(simulated + slope * slope * c.fit.covariance(0, 0));
-    };
-    mean.rumpf.standard_error = error(by_friction);
-    mean.generalised.standard_error = error(by_friction + by_shear_stress);
-    return mean;
-}
+
+    /// Their errors: of the simulation, and of all fitted parameters.
+    Eigen::Vector2d errors() const {
+        const Eigen::VectorXd& fitted = c_.fit.parameters;
+        Eigen::RowVectorXd slopes;
+        at(fitted, &slopes);
+        const Eigen::MatrixXd simulated =
+            model_.simulation()
+                .predict_conditions(fitted.head(1),
+                                    with_dry_twins(model_.imposed(fitted, conditions_)))
+                .covariance;
+        const Eigen::Matrix2Xd by_parameters = derivatives();
+        const Eigen::Matrix2d through_fit =
+            by_parameters * c_.fit.covariance * by_parameters.transpose();
+        const double by_simulation = slopes * simulated * slopes.transpose();
+        return (through_fit.diagonal().array() + by_simulation).sqrt();
+    }
+
+  private:
+    /// By all parameters; 0 by those that are known exactly.
+    Eigen::Matrix2Xd derivatives() const {
+        constexpr double share = 0.01;  // of a standard error: far above rounding, nearly a tangent
+        Eigen::Matrix2Xd result = Eigen::Matrix2Xd::Zero(2, c_.fit.parameters.size());
+        for (Eigen::Index k = 0; k < result.cols(); ++k) {
+            const Parameter& parameter = c_.parameters[static_cast<std::size_t>(k)];
+            const double step = share * c_.fit.standard_error(k);
+            Eigen::VectorXd above = c_.fit.parameters, below = above;
+            above(k) = std::min(above(k) + step, parameter.upper);
+            below(k) = std::max(below(k) - step, parameter.lower);
+            if (above(k) > below(k)) {
+                result.col(k) = (at(above) - at(below)) / (above(k) - below(k));
+            }
+        }
+        return result;
+    }
+
+    const StudyModel& model_;
+    const Calibration& c_;
+    std::vector<Condition> conditions_;
+};
 
 }  // namespace
 
-std::vector<StructuralCohesion> structural_cohesions(const SimulationModel& simulation,
+std::vector<StructuralCohesion> structural_cohesions(const StudyModel& model,
                                                      const Calibration& calibration,
                                                      const CohesionOptions& options) {
     std::vector<StructuralCohesion> result;
     for (const WetGroup& group : wet_groups(calibration.readings)) {
         const auto conditions = fitted_conditions(group, calibration, options);
         if (!conditions.empty()) {
-            result.push_back(mean_over(conditions, simulation, calibration));
-            result.back().liquid_content = group.liquid_content;
-            result.back().inertial_number = group.inertial_number;
+            const Means means(model, calibration, conditions);
+            const Eigen::Vector2d value = means.at(calibration.fit.parameters),
+                                  error = means.errors();
+            result.push_back({.liquid_content = group.liquid_content,
+                              .inertial_number = group.inertial_number,
+                              .rumpf = {value(0), error(0)},
+                              .generalised = {value(1), error(1)}});
         }
     }
     return result;

@@ -4,7 +4,7 @@
 
 #include "calib/calibration.h"
 #include "calib/cohesion_lines.h"
-#include "calib/simulation_model.h"
+#include "calib/study_model.h"
 
 namespace pendular {
 
@@ -18,11 +18,13 @@ struct StructuralCohesion {
 };
 
 /// Averages of both over the wet readings of each of `wet_groups` whose P* is at or above the
-/// limit, at the calibrated friction, with the dry stress ratio mu*_0 of the same inertial number.
-/// Groups without such readings are left out. The errors are those of the friction, the dry stress
-/// ratio and the solid fraction; those of Z* and s12cap are not known and left out.
-/// Source: Badetti et al. (2018), fig:cphilphis.
-std::vector<StructuralCohesion> structural_cohesions(const SimulationModel& simulation,
+/// limit, at the calibrated parameters: grains and liquid are as the study's effects make them, the
+/// dry stress ratio mu*_0 is that of wet grains without bridges at the same inertial number. The
+/// unit is F0/a^2 with F0 of the study's liquid, as in `cohesion_lines`, whatever liquid was
+/// fitted. Effects on the instrument are left out. Groups without such readings are left out too.
+/// The errors are those of the fitted parameters, the dry stress ratio and the solid fraction;
+/// those of Z* and s12cap are not known and left out. Source: Badetti et al. (2018), fig:cphilphis.
+std::vector<StructuralCohesion> structural_cohesions(const StudyModel& model,
                                                      const Calibration& calibration,
                                                      const CohesionOptions& options = {});
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calib/direct_simulation.h"
+#include "calib/effect_model.h"
 #include "calib/emulated_simulation.h"
 #include "data/study.h"
 #include "sim/effect_catalogue.h"
@@ -28,6 +29,17 @@ class StudyModel {
     FlowModel& model() { return *model_; }
     const FlowModel& model() const { return *model_; }
     const SimulationModel& simulation() const { return *simulation_; }
+    /// The same model on an instrument that shows the truth: without the study's effects on the
+    /// instrument. What grains and liquid do is all in it.
+    const FlowModel& flow() const { return *flow_; }
+    /// Values of the parameters of flow(), from values of those of model().
+    Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
+    /// Conditions as the study's effects on grains and liquid make them at these values of the
+    /// parameters of model(), where the instrument shows the truth.
+    std::vector<Condition> imposed(const Eigen::VectorXd& parameters,
+                                   const std::vector<Condition>& conditions) const;
+    /// The effects that the study lists, in its order.
+    const std::vector<const Effect*>& effects() const { return effects_; }
     /// The study's direct measurements, which the model predicts too.
     const std::vector<DirectMeasurement>& direct() const { return direct_; }
 
@@ -40,9 +52,13 @@ class StudyModel {
     EmulatedSimulation* emulated_ = nullptr;  ///< or this
     std::unique_ptr<FlowModel> closure_;      ///< none for base "dem"
     std::unique_ptr<EffectCatalogue> catalogue_;
+    std::vector<const Effect*> effects_;
     std::unique_ptr<FlowModel> with_effects_;  ///< none for a study without
+    std::unique_ptr<EffectModel>
+        with_grain_effects_;  ///< likewise; those on the instrument are off
     std::vector<DirectMeasurement> direct_;
     FlowModel* model_ = nullptr;
+    FlowModel* flow_ = nullptr;
 };
 
 }  // namespace pendular

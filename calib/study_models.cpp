@@ -28,6 +28,7 @@ StudyModels::StudyModels(const Study& study, std::vector<Condition> conditions,
     known.orders_more = false;
     simulation_ = std::make_unique<EmulatedSimulation>(study, conditions_, fidelity, 1, Workers{},
                                                        std::move(known));
+    known_range_ = std::make_unique<KnownRange>(simulation_->emulator());
     for (std::size_t k = 0; k < listed_.size(); ++k) {
         if (!told(*listed_[k])) {
             throw InputError(study.model.effects[k].position,
@@ -53,10 +54,10 @@ StudyModels::StudyModels(const Study& study, std::vector<Condition> conditions,
     }
 }
 
-std::vector<std::string> StudyModels::beyond(double friction) const {
+std::vector<std::string> StudyModels::why_unsupported(double friction) const {
     std::vector<std::string> texts;
     for (const Condition& condition : conditions_) {
-        const std::string text = beyond(friction, condition);
+        const std::string text = why_unsupported(friction, condition);
         if (!text.empty() && std::ranges::find(texts, text) == texts.end()) {
             texts.push_back(text);
         }
@@ -64,8 +65,8 @@ std::vector<std::string> StudyModels::beyond(double friction) const {
     return texts;
 }
 
-std::string StudyModels::beyond(double friction, const Condition& condition) const {
-    return simulation_->emulator().beyond(simulation_->state_of(friction, condition));
+std::string StudyModels::why_unsupported(double friction, const Condition& condition) const {
+    return known_range_->why_unsupported(simulation_->state_of(friction, condition));
 }
 
 bool StudyModels::told(const Effect& effect) const {

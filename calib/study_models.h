@@ -7,6 +7,7 @@
 
 #include "calib/effect_model.h"
 #include "calib/emulated_simulation.h"
+#include "calib/known_range.h"
 #include "calib/model_space.h"
 #include "calib/rumpf.h"
 #include "data/study.h"
@@ -40,11 +41,11 @@ class StudyModels : public ModelSpace {
     /// Effects that are neither listed nor candidates.
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
-    /// In what readings lie beyond all known runs at this friction, as in "reduced pressure 0.3 is
-    /// below 0.5"; each once, without effects.
-    std::vector<std::string> beyond(double friction) const;
-    /// The same of one condition; empty where it does not.
-    std::string beyond(double friction, const Condition& condition) const;
+    /// Why the known runs do not support the readings' states at this friction, as in "reduced
+    /// pressure 0.3 is below 0.5" (`KnownRange`); each reason once, without effects.
+    std::vector<std::string> why_unsupported(double friction) const;
+    /// Why the known runs do not support one condition; empty where they do.
+    std::string why_unsupported(double friction, const Condition& condition) const;
 
     /// A study that lists every effect, so that runs with any of them serve it.
     static Study with_all_effects(Study study);
@@ -62,6 +63,7 @@ class StudyModels : public ModelSpace {
     std::vector<Candidate> candidates_;
     std::vector<LeftAside> left_aside_;
     std::unique_ptr<EmulatedSimulation> simulation_;
+    std::unique_ptr<KnownRange> known_range_;
     /// Base `rumpf`, with the capillary shear stress and without.
     mutable std::map<bool, std::unique_ptr<RumpfModel>> closures_;
     mutable std::map<Choice, std::unique_ptr<EffectModel>> models_;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "data/number.h"
+#include "data/resolution.h"
 #include "data/units.h"
 
 namespace pendular {
@@ -17,9 +18,11 @@ namespace {
 const double diameter_density_convention = std::sqrt(6 / std::numbers::pi);
 
 /// Factor for an angular velocity whose unit has no angle: 1/s is rad/s by SI, while instruments
-/// that show a speed in 1/min mean revolutions. Other combinations could mean either.
+/// that show a speed in 1/min, and all that show a frequency in Hz, mean revolutions. Other
+/// combinations could mean either.
 double angle_left_out(const Quantity& quantity, const Unit& unit) {
-    if (quantity.name == "rotational_speed") return 2 * std::numbers::pi;
+    const bool frequency = unit.spelling().ends_with("Hz");
+    if (quantity.name == "rotational_speed" || frequency) return 2 * std::numbers::pi;
     if (unit.to_si(1) == 1) return 1;
     throw std::invalid_argument(
         fmt::format("'{}' leaves open whether it counts turns or radians; write 'rpm' or 'rad/min'",
@@ -163,6 +166,22 @@ std::optional<double> Columns::deviation(const Row& row, std::string_view name) 
                          fmt::format("column '{}': a standard deviation must be positive; leave "
                                      "the cell empty where it is not known",
                                      table_.header.cells[column->index].text));
+    return result;
+}
+
+std::vector<double> Columns::resolutions(std::string_view name) const {
+    std::vector<double> result(table_.rows.size(), 0.0);
+    const Column* column = find(name, false);
+    if (!column) return result;
+    std::vector<std::string_view> cells;
+    for (const Row& row : table_.rows)
+        cells.push_back(row.cells[column->index].text);
+    const Digits digits = digits_of(cells);
+    for (std::size_t k = 0; k < result.size(); ++k) {
+        if (cells[k].empty()) continue;
+        const double written = (number(table_.rows[k], *column) - column->offset) / column->factor;
+        result[k] = resolution_of(written, digits) * column->factor;
+    }
     return result;
 }
 

@@ -43,6 +43,10 @@ class Columns {
     /// @throws InputError at the cell if it is not positive
     std::optional<double> deviation(const Row& row, std::string_view name) const;
 
+    /// Step to which each row's value was rounded when it was written, in SI units; 0 where the
+    /// column or a cell is not there.
+    std::vector<double> resolutions(std::string_view name) const;
+
     /// Where the cell of a quantity stands; the row's beginning if there is no such column.
     Position at(const Row& row, std::string_view name) const;
 

@@ -1,5 +1,6 @@
 #include "data/files.h"
 
+#include <fnmatch.h>
 #include <glob.h>
 
 #include <algorithm>
@@ -17,12 +18,16 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
+std::string whole_pattern(const std::filesystem::path& folder, const std::string& pattern) {
+    const bool absolute = std::filesystem::path(pattern).is_absolute();
+    return absolute ? pattern : escaped(folder.string()) + "/" + pattern;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& folder,
                                                   const std::string& pattern) {
-    const bool absolute = std::filesystem::path(pattern).is_absolute();
-    const std::string whole = absolute ? pattern : escaped(folder.string()) + "/" + pattern;
+    const std::string whole = whole_pattern(folder, pattern);
     std::vector<std::filesystem::path> result;
     glob_t matches = {};
     if (glob(whole.c_str(), 0, nullptr, &matches) == 0) {
@@ -34,6 +39,14 @@ std::vector<std::filesystem::path> matching_files(const std::filesystem::path& f
     globfree(&matches);
     std::sort(result.begin(), result.end());
     return result;
+}
+
+bool matches(const std::filesystem::path& file, const std::filesystem::path& folder,
+             const std::string& pattern) {
+    const std::filesystem::path whole =
+        whole_pattern(std::filesystem::weakly_canonical(folder), pattern);
+    return fnmatch(whole.lexically_normal().c_str(),
+                   std::filesystem::weakly_canonical(file).c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
 }
 
 }  // namespace pendular

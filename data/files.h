@@ -10,4 +10,8 @@ namespace pendular {
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& folder,
                                                   const std::string& pattern);
 
+/// Whether a file, which need not exist, is one that `matching_files` finds once it is there.
+bool matches(const std::filesystem::path& file, const std::filesystem::path& folder,
+             const std::string& pattern);
+
 }  // namespace pendular

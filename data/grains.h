@@ -4,6 +4,9 @@
 
 namespace pendular {
 
+/// Standard acceleration of gravity [m/s^2].
+constexpr double gravity = 9.80665;
+
 /// The beads, in SI units.
 struct Grains {
     double diameter = 0;  ///< a [m]

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
-#include <set>
-
+#include "data/contradictions.h"
+#include "data/copies.h"
+#include "data/grain_weight.h"
+#include "data/plausibility.h"
 #include "data/readings.h"
 #include "data/recording.h"
 #include "data/replicates.h"
@@ -11,18 +13,44 @@
 namespace pendular {
 namespace {
 
-Measurements read_file(const std::filesystem::path& file, const Source& source, const Study& study,
-                       RunClock& clock) {
-    if (source.kind == Source::Kind::readings) return read_points(file, source, study);
-    AnnularCell cell = *study.cell;
-    cell.bead_volume = source.bead_volume.value_or(cell.bead_volume);
-    return reduce_recording(read_recording(file), cell, study.grains,
-                            source.liquid_content.value_or(0), clock);
-}
-
 template <typename T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
+}
+
+void append(Measurements& to, const Measurements& from) {
+    append(to.readings, from.readings);
+    append(to.excluded, from.excluded);
+    append(to.doubts, from.doubts);
+    append(to.notes, from.notes);
+}
+
+/// What the files of a study have in common, in run order.
+struct FilesBefore {
+    RunClock clock;
+    KnownRows rows;
+};
+
+Measurements read_file(const std::filesystem::path& file, const Source& source, const Study& study,
+                       FilesBefore& before) {
+    if (source.kind == Source::Kind::readings) return read_points(file, source, study);
+    AnnularCell cell = *study.cell;
+    cell.bead_volume = source.bead_volume.value_or(cell.bead_volume);
+    Recording recording = read_recording(file);
+    Measurements result;
+    before.rows.take_out_copies(recording, source, result);
+    if (recording.size() == 0) return result;
+    const Contradictions contradictions =
+        take_out_contradictions(recording, cell, study.import, result);
+    if (recording.size() == 0) return result;
+    Measurements part =
+        reduce_recording(recording, cell, study.grains, source.liquid_content.value_or(0),
+                         before.clock, study.import);
+    set_aside_contradicted(contradictions, part);
+    doubt_stuck_columns(recording, part, study.import);
+    if (part.readings.empty()) doubt_filling(recording, cell, part);
+    append(result, part);
+    return result;
 }
 
 /// Range of liquid contents over which separate bridges describe the liquid.
@@ -48,33 +76,16 @@ std::optional<std::string> pendular_range_warning(double content) {
                      content, driest_pendular);
 }
 
-namespace {
-
-/// Warns once of each liquid content that separate bridges do not describe.
-void check_pendular_range(Measurements& all) {
-    std::set<double> contents;
-    for (const Reading& reading : all.readings)
-        contents.insert(reading.condition.liquid_content);
-    for (const double content : contents) {
-        if (const auto warning = pendular_range_warning(content)) all.notes.push_back(*warning);
-    }
-}
-
-}  // namespace
-
 Measurements read_measurements(const Study& study) {
     Measurements all;
-    RunClock clock;
-    for (const Source& source : study.sources) {
-        for (const std::filesystem::path& file : source.files) {
-            const Measurements part = read_file(file, source, study, clock);
-            append(all.readings, part.readings);
-            append(all.excluded, part.excluded);
-            append(all.notes, part.notes);
-        }
-    }
-    pool_replicates(all);
-    check_pendular_range(all);
+    FilesBefore before;
+    for (const Source& source : study.sources)
+        for (const std::filesystem::path& file : source.files)
+            append(all, read_file(file, source, study, before));
+    count_readings_once(all);
+    doubt_impossible_readings(all, study);
+    pool_replicates(all, study.scatter);
+    if (const auto note = grain_weight_note(study, all.readings)) all.notes.push_back(*note);
     return all;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,20 +38,42 @@ struct Condition {
     bool operator==(const Condition&) const = default;
 };
 
+/// An error that several readings have in common, such as that of one filling of the cell.
+struct SharedError {
+    std::size_t source =
+        0;  ///< readings with the same number have the same error, fully correlated
+    Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< its standard error in `value` of a reading
+    Eigen::Vector2d estimated = Eigen::Vector2d::Zero();  ///< the same before widening
+    bool known = false;  ///< its size is known, not estimated from replicates
+};
+
 /// One measured steady state: (shear stress [Pa], solid fraction [1]) at a condition.
 struct Reading {
-    Position origin;  ///< file and first line it was made from
-    int step = 0;     ///< step of constant set points within the file, from 1
+    Position origin;    ///< file and first line it was made from
+    int last_line = 0;  ///< it was made from; 0 where that is the first
+    int step = 0;       ///< step of constant set points within the file, from 1
     Condition condition;
     double shear_rate = 0;  ///< [1/s]; 0 where the inertial number was given instead
     Eigen::Vector2d value =
         Eigen::Vector2d::Zero();  ///< shear stress magnitude [Pa], solid fraction [1]
-    Eigen::Matrix2d covariance =
-        Eigen::Matrix2d::Zero();  ///< of `value`, within run plus between replicates
-    double sampled_seconds = 0;   ///< length of the steady part [s]; 0 for ready-made readings
-    bool error_assumed = false;   ///< 2 % of each value was assumed, nothing was measured
+    /// Of `value`: all errors, those of the scatter widened for how few replicates tell it.
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+    /// Part of `covariance` that the widening added.
+    Eigen::Matrix2d widened_by = Eigen::Matrix2d::Zero();
+    std::vector<SharedError> shared;  ///< parts of `covariance` that other readings have too
+    /// Degrees of freedom that the scatter of each observable was estimated with.
+    Eigen::Vector2d scatter_freedom = Eigen::Vector2d::Constant(INFINITY);
+    std::size_t scatter_group = 0;  ///< place in ReplicateScatter::groups
+    /// Step to which `value` was rounded where it was written down; 0: none worth mention.
+    Eigen::Vector2d resolution = Eigen::Vector2d::Zero();
+    double sampled_seconds = 0;    ///< length of the steady part [s]; 0 for ready-made readings
+    bool within_run_only = false;  ///< `covariance` as read knows nothing of other runs or fillings
+    bool error_assumed = false;    ///< 2 % of a value was assumed, nothing was measured
     int replicates = 1;  ///< readings of the same liquid content and set points, this one included
 
+    /// Of `value`, with the scatter as it was estimated: for tests whose laws allow for how few
+    /// replicates tell it.
+    Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
     double stress_ratio() const { return value(0) / condition.normal_stress; }
 };
 
@@ -60,12 +84,41 @@ struct Excluded {
     std::string reason;
 };
 
-/// Scatter between replicates beyond that within them, pooled over all conditions.
+/// A measured value, or several, that cannot be right.
+struct Doubt {
+    /// One sentence: file, quantity, value, the limit it breaks, the likely cause.
+    std::string what;
+    std::string quantity;           ///< name of what is doubted, "solid_fraction" for example
+    std::vector<Position> origins;  ///< of the readings or rows concerned
+    bool set_aside = true;          ///< whether they were moved to `excluded`
+};
+
+/// Scatter between replicates beyond that within them, relative to the values of (stress ratio,
+/// solid fraction) [1].
 struct ReplicateScatter {
-    /// Relative to the values of (stress ratio, solid fraction) [1]; widened as below.
-    Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();
-    double freedom = 0;   ///< degrees of freedom it was estimated with
-    double widening = 1;  ///< factor on the standard errors that is in `excess`
+    /// Scatter from step to step in files that replicate each other.
+    struct Group {
+        std::vector<std::string> files;
+        Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();   ///< variance at `reference_stress`
+        Eigen::Vector2d freedom = Eigen::Vector2d::Zero();  ///< degrees of freedom it rests on
+    };
+    std::vector<Group> groups;
+    /// Standard deviation of step scatter ~ (normal stress/reference)^-exponent, by observable [1].
+    Eigen::Vector2d load_exponent = Eigen::Vector2d::Zero();
+    double reference_stress = 0;  ///< [Pa]
+
+    /// Errors that all steps of one filling share. From the mean squares of a two-way analysis of
+    /// variance (conditions, files): (between - within)/steps, widened.
+    struct Filling {
+        double variance = 0;         ///< relative, widened for how few fillings tell it [1]
+        double between = 0;          ///< mean square between files, relative [1]
+        double within = 0;           ///< mean square between steps, relative [1]
+        double freedom_between = 0;  ///< 0: no two files share a condition
+        double freedom_within = 0;
+        double steps = 1;  ///< effective number of conditions that two files share
+    };
+    std::array<Filling, 2> filling;  ///< of stress ratio, of solid fraction
+    bool stated = false;             ///< it is that of `[scatter]` in the study
 };
 
 /// Everything that was measured in a study, with nothing dropped in silence.
@@ -73,6 +126,7 @@ struct Measurements {
     std::vector<Reading> readings;  ///< in run order
     ReplicateScatter scatter;       ///< that is in the covariances of the readings
     std::vector<Excluded> excluded;
+    std::vector<Doubt> doubts;       ///< about what the files say; most were set aside
     std::vector<std::string> notes;  ///< checks worth a line: a flipped torque, heavy beads
 };
 

@@ -121,9 +121,6 @@ void set_stress(const Points& points, const Row& row, Reading& reading) {
 
 void set_solid_fraction(const Points& points, const Row& row, Reading& reading) {
     reading.value(1) = positive(points, row, "solid_fraction");
-    if (reading.value(1) >= 1)
-        throw InputError(points.columns.at(row, "solid_fraction"),
-                         "a solid fraction must be below 1; name the unit % if it is in percent");
     reading.covariance(1, 1) =
         std::pow(points.columns.deviation(row, "solid_fraction").value_or(0), 2);
 }
@@ -179,6 +176,17 @@ Reading reading_of(const Points& points, const Row& row) {
     return reading;
 }
 
+/// Rounding of the numbers in the table is an error of the readings.
+void set_resolutions(const Points& points, std::vector<Reading>& readings) {
+    const auto stress = points.columns.resolutions(points.stress);
+    const auto fraction = points.columns.resolutions("solid_fraction");
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const double unit =
+            points.stress == "stress_ratio" ? readings[k].condition.normal_stress : 1;
+        readings[k].resolution = {unit * stress[k], fraction[k]};
+    }
+}
+
 /// Where a liquid content is needed and where it must not stand twice.
 void check_liquid_content(const Table& table, const Columns& columns, const Source& source,
                           const Study& study) {
@@ -206,6 +214,7 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
     Measurements result;
     for (const Row& row : table.rows)
         result.readings.push_back(reading_of(points, row));
+    set_resolutions(points, result.readings);
     if (const auto unused = columns.others(reading_columns); !unused.empty())
         result.notes.push_back(
             fmt::format("{}: columns not used: '{}'", table.file, fmt::join(unused, "', '")));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "data/columns.h"
 
@@ -10,7 +11,11 @@ namespace pendular {
 namespace {
 
 const std::vector<std::string_view> recording_columns = {
-    "time", "torque", "normal_force", "height", "angular_velocity", "interval"};
+    "time",     "torque",       "normal_force",  "height",    "angular_velocity",
+    "interval", "shear_stress", "normal_stress", "shear_rate"};
+
+const std::vector<std::string_view> needed_columns = {"time", "torque", "normal_force", "height",
+                                                      "angular_velocity"};
 
 /// Time may start again with a new interval, never within one.
 void check_time(const Recording& recording, const Table& table, const Columns& columns) {
@@ -36,13 +41,33 @@ void check_row(const Row& row, const Columns& columns) {
         throw InputError(columns.at(row, "interval"), "an interval must be a whole number");
 }
 
+/// A column of what other columns give as well; empty where the file has none that can be read,
+/// since nothing depends on it, and not a number where a cell is none.
+std::vector<double> repeated_column(const Table& table, const Columns& columns,
+                                    std::string_view name) {
+    std::vector<double> values;
+    const auto read = [&](auto&& what, auto otherwise) {
+        try {
+            return what();
+        } catch (const InputError&) {
+            return otherwise;
+        }
+    };
+    if (!read([&] { return columns.has(name); }, false)) return values;
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    for (const Row& row : table.rows)
+        values.push_back(
+            read([&] { return columns.value_if_any(row, name).value_or(none); }, none));
+    return values;
+}
+
 }  // namespace
 
 Recording read_recording(const std::filesystem::path& path) {
     const Table table = read_table(path);
     const Columns columns(table);
-    for (const std::string_view name : recording_columns)
-        if (name != "interval") columns.require(name);
+    for (const std::string_view name : needed_columns)
+        columns.require(name);
 
     Recording recording;
     recording.file = table.file;
@@ -57,8 +82,26 @@ Recording read_recording(const std::filesystem::path& path) {
         recording.angular_velocity.push_back(columns.value(row, "angular_velocity"));
         if (columns.has("interval")) recording.interval.push_back(columns.value(row, "interval"));
     }
+    recording.shear_stress = repeated_column(table, columns, "shear_stress");
+    recording.normal_stress = repeated_column(table, columns, "normal_stress");
+    recording.shear_rate = repeated_column(table, columns, "shear_rate");
     check_time(recording, table, columns);
     return recording;
+}
+
+void erase_rows(Recording& recording, const std::vector<bool>& marked) {
+    const auto erase = [&](auto& column) {
+        if (column.empty()) return;  // the file has no such column
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < marked.size(); ++i)
+            if (!marked[i]) column[kept++] = column[i];
+        column.resize(kept);
+    };
+    erase(recording.line);
+    for (auto* column : {&recording.time, &recording.torque, &recording.normal_force,
+                         &recording.height, &recording.angular_velocity, &recording.interval,
+                         &recording.shear_stress, &recording.normal_stress, &recording.shear_rate})
+        erase(*column);
 }
 
 }  // namespace pendular

@@ -17,6 +17,11 @@ struct Recording {
     std::vector<double> normal_force;
     std::vector<double> height;
     std::vector<double> angular_velocity;
+    // What says the same again; empty where the file has no such column, not a number where a cell
+    // is empty.
+    std::vector<double> shear_stress = {};
+    std::vector<double> normal_stress = {};
+    std::vector<double> shear_rate = {};
     std::vector<double> interval;             ///< empty where the file has no such column
     std::vector<std::string> unused_columns;  ///< header cells that were not read
 
@@ -30,7 +35,8 @@ struct Step {
 };
 
 /// Reads a plain recording: a table with columns time, torque, normal force, gap, angular velocity
-/// and, optionally, interval, in any common spelling, order and unit.
+/// and, optionally, interval and the stresses and shear rate that an instrument computed, in any
+/// common spelling, order and unit.
 /// @throws InputError at file:line:column for what read_table and Columns refuse, a gap that is not
 ///         positive, and a time that goes back other than where a new interval begins
 Recording read_recording(const std::filesystem::path& path);
@@ -40,6 +46,9 @@ Recording read_recording(const std::filesystem::path& path);
 /// the level before, both kept for at least `shortest_step` rows. What lies between two such levels
 /// belongs to the later one, as its transient.
 std::vector<Step> split_steps(const Recording& recording);
+
+/// Takes out the rows that are marked.
+void erase_rows(Recording& recording, const std::vector<bool>& marked);
 
 /// Rows a step must have to be averaged.
 constexpr std::size_t shortest_step = 20;

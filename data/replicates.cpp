@@ -3,72 +3,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <vector>
+
+#include "data/far_replicates.h"
+#include "data/replicate_table.h"
+#include "data/rounding.h"
 
 namespace pendular {
 namespace {
 
 constexpr double set_point_tolerance = 0.02;
 constexpr double assumed_error = 0.02;
+/// Relative variances below this are the rounding of computers, not errors.
+constexpr double no_error = 1e-12;
 /// From a factor of two on, more replicates are worth a word.
 constexpr double worth_a_note = 2;
 
-using Group = std::vector<Reading*>;
+/// Fillings usually share errors of 0.3 times the scatter of a step, which is believed like two
+/// measured differences between fillings.
+constexpr double usual_filling = 0.3, usual_freedom = 2;
+/// Filling errors count from this probability on that chance alone makes files differ so.
+constexpr double hint_of_fillings = 0.03;
 
 bool close(double a, double b) {
     return std::abs(a - b) <= set_point_tolerance * std::max(std::abs(a), std::abs(b));
-}
-
-/// Each reading joins the first group whose first reading it replicates.
-std::vector<Group> grouped(std::vector<Reading>& readings) {
-    std::vector<Group> groups;
-    for (Reading& reading : readings) {
-        const auto home = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-            return are_replicates(*group.front(), reading);
-        });
-        if (home == groups.end())
-            groups.push_back({&reading});
-        else
-            home->push_back(&reading);
-    }
-    return groups;
-}
-
-/// (stress ratio, solid fraction): what does not change with the normal stress within 2 %.
-Eigen::Vector2d compared(const Reading& reading) {
-    return {reading.stress_ratio(), reading.value(1)};
-}
-
-/// Covariance relative to the values [1].
-Eigen::Matrix2d relative(const Reading& reading) {
-    const Eigen::Matrix2d scale = reading.value.cwiseInverse().asDiagonal();
-    return scale * reading.covariance * scale;
-}
-
-/// Scatter between replicates and errors within them, both relative, and their degrees of freedom.
-struct Pooled {
-    Eigen::Matrix2d between = Eigen::Matrix2d::Zero();
-    Eigen::Matrix2d within = Eigen::Matrix2d::Zero();
-    double freedom = 0;
-};
-
-void add(const Group& group, Pooled& pooled) {
-    const double size = static_cast<double>(group.size());
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d within = Eigen::Matrix2d::Zero();
-    for (const Reading* reading : group) {
-        mean += compared(*reading) / size;
-        within += relative(*reading) / size;
-    }
-    for (const Reading* reading : group) {
-        const Eigen::Vector2d deviation = (compared(*reading).array() / mean.array() - 1).matrix();
-        pooled.between += deviation * deviation.transpose();
-    }
-    pooled.within += (size - 1) * within;
-    pooled.freedom += size - 1;
 }
 
 /// Factor on a standard error estimated with so many degrees of freedom, so that twice the product
@@ -78,35 +39,289 @@ double widening(double freedom) {
     return boost::math::quantile(boost::math::students_t(freedom), level) / 2;
 }
 
-/// What the errors within the runs leave unexplained, relative: a covariance.
-Eigen::Matrix2d excess(const Pooled& pooled) {
-    Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
-    if (pooled.freedom == 0) return result;
-    const Eigen::Matrix2d difference =
-        std::pow(widening(pooled.freedom), 2) * (pooled.between - pooled.within) / pooled.freedom;
-    for (int i = 0; i < 2; ++i)
-        result(i, i) = std::max(0.0, difference(i, i));
-    const double shrunk = difference(0, 1) * (pooled.freedom - 1) / (pooled.freedom + 1);
-    const double bound = 0.99 * std::sqrt(result(0, 0) * result(1, 1));
-    result(0, 1) = result(1, 0) = std::clamp(shrunk, -bound, bound);
-    return result;
+double widened(double freedom) {
+    return std::isfinite(freedom) && freedom > 0 ? std::pow(widening(freedom), 2) : 1;
 }
 
-void assume_missing_errors(Reading& reading) {
-    for (int i = 0; i < 2; ++i) {
-        if (reading.covariance(i, i) > 0) continue;
-        reading.covariance(i, i) = std::pow(assumed_error * reading.value(i), 2);
-        reading.error_assumed = true;
+/// Estimates the scatter between replicates and adds it to the covariances of the readings.
+class Pooling {
+  public:
+    explicit Pooling(Measurements& all)
+        : all_(all), readings_(all.readings), table_(replicate_table(all.readings)) {
+        apart_.variance.assign(readings_.size(), Eigen::Vector2d::Zero());
+        for (std::size_t k = 0; k < readings_.size(); ++k) {
+            readings_[k].scatter_group = table_.cluster_of[k];
+            stated_.push_back(readings_[k].within_run_only
+                                  ? Eigen::Vector2d::Zero()
+                                  : Eigen::Vector2d(readings_[k].covariance.diagonal()));
+        }
+        for (const auto& group : table_.groups) {
+            for (const std::size_t k : group)
+                readings_[k].replicates = static_cast<int>(group.size());
+        }
+        all_.scatter.reference_stress = table_.reference_stress;
+    }
+
+    void by_replicates() {
+        apart_ = set_far_replicates_apart(table_, readings_);
+        all_.doubts.insert(all_.doubts.end(), apart_.doubts.begin(), apart_.doubts.end());
+        find_load_exponents();
+        estimate_fillings();
+        estimate_steps();
+        apply();
+    }
+    void by_statement(const StatedScatter& stated) {
+        estimate_steps();  // groups only; their sizes are those stated
+        for (auto& group : all_.scatter.groups) {
+            group.excess = stated.step.cwiseAbs2().asDiagonal();
+            group.freedom.setConstant(INFINITY);
+        }
+        all_.scatter.load_exponent.setZero();
+        for (const Eigen::Index o : {0, 1}) {
+            auto& filling = all_.scatter.filling[static_cast<std::size_t>(o)];
+            filling = {.variance = stated.filling(o) * stated.filling(o),
+                       .freedom_between = INFINITY};
+        }
+        all_.scatter.stated = true;
+        apply();
+    }
+
+  private:
+    void find_load_exponents();
+    void estimate_fillings();
+    void estimate_steps();
+    void estimate_correlation();
+    void apply();
+    void add_steps(std::size_t reading);
+    void add_filling(std::size_t reading);
+    void note_errors_below_rounding();
+    void assume_missing_errors();
+    void note_few_replicates();
+
+    ScatterSums sums_of(std::size_t cluster, Eigen::Index observable) const {
+        const auto o = static_cast<std::size_t>(observable);
+        return analyse_scatter(table_.clusters[cluster].values[o],
+                               all_.scatter.load_exponent(observable),
+                               all_.scatter.filling[o].freedom_between > 0 ||
+                                   apart_.unlike.contains({cluster, observable}));
+    }
+    /// Whether scatter was estimated or stated anywhere in the study.
+    bool known(Eigen::Index observable) const {
+        return std::ranges::any_of(
+            all_.scatter.groups, [&](const auto& group) { return group.freedom(observable) > 0; });
+    }
+
+    Measurements& all_;
+    std::vector<Reading>& readings_;
+    ReplicateTable table_;
+    FarReplicates apart_;
+    std::vector<Eigen::Vector2d> stated_;  ///< variances given with the readings, rounding included
+};
+
+void Pooling::find_load_exponents() {
+    for (const Eigen::Index o : {0, 1}) {
+        std::vector<std::vector<ReplicatedValue>> sets;
+        for (const ReplicateCluster& cluster : table_.clusters)
+            sets.push_back(cluster.values[static_cast<std::size_t>(o)]);
+        all_.scatter.load_exponent(o) = load_exponent(sets);
     }
 }
 
-}  // namespace
-
-Eigen::Matrix2d estimated_covariance(const Reading& reading, const ReplicateScatter& scatter) {
-    const Eigen::Matrix2d scale = reading.value.asDiagonal();
-    const double surplus = 1 - 1 / (scatter.widening * scatter.widening);
-    return reading.covariance - surplus * scale * scatter.excess * scale;
+/// Whether files differ by more than their steps explain, by an F test.
+bool files_differ(const ReplicateScatter::Filling& filling) {
+    if (!(filling.within > 0)) return filling.between > 0;
+    const boost::math::fisher_f law(filling.freedom_between, filling.freedom_within);
+    return boost::math::cdf(boost::math::complement(law, filling.between / filling.within)) <
+           hint_of_fillings;
 }
+
+/// A few fillings hardly tell their scatter: what is known of others counts like so many more.
+void temper(ReplicateScatter::Filling& filling) {
+    const double usual = filling.within * (1 + filling.steps * usual_filling * usual_filling);
+    filling.between = (filling.freedom_between * filling.between + usual_freedom * usual) /
+                      (filling.freedom_between + usual_freedom);
+    filling.freedom_between += usual_freedom;
+}
+
+void Pooling::estimate_fillings() {
+    for (const Eigen::Index o : {0, 1}) {
+        ReplicateScatter::Filling filling{.steps = 0};
+        for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+            const ScatterSums sums =
+                analyse_scatter(table_.clusters[c].values[static_cast<std::size_t>(o)],
+                                all_.scatter.load_exponent(o));
+            filling.within += sums.within;
+            filling.freedom_within += sums.freedom_within;
+            if (apart_.unlike.contains({c, o})) continue;
+            filling.between += sums.between;
+            filling.freedom_between += sums.freedom_between;
+            filling.steps += sums.steps;
+        }
+        if (filling.freedom_within > 0) filling.within /= filling.freedom_within;
+        if (filling.freedom_between > 0) {
+            filling.between /= filling.freedom_between;
+            filling.steps /= filling.freedom_between;
+            if (!files_differ(filling)) {
+                all_.scatter.filling[static_cast<std::size_t>(o)] = {};
+                continue;
+            }
+            temper(filling);
+            // Widened: what fillings share must not weigh more than the little that is known of it.
+            filling.variance = widened(filling.freedom_between) *
+                               std::max(0.0, (filling.between - filling.within) / filling.steps);
+        }
+        all_.scatter.filling[static_cast<std::size_t>(o)] = filling;
+    }
+}
+
+void Pooling::estimate_steps() {
+    ReplicateScatter& scatter = all_.scatter;
+    scatter.groups.assign(table_.clusters.size(), {});
+    for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+        for (const std::size_t file : table_.clusters[c].files)
+            scatter.groups[c].files.push_back(table_.files[file]);
+    }
+    for (const Eigen::Index o : {0, 1}) {
+        std::vector<MeanSquare> own;
+        double run_variance = 0, freedom = 0;
+        for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+            const ScatterSums sums = sums_of(c, o);
+            const double nu = sums.freedom_within;
+            own.push_back({nu > 0 ? sums.within / nu : 0, nu});
+            run_variance += sums.run_variance;
+            freedom += nu;
+        }
+        if (freedom == 0) continue;
+        const std::vector<MeanSquare> shrunk = moderated(own);
+        for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+            scatter.groups[c].excess(o, o) =
+                std::max(0.0, shrunk[c].value - run_variance / freedom);
+            scatter.groups[c].freedom(o) = shrunk[c].freedom;
+        }
+    }
+    estimate_correlation();
+}
+
+void Pooling::estimate_correlation() {
+    ReplicateScatter& scatter = all_.scatter;
+    double product = 0, squares0 = 0, squares1 = 0, freedom = 0;
+    for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+        const auto& values = table_.clusters[c].values;
+        if (values[0].size() != values[1].size()) continue;
+        const ScatterSums ratio = sums_of(c, 0), fraction = sums_of(c, 1);
+        product += ratio.left_over.dot(fraction.left_over);
+        squares0 += std::max(0.0, ratio.within - ratio.run_variance);
+        squares1 += std::max(0.0, fraction.within - fraction.run_variance);
+        freedom += ratio.freedom_within;
+    }
+    if (!(squares0 > 0 && squares1 > 0)) return;
+    const double correlation = std::clamp(
+        product / std::sqrt(squares0 * squares1) * (freedom - 1) / (freedom + 1), -0.99, 0.99);
+    for (auto& group : scatter.groups) {
+        group.excess(0, 1) = group.excess(1, 0) =
+            correlation * std::sqrt(group.excess(0, 0) * group.excess(1, 1));
+    }
+}
+
+/// Adds errors of (stress ratio, solid fraction), relative to them, to a reading.
+void add_scatter(Reading& reading, const Eigen::Matrix2d& estimated, const Eigen::Matrix2d& wide) {
+    const Eigen::Matrix2d scale = reading.value.asDiagonal();
+    reading.covariance += scale * wide * scale;
+    reading.widened_by += scale * (wide - estimated) * scale;
+}
+
+void Pooling::add_steps(std::size_t k) {
+    const ReplicateScatter& scatter = all_.scatter;
+    Reading& reading = readings_[k];
+    const auto& group = scatter.groups[reading.scatter_group];
+    const double load = std::clamp(reading.condition.normal_stress / scatter.reference_stress,
+                                   table_.least_load, table_.greatest_load);
+    Eigen::Vector2d shape, widening;
+    for (const Eigen::Index o : {0, 1}) {
+        shape(o) = std::pow(load, -scatter.load_exponent(o));
+        widening(o) = std::sqrt(widened(group.freedom(o)));
+        reading.scatter_freedom(o) = group.excess(o, o) > 0 ? group.freedom(o) : INFINITY;
+    }
+    const Eigen::Matrix2d step = shape.asDiagonal() * group.excess * shape.asDiagonal();
+    add_scatter(reading, step, widening.asDiagonal() * step * widening.asDiagonal());
+    const Eigen::Matrix2d own = apart_.variance[k].asDiagonal();
+    add_scatter(reading, own, own);
+}
+
+void Pooling::add_filling(std::size_t k) {
+    Reading& reading = readings_[k];
+    reading.shared.clear();
+    if (!reading.within_run_only) return;
+    for (const Eigen::Index o : {0, 1}) {
+        const auto& filling = all_.scatter.filling[static_cast<std::size_t>(o)];
+        if (!(filling.variance > 0)) continue;
+        const double size = reading.value(o) * std::sqrt(filling.variance);
+        SharedError error{.source = 2 * table_.file_of[k] + static_cast<std::size_t>(o)};
+        error.estimated(o) = error.size(o) = size;
+        reading.covariance(o, o) += size * size;
+        reading.shared.push_back(error);
+    }
+}
+
+void Pooling::apply() {
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+        add_steps(k);
+        add_filling(k);
+    }
+    note_errors_below_rounding();
+    add_rounding(table_, stated_, {known(0), known(1)}, readings_);
+    note_few_replicates();
+    assume_missing_errors();
+}
+
+void Pooling::note_errors_below_rounding() {
+    std::ptrdiff_t count = 0;
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+        const Eigen::Array2d rounding = readings_[k].resolution.array().square() / 12;
+        count += (stated_[k].array() > 0 && stated_[k].array() < rounding).any();
+    }
+    if (count == 0) return;
+    all_.notes.push_back(fmt::format(
+        "The standard errors given for {} of {} readings are smaller than the rounding of their "
+        "values; the error of rounding was added. Write more digits, or check the errors' units.",
+        count, readings_.size()));
+}
+
+void Pooling::note_few_replicates() {
+    double fewest = INFINITY;
+    for (const auto& group : all_.scatter.groups) {
+        for (const Eigen::Index o : {0, 1}) {
+            if (group.excess(o, o) > 0) fewest = std::min(fewest, group.freedom(o));
+        }
+    }
+    if (!std::isfinite(fewest) || widening(fewest) < worth_a_note) return;
+    all_.notes.push_back(fmt::format(
+        "the scatter between replicates is known from {0} only: their standard errors are "
+        "widened {1:.1f} times so that two of them cover 95 %; more replicates narrow them",
+        fewest == 1 ? "one pair" : fmt::format("{:.0f} differences", fewest), widening(fewest)));
+}
+
+void Pooling::assume_missing_errors() {
+    std::ptrdiff_t assumed = 0;
+    for (Reading& reading : readings_) {
+        for (const Eigen::Index o : {0, 1}) {
+            const bool unknown = reading.within_run_only && !known(o);
+            if (relative_variance(reading, o) > no_error && !unknown) continue;
+            const double variance = std::pow(assumed_error * reading.value(o), 2);
+            reading.covariance(o, o) += variance;
+            reading.error_assumed = true;
+        }
+        assumed += reading.error_assumed;
+    }
+    if (assumed > 0)
+        all_.notes.push_back(fmt::format(
+            "{} of {} readings have no replicates, or no error at all: 2 % of the value is "
+            "assumed. Repeat the measurement with another filling, or state the instrument's "
+            "own scatter in [scatter] of the study",
+            assumed, readings_.size()));
+}
+
+}  // namespace
 
 bool are_replicates(const Reading& a, const Reading& b) {
     constexpr double rounding = 1e-9;
@@ -120,35 +335,20 @@ bool are_replicates(const Reading& a, const Reading& b) {
            close(a.condition.inertial_number, b.condition.inertial_number);
 }
 
-void pool_replicates(Measurements& measurements) {
-    Pooled pooled;
-    for (const Group& group : grouped(measurements.readings)) {
-        for (Reading* reading : group)
-            reading->replicates = static_cast<int>(group.size());
-        add(group, pooled);
+std::vector<std::vector<std::size_t>> replicate_groups(const std::vector<Reading>& readings) {
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const auto group = std::ranges::find_if(groups, [&](const auto& members) {
+            return are_replicates(readings[members.front()], readings[k]);
+        });
+        group == groups.end() ? groups.push_back({k}) : group->push_back(k);
     }
-    const Eigen::Matrix2d added = excess(pooled);
-    if (pooled.freedom > 0) {
-        measurements.scatter = {added, pooled.freedom, widening(pooled.freedom)};
-    }
-    if (!added.isZero() && widening(pooled.freedom) >= worth_a_note)
-        measurements.notes.push_back(fmt::format(
-            "the scatter between replicates is known from {0} only: their standard errors are "
-            "widened {1:.1f} times so that two of them cover 95 %; more replicates narrow them",
-            pooled.freedom == 1 ? "one pair" : fmt::format("{:.0f} differences", pooled.freedom),
-            widening(pooled.freedom)));
-    std::ptrdiff_t assumed = 0;
-    for (Reading& reading : measurements.readings) {
-        const Eigen::Matrix2d scale = reading.value.asDiagonal();
-        reading.covariance += scale * added * scale;
-        assume_missing_errors(reading);
-        assumed += reading.error_assumed;
-    }
-    if (assumed > 0)
-        measurements.notes.push_back(
-            fmt::format("{} of {} readings have values without error and without replicates: "
-                        "2 % of the value is assumed",
-                        assumed, measurements.readings.size()));
+    return groups;
+}
+
+void pool_replicates(Measurements& measurements, const std::optional<StatedScatter>& stated) {
+    Pooling pooling(measurements);
+    stated ? pooling.by_statement(*stated) : pooling.by_replicates();
 }
 
 }  // namespace pendular

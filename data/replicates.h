@@ -1,34 +1,49 @@
 #pragma once
 
+#include <optional>
+
 #include "data/reading.h"
 
 namespace pendular {
+
+/// Scatter of an instrument as its user knows it, standard deviations relative to the value of
+/// (shear stress, solid fraction) [1].
+struct StatedScatter {
+    Eigen::Vector2d step = Eigen::Vector2d::Zero();     ///< from one step to its repetition
+    Eigen::Vector2d filling = Eigen::Vector2d::Zero();  ///< from one filling to the next
+};
 
 /// Whether two readings are replicates: same liquid content, normal stress and inertial number
 /// within 2 %.
 bool are_replicates(const Reading& a, const Reading& b);
 
 /// Finds replicates among readings whose covariance is that within their runs, counts them, and
-/// adds the scatter between them that their own errors do not explain.
+/// adds the scatter between them that their own errors do not explain. Covariances are of
+/// (shear stress [Pa], solid fraction [1]).
 ///
-/// The excess max(0, s_rep^2 - mean s_w^2) is pooled over all conditions, in units relative to the
-/// values (of stress ratio and of solid fraction), and added to every reading: scatter of
-/// preparation and of the instrument is nearly proportional to what is shown, and a condition
-/// alone has too few replicates to tell its own. Stress ratios are compared, not shear stresses, so
-/// that set points that differ by 2 % do not count as scatter.
+/// Logarithms of stress ratios and of solid fractions are compared, so that set points that differ
+/// by 2 % do not count as scatter. A two-way analysis of variance (conditions, files) separates
+/// scatter from step to step from the error that all steps of a filling, which is a file, share:
+///     value = condition (1 + filling + step),   sd(step) ~ (normal stress)^-exponent.
+/// Step scatter is estimated for files that replicate each other, drawn towards that of all as far
+/// as they agree (`moderated`); filling errors are pooled over all files, with a usual size (0.3
+/// times the scatter of a step) that counts like two differences, and stand in `Reading::shared`.
+/// Files or readings far away from their replicates are named in a note, left out of the pooling,
+/// and weigh as little as their distance says.
 ///
-/// With nu degrees of freedom between replicates, the excess is widened by (t_nu/2)^2, t_nu
-/// Student's quantile at the level of two standard deviations: two of the standard errors then
-/// cover 95 % although the scatter itself is an estimate (1.28 times for nu = 6, 7 times for one
-/// pair, where a note says so). The correlation between the two observables is pooled alike and
-/// shrunk by (nu - 1)/(nu + 1), since with few replicates it is +-1 by chance.
+/// With nu degrees of freedom, a variance is widened by (t_nu/2)^2, t_nu Student's quantile at the
+/// level of two standard deviations: two of the standard errors then cover 95 % although the
+/// scatter itself is an estimate (1.28 times for nu = 6, 7 times for one pair, where a note says
+/// so). The correlation between the two observables is pooled and shrunk by (nu - 1)/(nu + 1),
+/// since with few replicates it is +-1 by chance.
 ///
-/// A value that then has no error, neither given nor seen between replicates, is given 2 %;
-/// `error_assumed` is set and a note says so.
-void pool_replicates(Measurements& measurements);
+/// Scatter stated in the study replaces all that. Readings of recordings without any replicate in
+/// the study, and values without any error, are given 2 %; `error_assumed` is set and a note says
+/// so: errors within a recording are not the error of a measurement.
+void pool_replicates(Measurements& measurements,
+                     const std::optional<StatedScatter>& stated = std::nullopt);
 
-/// Covariance of a reading as it was estimated, not widened for how few replicates tell it: for
-/// tests whose laws allow for that.
-Eigen::Matrix2d estimated_covariance(const Reading& reading, const ReplicateScatter& scatter);
+/// Readings of the same condition as places among `readings`, in their order.
+std::vector<std::vector<std::size_t>> replicate_groups(const std::vector<Reading>& readings);
 
 }  // namespace pendular

@@ -30,4 +30,16 @@ double sample_noise(std::span<const double> series) {
     return robust_deviation(differences) / std::numbers::sqrt2;
 }
 
+double least_step(std::vector<double> values) {
+    if (values.empty()) return 0;
+    std::ranges::sort(values);
+    const double rounding = 1e-9 * std::max(std::abs(values.front()), std::abs(values.back()));
+    double least = 0;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        const double step = values[i] - values[i - 1];
+        if (step > rounding && (least == 0 || step < least)) least = step;
+    }
+    return least;
+}
+
 }  // namespace pendular

@@ -16,4 +16,9 @@ double robust_deviation(std::span<const double> values);
 /// deviation of its differences over sqrt(2).
 double sample_noise(std::span<const double> series);
 
+/// Least step between distinct values, in their own unit: the resolution they were recorded with.
+/// Differences that are rounding of the arithmetic (1e-9 of the largest value) count as none; 0
+/// where all values are equal.
+double least_step(std::vector<double> values);
+
 }  // namespace pendular

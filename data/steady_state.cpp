@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "data/robust.h"
 #include "data/step_series.h"
 #include "data/time_series.h"
+#include "data/unsteady.h"
 
 namespace pendular {
 namespace {
-
-constexpr double gravity = 9.80665;  // [m/s^2]
 
 /// What the steps of one recording have in common.
 struct Setting {
@@ -19,6 +19,9 @@ struct Setting {
     const AnnularCell& cell;
     const Grains& grains;
     double liquid_content;
+    double least_strain;       ///< of a steady part [1]
+    double torque_resolution;  ///< [N m]
+    double height_resolution;  ///< [m]
     double time_shift =
         0;  ///< of the step at hand, to the time since the first recording began [s]
 };
@@ -27,7 +30,28 @@ struct Setting {
 struct Means {
     Mean torque, normal_force, height, angular_velocity;
     Eigen::Matrix2d covariance;  ///< of (torque at the mean normal force, height)
+    bool coarse = false;         ///< whether a resolution limits the covariance
 };
+
+/// Least standard error of the mean of values that take one, two or three levels a resolution
+/// apart: sqrt(1/12) of it, since rounding hides where between two levels they lie. Values that go
+/// over more levels dither, and their mean is finer than that.
+double error_from_resolution(const std::vector<double>& values, double resolution) {
+    const auto [least, most] = std::ranges::minmax(values);
+    const bool dithers = most - least > 2.5 * resolution;
+    return dithers ? 0 : resolution / std::sqrt(12.0);
+}
+
+/// Raises the variances of the means to what the columns resolve.
+void limit_by_resolution(Means& means, const StepSeries& steady, const Setting& setting) {
+    const Eigen::Array2d least = {error_from_resolution(steady.torque, setting.torque_resolution),
+                                  error_from_resolution(steady.height, setting.height_resolution)};
+    for (int i = 0; i < 2; ++i) {
+        if (means.covariance(i, i) >= least(i) * least(i)) continue;
+        means.covariance(i, i) = least(i) * least(i);
+        means.coarse = true;
+    }
+}
 
 Means means_of(const StepSeries& steady) {
     Means means{mean_of_correlated(steady.torque), mean_of_correlated(steady.normal_force),
@@ -64,15 +88,11 @@ Reading reading_of(const Means& means, const StepSeries& steady, int number,
                    const Setting& setting) {
     Reading reading;
     reading.origin = {setting.recording.file, steady.line.front(), 0};
+    reading.last_line = steady.line.back();
     reading.step = number;
     const double height = means.height.value;
     reading.value = {shear_stress(means.torque.value, setting.cell),
                      solid_fraction(height, setting.cell)};
-    if (reading.value(1) >= 1)
-        throw InputError(reading.origin,
-                         fmt::format("a solid fraction of {:.3g}; check bead_mass, density and the "
-                                     "gap",
-                                     reading.value(1)));
     reading.covariance = covariance_of_reading(height, means.covariance, setting.cell);
     reading.shear_rate = shear_rate(std::abs(means.angular_velocity.value), height, setting.cell);
     const double stress = normal_stress(means.normal_force.value, setting.cell);
@@ -80,13 +100,25 @@ Reading reading_of(const Means& means, const StepSeries& steady, int number,
                          setting.liquid_content, height};
     reading.condition.bead_volume = setting.cell.bead_volume;
     reading.condition.time = mean(steady.time) + setting.time_shift;
+    reading.within_run_only = true;
     reading.sampled_seconds = steady.time.back() - steady.time.front();
     return reading;
 }
 
-/// Adds the reading of one step, or what was left out and why.
+/// Why a strain is too short for steady shear.
+std::string short_strain(const char* what, double strain, const StepSeries& series,
+                         const Setting& setting) {
+    return fmt::format(
+        "{} covers a strain of {:.2g}, steady shear takes {:g} (least_strain in [import]); it "
+        "looks "
+        "like {}",
+        what, strain, setting.least_strain, looks_like(series));
+}
+
+/// Adds the reading of one step, or what was left out and why; its number to `coarse` where the
+/// resolution of a column limits its error.
 void reduce_step(const StepSeries& series, int number, const Setting& setting,
-                 Measurements& result) {
+                 std::vector<int>& coarse, Measurements& result) {
     const auto exclude = [&](std::size_t end, const std::string& reason) {
         result.excluded.push_back({{setting.recording.file, series.line.front(), 0},
                                    series.line[end - 1],
@@ -96,7 +128,9 @@ void reduce_step(const StepSeries& series, int number, const Setting& setting,
         return exclude(series.size(),
                        fmt::format("has {} rows, {} are needed", series.size(), shortest_step));
     if (!turns(mean_of_correlated(series.angular_velocity)))
-        return exclude(series.size(), "the lid does not turn");
+        return exclude(series.size(), "the lid does not turn: a rest, or consolidation");
+    if (const double strain = strain_of(series, setting.cell); strain < setting.least_strain)
+        return exclude(series.size(), short_strain("it", strain, series, setting));
     std::string why;
     const auto begin = end_of_transient(series, why);
     if (!begin) return exclude(series.size(), why);
@@ -104,12 +138,16 @@ void reduce_step(const StepSeries& series, int number, const Setting& setting,
         return exclude(series.size(), fmt::format("{} rows are steady, {} are needed",
                                                   series.size() - *begin, shortest_step));
     const StepSeries steady = series.from(*begin);
-    const Means means = means_of(steady);
+    if (const double strain = strain_of(steady, setting.cell); strain < setting.least_strain)
+        return exclude(series.size(), short_strain("its steady part", strain, steady, setting));
+    Means means = means_of(steady);
+    limit_by_resolution(means, steady, setting);
     if (const std::string reason = unusable(means); !reason.empty())
         return exclude(series.size(), reason);
     if (*begin > 0)
         exclude(*begin, fmt::format("transient of {:.3g} s, until torque and gap are steady",
                                     series.time[*begin] - series.time.front()));
+    if (means.coarse) coarse.push_back(number);
     result.readings.push_back(reading_of(means, steady, number, setting));
 }
 
@@ -118,21 +156,6 @@ void note_steps(const std::vector<int>& steps, const std::string& file, const st
                 Measurements& result) {
     if (steps.empty()) return;
     result.notes.push_back(fmt::format("{}: step {}: {}", file, fmt::join(steps, ", "), what));
-}
-
-/// Shear gathers under the lid where the beads' weight is not small beside the load.
-void note_weight(const Setting& setting, Measurements& result) {
-    const double weight =
-        setting.cell.bead_volume * setting.grains.density * gravity / setting.cell.area();
-    std::vector<int> steps;
-    for (const Reading& reading : result.readings)
-        if (weight > 0.1 * reading.condition.normal_stress) steps.push_back(reading.step);
-    note_steps(steps, setting.recording.file,
-               fmt::format("the beads' weight adds {:.0f} Pa over the depth, more than 10 % of the "
-                           "normal stress: shear may gather under the lid, and the stress at "
-                           "mid-height is higher than shown (effect grain-weight)",
-                           weight),
-               result);
 }
 
 }  // namespace
@@ -144,10 +167,17 @@ Measurements reduce_recording(const Recording& recording, const AnnularCell& cel
 }
 
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
-                              const Grains& grains, double liquid_content, RunClock& clock) {
-    Setting setting{recording, cell, grains, liquid_content};
+                              const Grains& grains, double liquid_content, RunClock& clock,
+                              const ImportChoice& choice) {
+    Setting setting{recording,
+                    cell,
+                    grains,
+                    liquid_content,
+                    choice.least_strain,
+                    least_step(recording.torque),
+                    least_step(recording.height)};
     Measurements result;
-    std::vector<int> flipped, interpolated;
+    std::vector<int> flipped, interpolated, coarse;
     int number = 0;
     for (const Step& step : split_steps(recording)) {
         const StepSeries series = step_series(recording, step);
@@ -155,12 +185,17 @@ Measurements reduce_recording(const Recording& recording, const AnnularCell& cel
         if (series.flipped) flipped.push_back(number);
         if (series.interpolated) interpolated.push_back(number);
         setting.time_shift = clock.shift(recording.time[step.begin], recording.time[step.end - 1]);
-        reduce_step(series, number, setting, result);
+        reduce_step(series, number, setting, coarse, result);
     }
     note_steps(flipped, recording.file, "the torque was negative; its sign was flipped", result);
     note_steps(interpolated, recording.file,
                "samples are unevenly spaced in time; interpolated to even spacing", result);
-    note_weight(setting, result);
+    note_steps(
+        coarse, recording.file,
+        fmt::format("torque or gap hardly changes from row to row: their standard errors are "
+                    "those of their resolution, {:.3g} mN m and {:.3g} mm",
+                    1e3 * setting.torque_resolution, 1e3 * setting.height_resolution),
+        result);
     if (!recording.unused_columns.empty())
         result.notes.push_back(fmt::format("{}: columns not used: '{}'", recording.file,
                                            fmt::join(recording.unused_columns, "', '")));

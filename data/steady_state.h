@@ -11,8 +11,8 @@ namespace pendular {
 /// Turns each step of a recording into a reading of its steady part; beads of `liquid_content` [1].
 ///
 /// The transient, up to where torque and gap are both steady, and steps that cannot be used are
-/// listed in `excluded`. A wholly negative torque is flipped and noted; so are heavy beads
-/// (M g/A > 0.1 s22), columns that were not read, and uneven sampling: such a step is first
+/// listed in `excluded`. A wholly negative torque is flipped and noted; so are
+/// columns that were not read, and uneven sampling: such a step is first
 /// interpolated linearly to even spacing, since both the transient and the autocorrelation are
 /// those of evenly spaced samples.
 ///
@@ -23,12 +23,16 @@ namespace pendular {
 /// that only read wrong add up. (T/F is the slope of a cohesionless material; with cohesion it is
 /// smaller, and this error a little too large.)
 ///
+/// A step whose steady part covers less than the choice's least strain is no steady shear, however
+/// constant it looks: grains forget their arrangement over strains of order 1. It is left out, with
+/// what it looks like instead.
+///
 /// The time of a reading is the mean time of the steady part, on a clock that has seen the
 /// recordings before this one.
-/// @throws InputError where the torque has both signs within a step, and where the solid fraction
-///         is impossible
+/// @throws InputError where the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
-                              const Grains& grains, double liquid_content, RunClock& clock);
+                              const Grains& grains, double liquid_content, RunClock& clock,
+                              const ImportChoice& choice = {});
 
 /// The same of a recording that is the first.
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,

@@ -14,14 +14,19 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-const Keys top_keys = {"grains", "liquid", "cell",   "recording", "readings",
-                       "model",  "effect", "direct", "rig"};
+const Keys top_keys = {"grains", "liquid", "cell", "recording", "readings", "model",
+                       "effect", "direct", "rig",  "import",    "scatter"};
 const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_ratio"};
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
 const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
                         "torque_formula"};
 const Keys source_keys = {"file", "liquid_content", "bead_mass", "bead_volume"};
+const Keys import_keys = {"keep_implausible", "least_strain"};
 const Keys model_keys = {"base", "calibrate", "fit_to", "effects", "bridge_force"};
+
+const Keys scatter_keys = {"shear_stress", "solid_fraction", "shear_stress_of_filling",
+                           "solid_fraction_of_filling"};
+constexpr double largest_scatter = 0.5;
 
 constexpr double right_angle = 1.5707963267948966;
 
@@ -93,13 +98,15 @@ std::optional<AnnularCell> read_cell(const StudyTable& root, const Grains& grain
 
 Source read_source(const StudyTable& table, Source::Kind kind, const Study& study) {
     Source source{.kind = kind,
+                  .pattern = {},
                   .files = {},
                   .liquid_content = {},
                   .bead_volume = {},
                   .position = table.position()};
     const auto pattern = table.text("file");
     if (!pattern) throw InputError(table.position(), "lacks 'file'; add file = \"....csv\"");
-    source.files = matching_files(study.folder, *pattern);
+    source.pattern = *pattern;
+    source.files = matching_files(study.folder, source.pattern);
     if (source.files.empty())
         table.refuse("file",
                      fmt::format("no file matches \"{}\" in {}", *pattern, study.folder.string()));
@@ -158,6 +165,34 @@ std::vector<Source> read_sources(const StudyTable& root, const Study& study) {
     return sources;
 }
 
+ImportChoice read_import(const StudyTable& root) {
+    ImportChoice choice;
+    const auto table = root.table("import", import_keys);
+    if (!table) return choice;
+    choice.keep_implausible = table->flag("keep_implausible").value_or(choice.keep_implausible);
+    choice.least_strain = table->quantity("least_strain", "1").value_or(choice.least_strain);
+    if (choice.least_strain < 0.5)
+        table->refuse("least_strain",
+                      "must be 0.5 or more: grains in less are not in steady shear yet");
+    return choice;
+}
+
+std::optional<StatedScatter> read_scatter(const StudyTable& root) {
+    const auto table = root.table("scatter", scatter_keys);
+    if (!table) return std::nullopt;
+    StatedScatter scatter;
+    scatter.step = {table->positive_quantity("shear_stress", "1"),
+                    table->positive_quantity("solid_fraction", "1")};
+    scatter.filling = {table->quantity("shear_stress_of_filling", "1").value_or(0),
+                       table->quantity("solid_fraction_of_filling", "1").value_or(0)};
+    for (const auto& key : scatter_keys) {
+        const double value = table->quantity(key, "1").value_or(0);
+        if (value < 0 || value > largest_scatter)
+            table->refuse(key, "must lie between 0 and 50 %, of the value");
+    }
+    return scatter;
+}
+
 std::vector<ListedEffect> read_listed_effects(const StudyTable& model) {
     std::vector<ListedEffect> effects;
     for (const auto& [name, position] : model.placed_words("effects")) {
@@ -198,6 +233,8 @@ Study read_study(const std::filesystem::path& path) {
     study.direct = read_direct(root);
     study.rig = read_rig(root, study.grains, study.liquid.has_value());
     study.sources = read_sources(root, study);
+    study.import = read_import(root);
+    study.scatter = read_scatter(root);
     return study;
 }
 

@@ -11,6 +11,7 @@
 #include "data/grains.h"
 #include "data/input_error.h"
 #include "data/reading.h"
+#include "data/replicates.h"
 #include "data/rig.h"
 
 namespace pendular {
@@ -19,7 +20,8 @@ namespace pendular {
 struct Source {
     enum class Kind { recording, readings };
     Kind kind = Kind::recording;
-    std::vector<std::filesystem::path> files;  ///< matches of the glob, by name
+    std::string pattern;                       ///< of its files, relative to the study's folder
+    std::vector<std::filesystem::path> files;  ///< matches of the pattern, by name
     std::optional<double> liquid_content;      ///< Phi_L/Phi_S [1]
     std::optional<double> bead_volume;         ///< [m^3], where the entry overrides the cell's
     Position position;                         ///< of the entry in the study file
@@ -40,6 +42,12 @@ struct ModelChoice {
     Form bridge_force = Form::derived;
 };
 
+/// What import believes: [import] in study.toml.
+struct ImportChoice {
+    bool keep_implausible = false;  ///< doubted readings are used all the same
+    double least_strain = 1;        ///< of the steady part of a step [1]; less is no steady shear
+};
+
 /// A study folder: what belongs together.
 struct Study {
     std::filesystem::path folder;
@@ -48,6 +56,8 @@ struct Study {
     std::optional<Liquid> liquid;
     std::optional<AnnularCell> cell;  ///< needed by recordings
     std::vector<Source> sources;      ///< in run order
+    ImportChoice import;
+    std::optional<StatedScatter> scatter;  ///< of the instrument, where the study knows it
     ModelChoice model;
     std::vector<WrittenEffect> written_effects;
     std::vector<StatedDirect> direct;  ///< effects that were measured by themselves
@@ -63,7 +73,8 @@ Study read_study(const std::filesystem::path& study);
 /// Why separate bridges do not describe beads of this liquid content; empty where they do.
 std::optional<std::string> pendular_range_warning(double liquid_content);
 
-/// Turns every source of the study into readings, in run order.
+/// Turns every source of the study into readings, in run order. Readings that cannot be right are
+/// set aside in `excluded`, unless the study keeps them, and are listed in `doubts` in any case.
 /// @throws InputError at file:line:column for a malformed file
 Measurements read_measurements(const Study& study);
 

@@ -186,6 +186,13 @@ std::optional<std::string> StudyTable::text(std::string_view key) const {
     return node->value<std::string>();
 }
 
+std::optional<bool> StudyTable::flag(std::string_view key) const {
+    const toml::node* const node = table_->get(key);
+    if (!node) return std::nullopt;
+    if (!node->is_boolean()) refuse(key, "must be true or false, without quotes");
+    return node->value<bool>();
+}
+
 std::optional<Word> StudyTable::stated(std::string_view key) const {
     const toml::node* const node = table_->get(key);
     if (!node) return std::nullopt;

@@ -70,6 +70,8 @@ class StudyTable {
     std::vector<double> numbers(std::string_view key) const;
 
     std::optional<std::string> text(std::string_view key) const;
+    /// true or false; empty where the key is not there.
+    std::optional<bool> flag(std::string_view key) const;
     /// A string or a plain number as text, where its unit is not known yet.
     std::optional<Word> stated(std::string_view key) const;
     /// One of several words; `words.front()` where the key is not there.

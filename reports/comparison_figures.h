@@ -8,10 +8,9 @@
 
 namespace pendular {
 
-/// The figures of `compare`: stress ratio and solid fraction against friction with the measured
-/// band and the calibrated value (the source's calibration figure), both against the inertial
-/// number, those of wet readings (wet_figures.h), parity, and residuals (residual_figures.h).
-/// `cohesion` is what the calibration's cohesion lines were made with.
+/// The figures of `compare`: those of dry readings (dry_figures.h) and of wet ones (wet_figures.h),
+/// parity, and residuals (residual_figures.h). What they draw as the model is the fitted one, as
+/// the instrument shows it. `cohesion` is what the calibration's cohesion lines were made with.
 std::vector<Figure> comparison_figures(const StudyModel& model, const Calibration& calibration,
                                        const Comparison& comparison);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "reports/figure_text.h"
 #include "reports/shown.h"
 
 namespace pendular {

@@ -273,6 +273,12 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
     lines.push_back(
         "  (drop of chi2, predicted and refitted; absorbed: by the calibrated parameters; power to "
         "see the size that matters; p of the best among so many)");
+    if (std::ranges::any_of(d.scan,
+                            [](const Finding& f) { return f.refit_drop.value_or(0) < 0; })) {
+        lines.push_back(
+            "  (a negative drop: chi2 counts the errors of the model's predictions too, and with "
+            "that effect they are smaller, while the curve passes the readings no closer)");
+    }
     for (std::size_t k = 0; k < d.suspect_p.size(); ++k) {
         if (d.suspect_p[k] < 0.05) {
             lines.push_back(fmt::format("  {} stand out (p {})", evidence.suspects[k].name,

@@ -10,6 +10,7 @@
 
 #include "calib/effect_model.h"
 #include "calib/rumpf.h"
+#include "reports/figure_text.h"
 #include "reports/layout.h"
 #include "reports/shown.h"
 #include "sim/lab_plan.h"
@@ -309,7 +310,7 @@ Figure signature_figure(const Effect& effect, const Study& study, SimulationMode
     all.front()[0].y_label = "change of shear stress [%]";
     all.front()[1].y_label = "10^3 × change of Φ_S";
     Figure figure{.name = effect.name,
-                  .title = fmt::format("{}, {}", effect.name, size_text(effect, study)),
+                  .title = plain_text(fmt::format("{}, {}", effect.name, size_text(effect, study))),
                   .columns = all.size(),
                   .small = true};
     for (std::size_t row = 0; row < 2; ++row) {

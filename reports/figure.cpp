@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "data/text_file.h"
+#include "reports/figure_numbers.h"
+#include "reports/figure_text.h"
 #include "reports/layout.h"
 #include "reports/marks.h"
 
@@ -82,20 +84,40 @@ std::string plot_term(const Curve& curve, const std::string& block) {
                        pen.width, pen.dash, pen.colour);
 }
 
+/// Round numbers at even distances, about four of them.
+std::vector<double> even_tics(AxisRange range) {
+    const double rough = (range.second - range.first) / 4;
+    const double decade = std::pow(10.0, std::floor(std::log10(rough)));
+    const double digit = rough / decade;
+    const double step = decade * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+    std::vector<double> tics;
+    for (double k = std::ceil(range.first / step); k * step <= range.second; ++k) {
+        if (k > 0) tics.push_back(k * step);
+    }
+    return tics;
+}
+
 /// Tics at 1, 2 and 5 of each decade: a logarithmic axis often shows little more than one decade.
-std::string tics_1_2_5(AxisRange range) {
-    std::vector<std::string> tics;
+/// Where fewer than two of them lie in the range, even ones.
+std::string tics_of_logarithm(AxisRange range) {
+    std::vector<double> tics;
     const int first = static_cast<int>(std::floor(std::log10(range.first)));
     const int last = static_cast<int>(std::ceil(std::log10(range.second)));
     const bool wide = last - first > 3;
     for (int decade = first; decade <= last; ++decade) {
         for (const double digit : {1.0, 2.0, 5.0}) {
             if (!wide || digit == 1.0) {
-                tics.push_back(fmt::format("{:g}", digit * std::pow(10.0, decade)));
+                tics.push_back(digit * std::pow(10.0, decade));
             }
         }
     }
-    return fmt::format("{}", fmt::join(tics, ", "));
+    const auto seen = std::ranges::count_if(
+        tics, [&](double tic) { return tic >= range.first && tic <= range.second; });
+    if (seen < 2) tics = even_tics(range);
+    std::vector<std::string> texts;
+    for (const double tic : tics)
+        texts.push_back(fmt::format("{:g}", tic));
+    return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 /// Axes of a panel and where they stand on the page.
@@ -105,19 +127,19 @@ std::string axes_script(const Panel& panel, const PanelPlace& place, const Page&
         "set border 31 linewidth 1.2\nset grid xtics ytics linecolor rgb '#e4e4e4'\n"
         "set ytics nomirror autofreq format '% h'\n";
     if (panel.log_y) {
-        text += panel.x_names.empty()
-                    ? "set logscale y\nset ytics format '10^{%T}'\n"
-                    : "set logscale y\nset ytics (" + tics_1_2_5(place.y) + ") format '%g'\n";
+        text += panel.x_names.empty() ? "set logscale y\nset ytics format '10^{%T}'\n"
+                                      : "set logscale y\nset ytics (" + tics_of_logarithm(place.y) +
+                                            ") format '%g'\n";
     }
     if (!panel.x_names.empty()) {
         text += "unset xtics\n";
     } else if (panel.log_x) {
-        text += "set logscale x\nset xtics nomirror (" + tics_1_2_5(place.x) + ")\n";
+        text += "set logscale x\nset xtics nomirror (" + tics_of_logarithm(place.x) + ")\n";
     } else {
         text += "set xtics nomirror autofreq\n";
     }
-    text +=
-        fmt::format("set xlabel {}\nset ylabel {}\n", quoted(panel.x_label), quoted(panel.y_label));
+    text += fmt::format("set xlabel {}\nset ylabel {}\n", gnuplot_string(panel.x_label),
+                        gnuplot_string(panel.y_label));
     text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", place.x.first, place.x.second,
                         place.y.first, place.y.second);
     return text + fmt::format(
@@ -156,43 +178,13 @@ std::string panel_script(const Figure& figure, std::size_t p, const Page& page) 
 }
 
 std::string page_script(const Figure& figure, const Page& page, const Ink& marks) {
-    std::string text = fmt::format("set multiplot title {} font ',13'\n", quoted(figure.title));
+    std::string text =
+        fmt::format("set multiplot title {} font ',13'\n", gnuplot_string(figure.title));
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
         text += panel_script(figure, p, page);
     }
     return text + marks.script(page.width, page.height) + "unset multiplot\nunset output\n";
 }
-
-void write_numbers(const Figure& figure, const fs::path& file) {
-    const auto cell = [](const std::string& text) {
-        return text.find_first_of(",\"") == std::string::npos ? text : '"' + text + '"';
-    };
-    std::string text = "panel,curve,x,y,y_error\n";
-    for (const auto& panel : figure.panels) {
-        text += fmt::format("# {} against {}\n", panel.y_label, panel.x_label);
-        const auto number = static_cast<std::size_t>(&panel - figure.panels.data()) + 1;
-        for (std::size_t k = 0; k < panel.x_names.size() && !panel.x_names[k].empty(); ++k) {
-            text += fmt::format("# {}: {}\n", k + 1, fmt::join(panel.x_names[k], ""));
-        }
-        for (const auto& r : panel.references) {
-            text += fmt::format("{},{},{},{},{}\n", number, cell(r.label),
-                                r.vertical ? fmt::format("{}", r.value) : "",
-                                r.vertical ? "" : fmt::format("{}", r.value), r.error);
-        }
-        for (const auto& curve : panel.curves) {
-            for (std::size_t k = 0; k < curve.x.size() && curve.in_table; ++k) {
-                text += fmt::format(
-                    "{},{},{},{},{}\n", number, cell(curve.label), curve.x[k], curve.y[k],
-                    curve.y_error.empty() ? "" : fmt::format("{}", curve.y_error[k]));
-            }
-        }
-    }
-    write_whole(file, text);
-}
-
-}  // namespace
-
-namespace {
 
 /// A file format gnuplot draws, and how a file of it that was written whole ends.
 struct Format {
@@ -229,15 +221,17 @@ bool written_whole(const fs::path& file, std::string_view end) {
 }
 
 /// Sends everything to gnuplot and waits for it to end. Its warnings are for whoever draws, not for
-/// the user.
+/// the user, whose settings it does not read. The folder is absolute: gnuplot takes a file name
+/// that begins with '|' for a command and a leading '~' for the home directory.
 void run_gnuplot(const Figure& figure, const fs::path& folder) {
-    Gnuplot gnuplot("gnuplot 2>/dev/null");
+    Gnuplot gnuplot("gnuplot --default-settings 2>/dev/null");
     const Page page = page_of(figure);
     const Ink marks = marks_of(figure, page);
     gnuplot << "set encoding utf8\nset samples 2\n" << data_blocks(figure) << marks.data_blocks();
     for (const auto& format : formats) {
         gnuplot << "set terminal " << format.terminal << ' ' << size_of(page, format)
-                << "\nset output " << quoted(unfinished(folder, figure, format).string()) << '\n'
+                << "\nset output " << gnuplot_string(unfinished(folder, figure, format).string())
+                << '\n'
                 << page_script(figure, page, marks);
     }
 }
@@ -246,8 +240,8 @@ void run_gnuplot(const Figure& figure, const fs::path& folder) {
 
 void draw(const Figure& figure, const fs::path& folder) {
     fs::create_directories(folder);
-    write_numbers(figure, folder / (figure.name + ".csv"));
-    run_gnuplot(figure, folder);
+    write_whole(folder / (figure.name + ".csv"), numbers_table(figure));
+    run_gnuplot(figure, fs::absolute(folder));
     const bool whole = std::ranges::all_of(formats, [&](const Format& format) {
         return written_whole(unfinished(folder, figure, format), format.end);
     });

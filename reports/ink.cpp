@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "reports/figure_text.h"
+
 namespace pendular {
 namespace {
 
@@ -19,14 +21,6 @@ Outline placed(Outline outline, PaperPoint place, double area) {
 }
 
 }  // namespace
-
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-    }
-    return result + '"';
-}
 
 void Ink::add(const std::string& style, Outline points) {
     if (layers_.empty() || layers_.back().style != style) {
@@ -50,7 +44,7 @@ void Ink::area(Outline closed, const std::string& colour, double opacity) {
 
 void Ink::label(const std::string& text, PaperPoint place, const char* alignment) {
     labels_.push_back(fmt::format("set label {} {} at first {},{} {} front\n", labels_.size() + 1,
-                                  quoted(text), place.x, place.y, alignment));
+                                  gnuplot_string(text), place.x, place.y, alignment));
 }
 
 void Ink::words(const std::string& text, PaperPoint place, bool end_there) {

@@ -45,7 +45,4 @@ class Ink {
     std::vector<std::string> labels_;
 };
 
-/// gnuplot string in double quotes.
-std::string quoted(const std::string& text);
-
 }  // namespace pendular

@@ -1,142 +1,45 @@
 #include "reports/json.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "data/form.h"
-#include "data/input_error.h"
+#include "data/json_text.h"
 #include "data/text_file.h"
 #include "reports/failure_report.h"
+#include "reports/json_parts.h"
 #include "reports/run_json.h"
 
 namespace pendular {
 namespace {
-
 using Json = nlohmann::ordered_json;
+}  // namespace
 
-Json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance) {
-    return {{"shear_stress", uncertain(value(0), std::sqrt(covariance(0, 0)))},
-            {"solid_fraction", uncertain(value(1), std::sqrt(covariance(1, 1)))}};
+namespace {
+
+/// Infinite degrees of freedom, of a scatter that is known, are null.
+Json freedom_json(double freedom) {
+    return std::isfinite(freedom) ? Json(freedom) : Json();
 }
 
-Json misfit_json(const Misfit& misfit) {
-    return {{"chi2", misfit.chi2}, {"dof", misfit.dof}, {"p", misfit.p()}};
-}
-
-Json prediction_json(const ReadingMisfit& misfit) {
-    const Reading& reading = misfit.reading;
-    return {{"file", reading.origin.file},
-            {"step", reading.step},
-            {"normal_stress", reading.condition.normal_stress},
-            {"inertial_number", reading.condition.inertial_number},
-            {"liquid_content", reading.condition.liquid_content},
-            {"measured", pair_of(reading.value, reading.covariance)},
-            {"predicted", pair_of(misfit.predicted, misfit.predicted_covariance)},
-            {"chi2", misfit.chi2.sum()}};
-}
-
-Json grains_json(const Grains& g) {
-    Json json = {{"diameter", g.diameter},
-                 {"density", g.density},
-                 {"youngs_modulus", nullptr},
-                 {"poisson_ratio", g.poisson_ratio}};
-    if (g.youngs_modulus) {
-        json["youngs_modulus"] = *g.youngs_modulus;
+Json scatter_json(const ReplicateScatter& scatter) {
+    Json json = {{"stated", scatter.stated},
+                 {"normal_stress", scatter.reference_stress},
+                 {"steps", Json::array()},
+                 {"load_exponent", Json::object()},
+                 {"fillings", Json::object()}};
+    for (const auto& group : scatter.groups) {
+        json["steps"].push_back({{"files", group.files},
+                                 {"shear_stress", std::sqrt(group.excess(0, 0))},
+                                 {"solid_fraction", std::sqrt(group.excess(1, 1))},
+                                 {"freedom_shear_stress", freedom_json(group.freedom(0))},
+                                 {"freedom_solid_fraction", freedom_json(group.freedom(1))}});
     }
-    return json;
-}
-
-Json liquid_json(const std::optional<Liquid>& l) {
-    if (!l) {
-        return nullptr;
-    }
-    return {{"surface_tension", l->surface_tension},
-            {"contact_angle", l->contact_angle},
-            {"viscosity", l->viscosity}};
-}
-
-Json model_json(const ModelChoice& m) {
-    Json json = {{"base", m.base},
-                 {"fit_to", m.fit_to},
-                 {"bridge_force", to_string(m.bridge_force)},
-                 {"effects", Json::array()}};
-    for (const ListedEffect& effect : m.effects) {
-        json["effects"].push_back(effect.name);
-    }
-    return json;
-}
-
-/// The formulas of the study's own effects.
-Json formulas_json(const std::vector<WrittenEffect>& effects) {
-    Json json = Json::object();
-    for (const WrittenEffect& effect : effects) {
-        Json& own = json[effect.name];
-        own = {{"lower", effect.lower}, {"upper", effect.upper}, {"neutral", effect.neutral}};
-        for (const Formula& formula : effect.formulas) {
-            own[formula.target] = formula.text;
-        }
-    }
-    return json;
-}
-
-Json direct_json(const DirectMeasurement& direct) {
-    Json json = {{"parameter", direct.parameter}, {"unit", direct.unit}};
-    json.update(uncertain(direct.value, direct.standard_error));
-    return json;
-}
-
-Json direct_json(const std::vector<DirectMeasurement>& direct) {
-    Json json = Json::array();
-    for (const DirectMeasurement& each : direct) {
-        json.push_back(direct_json(each));
-    }
-    return json;
-}
-
-/// What of a study, besides its readings, a calibration rests on.
-Json basis_json(const Grains& grains, const std::optional<Liquid>& liquid, const ModelChoice& model,
-                const std::vector<WrittenEffect>& written,
-                const std::vector<DirectMeasurement>& direct) {
-    return {{"grains", grains_json(grains)},
-            {"liquid", liquid_json(liquid)},
-            {"model", model_json(model)},
-            {"formulas", formulas_json(written)},
-            {"direct_measurements", direct_json(direct)}};
-}
-
-Json fidelity_json(const Fidelity& f) {
-    return {{"name", f.name},
-            {"beads", f.beads},
-            {"stiffness_number", f.stiffness_number},
-            {"lowest_inertial_number", f.lowest_inertial_number},
-            {"strain", f.strain}};
-}
-
-Json cohesion_lines_json(const std::vector<CohesionLine>& lines) {
-    const auto estimate = [](const Estimate& e) { return uncertain(e.value, e.standard_error); };
-    Json json = Json::array();
-    for (const auto& line : lines) {
-        Json below = Json::array();
-        for (const auto& one : line.below) {
-            below.push_back(
-                {{"reduced_pressure", one.reduced_pressure}, {"relative", estimate(one.relative)}});
-        }
-        json.push_back({{"source", line.source},
-                        {"liquid_content", line.liquid_content},
-                        {"inertial_number", line.inertial_number},
-                        {"stress_ratio_intercept", estimate(line.stress_ratio_intercept)},
-                        {"reduced_cohesion", estimate(line.reduced_cohesion)},
-                        {"correlation", line.correlation},
-                        {"cohesion", estimate(line.cohesion)},
-                        {"points", line.points},
-                        {"lowest_reduced_pressure", line.lowest_reduced_pressure},
-                        {"chi2", line.chi2},
-                        {"dof", line.dof},
-                        {"overestimate_below", below}});
+    for (const Eigen::Index o : {0, 1}) {
+        const std::string name = o == 0 ? "shear_stress" : "solid_fraction";
+        json["load_exponent"][name] = scatter.load_exponent(o);
+        const auto& filling = scatter.filling[static_cast<std::size_t>(o)];
+        json["fillings"][name] = std::sqrt(filling.variance);
+        json["fillings"]["freedom_" + name] = freedom_json(filling.freedom_between);
     }
     return json;
 }
@@ -176,208 +79,16 @@ Json to_json(const Measurements& measurements) {
                                     {"last_line", e.last_line},
                                     {"reason", e.reason}});
     }
+    json["scatter"] = scatter_json(measurements.scatter);
+    json["doubts"] = Json::array();
+    for (const Doubt& doubt : measurements.doubts) {
+        json["doubts"].push_back({{"what", doubt.what},
+                                  {"quantity", doubt.quantity},
+                                  {"readings", doubt.origins.size()},
+                                  {"set_aside", doubt.set_aside}});
+    }
     json["notes"] = measurements.notes;
     return json;
-}
-
-namespace {
-
-/// Null for a calibration by direct simulation.
-Json matrix_json(const Eigen::MatrixXd& matrix) {
-    Json rows = Json::array();
-    for (Eigen::Index r = 0; r < matrix.rows(); ++r) {
-        rows.push_back(std::vector<double>());
-        for (Eigen::Index k = 0; k < matrix.cols(); ++k) {
-            rows.back().push_back(matrix(r, k));
-        }
-    }
-    return rows;
-}
-
-Json emulator_json(const Calibration& c) {
-    if (!c.scales) {
-        return nullptr;
-    }
-    Json json = {{"runs_ordered", Json::array()}, {"scales", Json::object()}};
-    for (const Order& order : c.orders) {
-        json["runs_ordered"].push_back({{"runs", order.runs}, {"why", order.why}});
-    }
-    for (const auto& [which, scales] : *c.scales) {
-        json["scales"][std::string(dem::observable_names[static_cast<std::size_t>(which)])] =
-            scales.as_array();
-    }
-    return json;
-}
-
-void read_emulator(const Json& json, Calibration& c) {
-    if (json.is_null()) {
-        return;
-    }
-    for (const auto& order : json.at("runs_ordered")) {
-        c.orders.push_back({order.at("runs"), order.at("why")});
-    }
-    c.scales.emplace();
-    for (const auto& [name, scales] : json.at("scales").items()) {
-        (*c.scales)[dem::observable_named(name)] =
-            Scales::from_array(scales.get<std::array<double, Scales::count>>());
-    }
-}
-
-}  // namespace
-
-Json to_json(const Calibration& c, const Comparison& comparison) {
-    Json json;
-    for (std::size_t k = 0; k < c.parameters.size(); ++k) {
-        const auto i = static_cast<Eigen::Index>(k);
-        Json& parameter = json["parameters"][c.parameters[k].name];
-        parameter = uncertain(c.fit.parameters(i), c.fit.standard_error(i));
-        parameter["unit"] = c.parameters[k].unit;
-        parameter["stderr_measurement"] = c.fit.measurement_error(i);
-        parameter["stderr_simulation"] = c.fit.simulation_error(i);
-        parameter["at_bound"] = static_cast<bool>(c.fit.at_bound[k]);
-        if (c.profile && k == 0) {
-            parameter["profile_68_percent"] = {c.profile->first, c.profile->second};
-        }
-    }
-    json["parameter_covariance"] = matrix_json(c.fit.covariance);
-    json["chi2"] = comparison.fitted.chi2;
-    json["dof"] = comparison.fitted.dof;
-    json["predicted_only"] = misfit_json(comparison.predicted);
-    json["converged"] = c.fit.converged;
-    json["covariance_scaled_by_chi2"] = false;
-    json["cohesion_lines"] = cohesion_lines_json(c.cohesion_lines);
-    json["cohesion_lines_from"] = c.cohesion.lowest_reduced_pressure;
-    json["predictions"] = Json::array();
-    for (std::size_t k = 0; k < comparison.readings.size(); ++k) {
-        json["predictions"].push_back(prediction_json(comparison.readings[k]));
-        json["predictions"].back()["fitted"] = k < c.fitted;
-    }
-    json.update(basis_json(c.grains, c.liquid, c.model, c.written_effects, c.direct));
-    json["fidelity"] = fidelity_json(c.fidelity);
-    json["seed"] = c.seed;
-    json["rounds"] = c.rounds;
-    json["surface_centre"] = c.surface_centre;
-    json["emulator"] = emulator_json(c);
-    json["notes"] = c.notes;
-    json["runs"] = Json::array();
-    for (const auto& run : c.runs) {
-        json["runs"].push_back(to_json(run));
-    }
-    return json;
-}
-
-namespace {
-
-/// Whether a prediction entry was made from this reading, up to rounding in the file.
-bool made_from(const Json& entry, const Reading& reading) {
-    const auto same = [](double a, double b) {
-        return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
-    };
-    const Json& measured = entry.at("measured");
-    return same(entry.at("normal_stress"), reading.condition.normal_stress) &&
-           same(entry.at("inertial_number"), reading.condition.inertial_number) &&
-           same(entry.at("liquid_content"), reading.condition.liquid_content) &&
-           same(measured.at("shear_stress").at("value"), reading.value(0)) &&
-           same(measured.at("solid_fraction").at("value"), reading.value(1)) &&
-           same(measured.at("shear_stress").at("stderr"), std::sqrt(reading.covariance(0, 0))) &&
-           same(measured.at("solid_fraction").at("stderr"), std::sqrt(reading.covariance(1, 1)));
-}
-
-Eigen::MatrixXd matrix_from(const Json& rows, Eigen::Index n) {
-    Eigen::MatrixXd matrix(n, n);
-    for (Eigen::Index r = 0; r < n; ++r) {
-        for (Eigen::Index k = 0; k < n; ++k) {
-            matrix(r, k) = rows.at(static_cast<std::size_t>(r)).at(static_cast<std::size_t>(k));
-        }
-    }
-    return matrix;
-}
-
-/// The fitted parameters with their errors, in their order.
-void read_parameters(const Json& json, Calibration& c) {
-    const auto n = static_cast<Eigen::Index>(json.at("parameters").size());
-    c.fit.parameters.resize(n);
-    c.fit.measurement_part = Eigen::MatrixXd::Zero(n, n);
-    for (const auto& [name, parameter] : json.at("parameters").items()) {
-        const auto k = static_cast<Eigen::Index>(c.parameters.size());
-        const double measurement = parameter.at("stderr_measurement");
-        c.parameters.push_back({.name = name, .unit = parameter.at("unit")});
-        c.fit.parameters(k) = parameter.at("value");
-        c.fit.measurement_part(k, k) = measurement * measurement;
-        c.fit.at_bound.push_back(parameter.at("at_bound"));
-    }
-    c.fit.covariance = matrix_from(json.at("parameter_covariance"), n);
-}
-
-Calibration parse_calibration(const Json& json, const Study& study,
-                              const std::vector<Reading>& readings, const Position& where) {
-    const Json& entries = json.at("predictions");
-    const bool same_readings =
-        entries.size() == readings.size() &&
-        std::ranges::equal(entries, readings,
-                           [](const Json& e, const Reading& r) { return made_from(e, r); });
-    const auto direct = direct_measurements(study, EffectCatalogue(study));
-    const Json basis =
-        basis_json(study.grains, study.liquid, study.model, study.written_effects, direct);
-    const bool same_basis = std::ranges::all_of(basis.items(), [&](const auto& item) {
-        return json.value(item.key(), Json::array()) == item.value();  // none: nothing was measured
-    });
-    if (!same_readings || !same_basis) {
-        throw InputError(where,
-                         "this fit was made from other readings, direct measurements, grains, "
-                         "liquid or model than "
-                         "the study holds "
-                         "now; run 'pendular calibrate' again");
-    }
-    Calibration c;
-    c.grains = study.grains;
-    c.liquid = study.liquid;
-    c.model = study.model;
-    c.written_effects = study.written_effects;
-    c.direct = direct;
-    c.fitted = fitted_count(study, readings);
-    c.readings = readings;
-    const Json& f = json.at("fidelity");
-    c.fidelity = {f.at("name"), f.at("beads"), f.at("stiffness_number"),
-                  f.at("lowest_inertial_number"), f.at("strain")};
-    c.seed = json.at("seed");
-    c.rounds = json.at("rounds");
-    c.cohesion.lowest_reduced_pressure = json.at("cohesion_lines_from");
-    c.surface_centre = json.at("surface_centre");
-    read_emulator(json.at("emulator"), c);
-    c.notes = json.at("notes").get<std::vector<std::string>>();
-    read_parameters(json, c);
-    c.fit.chi2 = json.at("chi2");
-    c.fit.dof = json.at("dof");
-    c.fit.converged = json.at("converged");
-    for (const auto& run : json.at("runs")) {
-        c.runs.push_back(run_from_json(run));
-    }
-    if (c.runs.size() < 3) {
-        throw InputError(where, "the runs of this fit are missing; run 'pendular calibrate' again");
-    }
-    return c;
-}
-
-}  // namespace
-
-Calibration read_calibration(const std::filesystem::path& file, const Study& study,
-                             const std::vector<Reading>& readings) {
-    std::ifstream stream(file);
-    if (!stream) {
-        throw InputError({file.string()},
-                         "there is no calibration yet; run 'pendular calibrate' first");
-    }
-    try {
-        return parse_calibration(Json::parse(stream), study, readings, {file.string()});
-    } catch (const InputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw InputError(
-            {file.string()},
-            fmt::format("not a calibration of this version ({}); run 'pendular calibrate' again",
-                        error.what()));
-    }
 }
 
 Json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
@@ -424,7 +135,7 @@ Json to_json(const Comparison& comparison, const std::vector<CohesionLine>& line
 }
 
 void write_json(const std::filesystem::path& file, const Json& json) {
-    write_whole(file, json.dump(2) + "\n");
+    write_whole(file, json_text(json));
 }
 
 }  // namespace pendular

@@ -6,6 +6,7 @@
 #include "analysis/compare.h"
 #include "analysis/where_it_fails.h"
 #include "calib/calibration.h"
+#include "reports/fit_file.h"
 #include "reports/run_json.h"
 
 namespace pendular {
@@ -13,20 +14,12 @@ namespace pendular {
 /// What `import` prints: every reading, what was excluded and why, notes.
 nlohmann::ordered_json to_json(const Measurements& measurements);
 
-/// What `calibrate` prints and `out/fit.json` holds.
-nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
-
-/// A calibration back from `out/fit.json`, its predictions excepted; its grains, liquid, model and
-/// readings (dry first) come from the study and must be those that were fitted.
-/// @throws InputError where the file is missing, malformed, or was made from others
-Calibration read_calibration(const std::filesystem::path& file, const Study& study,
-                             const std::vector<Reading>& readings);
-
 /// What `compare` prints and `out/compare.json` holds.
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 
-/// Writes through a temporary file and a rename, so that an earlier file survives a full disk.
+/// Writes an object, `"format"` first (data/json_text.h), through a temporary file and a rename, so
+/// that an earlier file survives a full disk.
 /// @throws std::runtime_error where it cannot be written
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
 

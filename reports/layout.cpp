@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/figure_text.h"
+
 namespace pendular {
 namespace {
 
@@ -122,7 +124,7 @@ double width_for_names(const Panel& panel) {
     std::size_t longest = 0;
     for (const auto& name : panel.x_names) {
         for (const auto& line : name) {
-            longest = std::max(longest, line.size());
+            longest = std::max(longest, shown_characters(line));
         }
     }
     const double each = std::max(least, character * static_cast<double>(longest) + apart);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/study_evidence.h"
+#include "reports/figure_text.h"
 #include "reports/run_json.h"
 #include "reports/shown.h"
 #include "reports/with_error.h"
@@ -341,7 +342,7 @@ Figure next_figure(const NextMeasurement& next) {
                 band.y_error.push_back(error_of(plan->forecasts[k])(i) / unit);
             }
             Curve line = band;
-            line.label = next.rivals[k].name;
+            line.label = plain_text(next.rivals[k].name);
             line.style = Curve::Style::line;
             line.y_error.clear();
             line.in_key = true;

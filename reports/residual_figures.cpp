@@ -9,6 +9,7 @@
 #include <string>
 
 #include "analysis/study_evidence.h"
+#include "reports/figure_text.h"
 #include "reports/shown.h"
 
 namespace pendular {
@@ -43,7 +44,7 @@ Axis axis_of(const Covariate& covariate) {
                : longest > 5 * minute ? Axis{"time [min]", false, 1 / minute}
                                       : Axis{"time [s]"};
     }
-    return {covariate.name};
+    return {plain_text(covariate.name)};
 }
 
 Panel residual_panel(const Comparison& comparison, const Covariate& covariate) {

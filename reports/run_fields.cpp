@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "reports/figure_text.h"
 #include "reports/shown.h"
 #include "sim/dem/grain_effects.h"
 
@@ -104,7 +105,7 @@ std::string title(const std::string& what, const dem::RunResult& run) {
                             p.wetting->bridge_volume);
     }
     if (!p.effects.empty()) {
-        text += ", " + dem::effects_text(p.effects);
+        text += ", " + plain_text(dem::effects_text(p.effects));
     }
     return text;
 }

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "data/reading.h"
+#include "calib/calibration.h"
+#include "reports/figure.h"
+#include "sim/effect.h"
 
 namespace pendular {
 
@@ -13,7 +15,8 @@ namespace pendular {
 inline const std::string stress_ratio_label = "stress ratio μ* = |σ_{12}|/σ_{22}";
 inline const std::string solid_fraction_label = "solid fraction Φ_S";
 inline const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
-                         calibrated_colour = "#c0392b", run_colour = "#5b9bd5";
+                         calibrated_colour = "#c0392b", run_colour = "#5b9bd5",
+                         explaining_colour = "#606060";  ///< of what a key explains for all data
 
 /// (stress ratio, solid fraction) with their standard errors.
 struct Shown {
@@ -21,11 +24,31 @@ struct Shown {
 };
 Shown shown(const Reading& reading);
 
-/// Weighted mean of readings, where one value stands for all of them.
-Shown mean_of(const std::vector<Reading>& readings);
+/// The same of what a model predicts of the reading at a place, whose normal stress [Pa] this is.
+Shown shown(const Prediction& predicted, Eigen::Index place, double normal_stress);
 
-/// "capillary-", "shear-", "stress": broken behind hyphens where a line would become long.
-std::vector<std::string> broken_name(const std::string& name);
+/// Mean weighted by the standard errors, where one value stands for several.
+Shown mean_of(const std::vector<Shown>& all);
+
+/// Measured and predicted values of some readings of a calibration, by their places: the mean of
+/// either with the weights of the readings.
+struct MeasuredAndModel {
+    Shown measured, model;
+};
+MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& calibration);
+
+/// Whether the mean of what the model predicts of these readings tells the prediction of each,
+/// within `told_apart` of its standard errors.
+bool told_by_mean(const std::vector<std::size_t>& places, const Calibration& calibration);
+
+/// Predictions that differ by less, in standard errors of a reading, are drawn as one [1].
+constexpr double told_apart = 0.25;
+
+/// Adds a point of observable `o` to a curve.
+void add_point(Curve& curve, double x, const Shown& shown, std::size_t o);
+
+/// "lid-slip", "lid-slip and torque-offset", "3 effects": effects in a title or a key.
+std::string names_of(const std::vector<const Effect*>& effects);
 
 /// Whether values span more than a decade and none of them is zero.
 bool spans_decade(const std::vector<double>& values);

@@ -1,6 +1,7 @@
 #include "reports/tables.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,38 @@ std::vector<std::string> readings_table(const Measurements& measurements) {
             place(r), place_width, r.condition.normal_stress, r.condition.inertial_number,
             r.condition.liquid_content, r.value(0), std::sqrt(r.covariance(0, 0)), r.value(1),
             std::sqrt(r.covariance(1, 1))));
+    }
+    return lines;
+}
+
+std::vector<std::string> scatter_table(const Measurements& measurements) {
+    const ReplicateScatter& scatter = measurements.scatter;
+    std::vector<std::string> lines;
+    for (const auto& group : scatter.groups) {
+        if (group.freedom.maxCoeff() <= 0) continue;
+        std::vector<std::string> names;
+        for (const std::string& file : group.files)
+            names.push_back(std::filesystem::path(file).filename().string());
+        lines.push_back(fmt::format("  {:>8.2f} {:>8.2f}   from step to step in {}",
+                                    100 * std::sqrt(group.excess(0, 0)),
+                                    100 * std::sqrt(group.excess(1, 1)), fmt::join(names, ", ")));
+    }
+    if (lines.empty()) return lines;
+    lines.insert(lines.begin(),
+                 fmt::format("scatter between repetitions [% of the value], at {:.3g} Pa{}:",
+                             scatter.reference_stress,
+                             scatter.stated ? ", as stated in [scatter]" : ""));
+    lines.insert(lines.begin() + 1, fmt::format("  {:>8} {:>8}", "stress", "fraction"));
+    const auto& [stress, fraction] = scatter.filling;
+    if (stress.freedom_between > 0) {
+        lines.push_back(fmt::format("  {:>8.2f} {:>8.2f}   shared by all steps of a filling",
+                                    100 * std::sqrt(stress.variance),
+                                    100 * std::sqrt(fraction.variance)));
+    }
+    if (scatter.load_exponent.cwiseAbs().maxCoeff() > 0.05) {
+        lines.push_back(fmt::format("  step scatter grows as normal stress to the power {:.2f} "
+                                    "(stress), {:.2f} (fraction)",
+                                    -scatter.load_exponent(0), -scatter.load_exponent(1)));
     }
     return lines;
 }
@@ -84,6 +117,37 @@ std::vector<std::string> comparison_table(const Comparison& comparison) {
     return lines;
 }
 
+namespace {
+
+/// "+6.3 +- 1.2 % at P* 1.37, ...", the mean of replicates.
+std::string deviations(const std::vector<Overestimate>& points) {
+    std::vector<std::pair<std::string, std::vector<Overestimate>>> groups;
+    for (const Overestimate& point : points) {
+        const std::string at = fmt::format("{:.2g}", point.reduced_pressure);
+        const auto same = std::ranges::find(groups, at, &decltype(groups)::value_type::first);
+        if (same == groups.end()) {
+            groups.push_back({at, {point}});
+        } else {
+            same->second.push_back(point);
+        }
+    }
+    std::string text;
+    for (const auto& [at, replicates] : groups) {
+        Estimate mean;
+        for (const Overestimate& one : replicates) {
+            // The errors of replicates share that of the line, so that their mean has no less.
+            mean.value += one.relative.value / static_cast<double>(replicates.size());
+            mean.standard_error +=
+                one.relative.standard_error / static_cast<double>(replicates.size());
+        }
+        text += fmt::format("{}{:+.1f} +- {:.1f} % at P* {}", text.empty() ? "" : ", ",
+                            100 * mean.value, 100 * mean.standard_error, at);
+    }
+    return text;
+}
+
+}  // namespace
+
 std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines) {
     if (lines.empty()) {
         return {};
@@ -106,11 +170,11 @@ std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines) 
             estimate(line.cohesion, "{:.1f}"), line.lowest_reduced_pressure, line.points));
     }
     for (const auto& line : lines) {
-        for (const auto& one : line.below) {
+        if (!line.below.empty()) {
             table.push_back(fmt::format(
-                "  at P* = {:.3g} the {} line of liquid content {:.3g} is {:+.1f} +- {:.1f} % off",
-                one.reduced_pressure, line.source, line.liquid_content, 100 * one.relative.value,
-                100 * one.relative.standard_error));
+                "  The {} line of liquid content {:.3g} at I {:.3g} deviates from points that it "
+                "was not fitted to: {}.",
+                line.source, line.liquid_content, line.inertial_number, deviations(line.below)));
         }
     }
     return table;

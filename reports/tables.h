@@ -13,6 +13,10 @@ namespace pendular {
 /// What was measured, one line a reading.
 std::vector<std::string> readings_table(const Measurements& measurements);
 
+/// What replicates say of the scatter between steps and between fillings [% of the value]; empty
+/// where there are none.
+std::vector<std::string> scatter_table(const Measurements& measurements);
+
 /// Measured and predicted values of each reading.
 std::vector<std::string> predictions_table(const Comparison& comparison);
 

@@ -3,22 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 
 #include "calib/structural_cohesion.h"
 #include "calib/wet_groups.h"
+#include "reports/model_curve.h"
 #include "reports/shown.h"
 #include "reports/symbol_code.h"
 
 namespace pendular {
 namespace {
 
-const std::string inverse_pressure_label = "inverse reduced pressure 1/P* = F_0/(a^2σ_{22})";
 const std::string liquid_content_label = "liquid content Φ_L/Φ_S";
-const std::string kind_colour = "#606060";  ///< of looks that the key explains for all contents
 
 /// What all wet figures are made from.
 struct WetStudy {
+    const StudyModel& study_model;
     const FlowModel& model;
     const Calibration& calibration;
     std::vector<WetGroup> groups;     ///< those of the lowest inertial number
@@ -35,12 +35,26 @@ struct WetStudy {
         return 1 /
                (inverse_pressure * reduced_pressure(1, calibration.grains, *calibration.liquid));
     }
-    double largest_inverse_pressure(const WetGroup& group) const {
+    double largest_inverse_pressure(const std::vector<std::size_t>& members) const {
         double largest = 0;
-        for (const std::size_t k : group.members) {
+        for (const std::size_t k : members) {
             largest = std::max(largest, inverse_pressure(calibration.readings[k].condition));
         }
         return largest;
+    }
+    /// Whether the model is the bare simulation, and may be called so.
+    bool simulated() const {
+        return study_model.effects().empty() && calibration.model.base == "dem";
+    }
+    std::string model_word() const { return simulated() ? "simulated" : "model"; }
+    std::string at_readings() const { return simulated() ? "simulated" : "model at the readings"; }
+    /// Force of a bridge [µN] of the study's liquid, which the axes go by.
+    double force() const { return 1e6 * pull_off_force(calibration.grains, *calibration.liquid); }
+    /// That of the liquid as effects make it.
+    double fitted_force() const {
+        const Condition& wet = calibration.readings[groups.front().members.front()].condition;
+        const auto liquid = study_model.imposed(calibration.fit.parameters, {wet}).front().liquid;
+        return liquid ? 1e6 * pull_off_force(calibration.grains, *liquid) : force();
     }
 };
 
@@ -54,10 +68,11 @@ std::vector<Grouped> slowest(const std::vector<Grouped>& all, double least) {
     return result;
 }
 
-WetStudy wet_study(const FlowModel& model, const Calibration& c, const CohesionOptions& cohesion) {
+WetStudy wet_study(const StudyModel& model, const Calibration& c, const CohesionOptions& cohesion) {
     const auto groups = wet_groups(c.readings);
     const double least = std::ranges::min(groups, {}, &WetGroup::inertial_number).inertial_number;
-    return {.model = model,
+    return {.study_model = model,
+            .model = model.model(),
             .calibration = c,
             .groups = slowest(groups, least),
             .lines = slowest(c.cohesion_lines, least),
@@ -68,9 +83,22 @@ std::string content_text(double liquid_content) {
     return fmt::format("Φ_L/Φ_S = {:.3g}", liquid_content);
 }
 
+/// "F_0 = 32.4 µN", and whose it is where the fit has another liquid.
+std::string force_text(const WetStudy& study) {
+    const bool fitted = !agree(study.force(), study.fitted_force(), 1e-6);
+    return fmt::format("F_0 = {:.3g} µN{}", study.force(), fitted ? " as stated" : "");
+}
+
 std::string title(const std::string& what, const WetStudy& study) {
-    return fmt::format("{}, {}, friction μ = {:.3f}", what, inertial_text(study.inertial_number()),
-                       study.friction());
+    std::string text = fmt::format("{}, {}, friction μ = {:.3f}", what,
+                                   inertial_text(study.inertial_number()), study.friction());
+    if (!study.study_model.effects().empty()) {
+        text += ", with " + names_of(study.study_model.effects());
+    }
+    if (!agree(study.force(), study.fitted_force(), 1e-6)) {
+        text += fmt::format(" (F_0 = {:.3g} µN)", study.fitted_force());
+    }
+    return text;
 }
 
 std::string measured_line_text(const WetStudy& study) {
@@ -89,49 +117,36 @@ Curve points_of(const std::string& kind, double liquid_content, const Symbol& sy
             .in_key = false};
 }
 
-void add_point(Curve& curve, double x, const Shown& shown, std::size_t o) {
-    curve.x.push_back(x);
-    curve.y.push_back(shown.value[o]);
-    curve.y_error.push_back(shown.error[o]);
-}
-
-/// What the model says of a place in a prediction.
-Shown shown(const Prediction& predicted, Eigen::Index place, double normal_stress) {
-    const auto error = [&](Eigen::Index k) { return std::sqrt(predicted.covariance(k, k)); };
-    return {{predicted.value(2 * place) / normal_stress, predicted.value(2 * place + 1)},
-            {error(2 * place) / normal_stress, error(2 * place + 1)}};
-}
-
-/// The model from nearly dry to the strongest cohesion that was measured.
-void draw_model(Panel& panel, const WetStudy& study, const WetGroup& group, std::size_t o) {
+/// The model of some readings from nearly dry to the strongest cohesion that was measured.
+ModelCurve model_of(const WetStudy& study, const CurveGroup& series) {
     constexpr int steps = 60;
-    const double end = study.largest_inverse_pressure(group);
+    const double end = study.largest_inverse_pressure(series.members);
+    const ConditionPath path = series.path(study.calibration.readings, along_inverse_normal_stress);
+    std::vector<double> x;
     std::vector<Condition> conditions;
-    Curve line = points_of("model", group.liquid_content, {});
     for (int k = 1; k <= steps; ++k) {
-        line.x.push_back(end * k / steps);
-        conditions.push_back({.normal_stress = study.normal_stress(line.x.back()),
-                              .inertial_number = group.inertial_number,
-                              .liquid_content = group.liquid_content});
+        x.push_back(end * k / steps);
+        conditions.push_back(path.at(1 / study.normal_stress(x.back())));
     }
-    const Prediction predicted = predict_unseen(study.model, study.calibration, conditions);
-    Curve band = line;
-    for (std::size_t k = 0; k < conditions.size(); ++k) {
-        const Shown one =
-            shown(predicted, static_cast<Eigen::Index>(k), conditions[k].normal_stress);
-        line.y.push_back(one.value[o]);
-        band.y_error.push_back(one.error[o]);
+    return {x, predict_unseen(study.model, study.calibration, conditions), conditions};
+}
+
+/// Curves of one content: several where what is shown depends on the mass of beads or the file.
+/// Where a curve cannot tell what is predicted of the readings there is none.
+void draw_model(Panel& panel, const WetStudy& study, const WetGroup& group, std::size_t o) {
+    for (const CurveGroup& series :
+         curve_groups(group.members, study.model, study.calibration, along_inverse_normal_stress,
+                      {Apart::bead_volume, Apart::file})) {
+        if (!series.curve) continue;
+        Curve look = points_of("model", group.liquid_content, {});
+        if (!series.name.empty()) look.label += ", " + series.name;
+        model_of(study, series).draw_in(panel, o, look, look.label);
     }
-    line.style = Curve::Style::line;
-    band.style = Curve::Style::band;
-    band.y = line.y;
-    panel.curves.push_back(band);
-    panel.curves.push_back(line);
 }
 
 void draw_points(Panel& panel, const WetStudy& study, const WetGroup& group, std::size_t o) {
     const Calibration& c = study.calibration;
-    Curve simulated = points_of("simulated", group.liquid_content,
+    Curve simulated = points_of(study.at_readings(), group.liquid_content,
                                 simulated_symbol(study.friction(), group.liquid_content));
     Curve measured = points_of("measured", group.liquid_content, measured_symbol);
     for (const std::size_t k : group.members) {
@@ -145,36 +160,52 @@ void draw_points(Panel& panel, const WetStudy& study, const WetGroup& group, std
     panel.curves.push_back(simulated);
 }
 
-/// Dry readings of the same inertial number and the model of them, where 1/P* = 0.
+/// Dry readings of the same inertial number and the model of them, where 1/P* = 0: as one, or each
+/// by itself where the model says that the instrument shows them apart.
 void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
-    std::vector<Reading> dry;
-    std::ranges::copy_if(
-        study.calibration.readings, std::back_inserter(dry), [&](const Reading& r) {
-            return r.condition.dry() && agree(r.condition.inertial_number, study.inertial_number(),
-                                              inertial_number_tolerance);
-        });
+    const Calibration& c = study.calibration;
+    std::vector<std::size_t> dry;
+    for (std::size_t k = 0; k < c.readings.size(); ++k) {
+        const Condition& condition = c.readings[k].condition;
+        if (condition.dry() &&
+            agree(condition.inertial_number, study.inertial_number(), inertial_number_tolerance)) {
+            dry.push_back(k);
+        }
+    }
     if (dry.empty()) {
         return;
     }
-    const Condition& condition = dry.front().condition;
-    const Prediction predicted =
-        study.model.predict_conditions(study.calibration.fit.parameters, {condition});
-    Curve simulated{.label = "simulated, dry",
+    Curve simulated{.label = study.at_readings() + ", dry",
                     .colour = colour_of(0),
                     .symbol = simulated_symbol(study.friction(), 0),
                     .in_key = false};
     Curve measured = simulated;
     measured.label = "measured, dry";
     measured.symbol = measured_symbol;
-    add_point(simulated, 0, shown(predicted, 0, condition.normal_stress), o);
-    add_point(measured, 0, mean_of(dry), o);
+    const auto add = [&](const std::vector<std::size_t>& places) {
+        const MeasuredAndModel means = means_of(places, c);
+        add_point(simulated, 0, means.model, o);
+        add_point(measured, 0, means.measured, o);
+    };
+    if (told_by_mean(dry, c)) {
+        add(dry);
+    } else {
+        for (const std::size_t k : dry)
+            add({k});
+    }
     panel.curves.push_back(measured);
     panel.curves.push_back(simulated);
 }
 
-void draw_lines(Panel& panel, const std::vector<CohesionLine>& lines, double end) {
-    for (const CohesionLine& line : lines) {
-        Curve curve = points_of("cohesion line, " + line.source, line.liquid_content, {});
+/// "measured", or what the model is called.
+std::string source_of(const CohesionLine& line, const WetStudy& study) {
+    return line.source == "measured" ? line.source : study.model_word();
+}
+
+void draw_lines(Panel& panel, const WetStudy& study, double end) {
+    for (const CohesionLine& line : study.lines) {
+        Curve curve =
+            points_of("cohesion line, " + source_of(line, study), line.liquid_content, {});
         curve.style =
             line.source == "measured" ? Curve::Style::dotted_line : Curve::Style::dashed_line;
         curve.x = {0, end};
@@ -185,7 +216,7 @@ void draw_lines(Panel& panel, const std::vector<CohesionLine>& lines, double end
 
 /// What a look means for all liquid contents, in the key alone.
 Curve kind(const std::string& label, Curve::Style style, const Symbol& symbol = {}) {
-    return {.label = label, .style = style, .colour = kind_colour, .symbol = symbol};
+    return {.label = label, .style = style, .colour = explaining_colour, .symbol = symbol};
 }
 
 /// The key: the code of each content, then what the kinds of data look like.
@@ -205,28 +236,29 @@ void explain(Panel& panel, const WetStudy& study, bool with_dry, bool with_lines
     }
     panel.curves.push_back(kind("measured", Style::points, measured_symbol));
     panel.curves.push_back(
-        kind("simulated", Style::points, {shape_of(study.friction()), Filling::hollow}));
+        kind(study.at_readings(), Style::points, {shape_of(study.friction()), Filling::hollow}));
     panel.curves.push_back(kind("model", Style::line));
     panel.curves.push_back(kind("± 1 standard error", Style::band));
     if (with_lines) {
         panel.curves.push_back(kind(measured_line_text(study), Style::dotted_line));
-        panel.curves.push_back(kind("simulated, likewise", Style::dashed_line));
+        panel.curves.push_back(kind(study.model_word() + ", likewise", Style::dashed_line));
     }
     panel.key = Key::outside;
 }
 
 /// Stress ratio (o = 0) or solid fraction (o = 1) against 1/P*.
 Panel pressure_panel(const WetStudy& study, std::size_t o) {
-    Panel panel{.x_label = inverse_pressure_label,
+    Panel panel{.x_label = fmt::format("inverse reduced pressure 1/P* = F_0/(a^2σ_{{22}}), {}",
+                                       force_text(study)),
                 .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
     double end = 0;
     for (const WetGroup& group : study.groups) {
-        end = std::max(end, 1.06 * study.largest_inverse_pressure(group));
+        end = std::max(end, 1.06 * study.largest_inverse_pressure(group.members));
         draw_model(panel, study, group, o);
     }
     panel.x_range = {0, end};
     if (o == 0) {
-        draw_lines(panel, study.lines, end);
+        draw_lines(panel, study, end);
     }
     const std::size_t before = panel.curves.size();
     draw_dry(panel, study, o);
@@ -246,13 +278,13 @@ Figure stress_ratio_figure(const WetStudy& study) {
                                     .vertical = true});
     }
     return {.name = "stress_ratio_wet",
-            .title = title("Strength of wet beads", study),
+            .title = title("Strength of wet grains", study),
             .panels = {panel}};
 }
 
 Figure solid_fraction_figure(const WetStudy& study) {
     return {.name = "solid_fraction_wet",
-            .title = title("Solid fraction of wet beads", study),
+            .title = title("Solid fraction of wet grains", study),
             .panels = {pressure_panel(study, 1)}};
 }
 
@@ -261,7 +293,7 @@ void draw_cohesions(Panel& panel, const WetStudy& study) {
     for (const CohesionLine& line : study.lines) {
         const double content = line.liquid_content;
         Curve curve =
-            points_of(line.source, content,
+            points_of(source_of(line, study), content,
                       line.source == "measured" ? measured_symbol
                                                 : simulated_symbol(study.friction(), content));
         curve.x = {content};
@@ -271,9 +303,32 @@ void draw_cohesions(Panel& panel, const WetStudy& study) {
     }
 }
 
+/// What effects on the instrument add to the cohesions that its readings show: the slope of the
+/// line through the predictions less that of the line through what the same grains show on an
+/// instrument that shows the truth. By liquid content; none where there is no such effect or line.
+std::map<double, double> cohesions_by_instrument(const WetStudy& study) {
+    const Calibration& c = study.calibration;
+    std::map<double, double> added;
+    if (std::ranges::none_of(study.study_model.effects(), &Effect::of_instrument)) return added;
+    const Prediction truth = study.study_model.flow().predict_conditions(
+        study.study_model.flow_parameters(c.fit.parameters), conditions_of(c.readings));
+    std::vector<std::string> same_notes;
+    for (const CohesionLine& line :
+         slowest(cohesion_lines(c.readings, truth, c.grains, *c.liquid, c.cohesion, same_notes),
+                 study.inertial_number())) {
+        added[line.liquid_content] = -line.reduced_cohesion.value;
+    }
+    for (const CohesionLine& line : study.lines) {
+        if (line.source != "measured") {
+            added[line.liquid_content] += line.reduced_cohesion.value;
+        }
+    }
+    return added;
+}
+
 Figure cohesion_figure(const WetStudy& study, const std::vector<StructuralCohesion>& structural) {
     Panel panel{.x_label = liquid_content_label,
-                .y_label = "reduced cohesion c* = a^2c/F_0",
+                .y_label = "reduced cohesion c* = a^2c/F_0, " + force_text(study),
                 .log_x = true,
                 .key = Key::top_left,
                 .headroom = 0.32};
@@ -283,16 +338,17 @@ Figure cohesion_figure(const WetStudy& study, const std::vector<StructuralCohesi
         generalised{.label = "μ*_0Φ_SZ*/π − a^2σ^{cap}_{12}/F_0",
                     .colour = "#b9770e",
                     .symbol = {Shape::star, Filling::hollow}};
+    std::map<double, double> by_instrument = cohesions_by_instrument(study);
     for (const auto& one : structural) {
         for (auto* curve : {&rumpf, &generalised}) {
             const Estimate& estimate = curve == &rumpf ? one.rumpf : one.generalised;
             curve->x.push_back(one.liquid_content);
-            curve->y.push_back(estimate.value);
+            curve->y.push_back(estimate.value + by_instrument[one.liquid_content]);
             curve->y_error.push_back(estimate.standard_error);
         }
     }
     panel.curves.push_back(kind(measured_line_text(study), Curve::Style::points, measured_symbol));
-    panel.curves.push_back(kind("simulated, likewise", Curve::Style::points,
+    panel.curves.push_back(kind(study.model_word() + ", likewise", Curve::Style::points,
                                 {shape_of(study.friction()), Filling::hollow}));
     panel.curves.push_back(rumpf);
     panel.curves.push_back(generalised);
@@ -308,10 +364,10 @@ std::vector<Figure> wet_figures(const StudyModel& model, const Calibration& cali
     if (wet_groups(calibration.readings).empty()) {
         return {};
     }
-    const WetStudy study = wet_study(model.model(), calibration, cohesion);
+    const WetStudy study = wet_study(model, calibration, cohesion);
     std::vector<Figure> figures{stress_ratio_figure(study), solid_fraction_figure(study)};
-    const auto structural = slowest(structural_cohesions(model.simulation(), calibration, cohesion),
-                                    study.inertial_number());
+    const auto structural =
+        slowest(structural_cohesions(model, calibration, cohesion), study.inertial_number());
     if (!study.lines.empty() || !structural.empty()) {
         figures.push_back(cohesion_figure(study, structural));
     }

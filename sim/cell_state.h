@@ -26,7 +26,4 @@ struct CellState {
     double weight() const;
 };
 
-/// Standard acceleration of gravity [m/s^2].
-constexpr double gravity = 9.80665;
-
 }  // namespace pendular

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <thread>
@@ -17,6 +18,40 @@ double expected_cost(const dem::RunParameters& run) {
     // Steps per strain: 1/(I dt) with dt proportional to kappa^(-1/2); about 1.2 of strain is
     // transient.
     return run.beads * (run.strain + 1.2) / run.inertial_number * std::sqrt(run.stiffness_number);
+}
+
+std::optional<double> expected_seconds(const std::vector<dem::RunParameters>& runs,
+                                       const std::vector<dem::RunResult>& measured, int threads) {
+    // Bridges and effects make a step dearer.
+    const auto kind = [](const dem::RunParameters& p) {
+        return std::pair(p.wetting.has_value(), !p.effects.empty());
+    };
+    std::map<std::pair<bool, bool>, std::vector<double>> seconds_per_cost;
+    std::vector<double> of_all;
+    for (const dem::RunResult& run : measured) {
+        if (run.failure.empty() && run.wall_seconds > 0) {
+            const double seconds = run.wall_seconds / expected_cost(run.parameters);
+            seconds_per_cost[kind(run.parameters)].push_back(seconds);
+            of_all.push_back(seconds);
+        }
+    }
+    if (of_all.empty()) {
+        return std::nullopt;
+    }
+    const auto middle = [](std::vector<double>& values) {
+        const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::ranges::nth_element(values, place);
+        return *place;
+    };
+    double total = 0, longest = 0;
+    for (const dem::RunParameters& run : runs) {
+        const auto same = seconds_per_cost.find(kind(run));
+        const double seconds =
+            expected_cost(run) * middle(same == seconds_per_cost.end() ? of_all : same->second);
+        total += seconds;
+        longest = std::max(longest, seconds);
+    }
+    return std::max(total / threads, longest);
 }
 
 std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& runs) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -45,5 +46,11 @@ std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& ru
 
 /// Bead-steps that a run will take, transient included; relative cost only.
 double expected_cost(const dem::RunParameters& run);
+
+/// Time that runs will take on so many threads, a run on each [s]: `expected_cost` at the median
+/// speed of measured runs, with or without bridges and effects like them where there are such, in
+/// all no less than the longest run. Empty where no run was measured.
+std::optional<double> expected_seconds(const std::vector<dem::RunParameters>& runs,
+                                       const std::vector<dem::RunResult>& measured, int threads);
 
 }  // namespace pendular

@@ -18,6 +18,7 @@
 #include "calib/study_models.h"
 #include "data/text_file.h"
 #include "sim/seeds.h"
+#include "data/replicates.h"
 
 namespace pendular::bench {
 namespace {
@@ -49,7 +50,7 @@ app::Fitted fitted_with(const Study& study, const Measurements& measurements) {
 std::array<double, 2> scatter_of(const std::vector<Reading>& readings) {
     Eigen::Array2d squares = Eigen::Array2d::Zero();
     double freedom = 0;
-    for (const auto& group : condition_groups(readings)) {
+    for (const auto& group : replicate_groups(readings)) {
         Eigen::Array2d mean = Eigen::Array2d::Zero();
         for (const std::size_t k : group) {
             mean += readings[k].value.array() / static_cast<double>(group.size());

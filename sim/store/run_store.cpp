@@ -176,7 +176,10 @@ RunStore::RunStore(const std::filesystem::path& file, bool must_exist)
     : file_(file == in_memory ? file : std::filesystem::absolute(file)) {
     std::error_code error;
     if (must_exist && !std::filesystem::exists(file_, error)) {
-        throw InputError(fmt::format("store {}: no such file", file_.string()));
+        throw InputError(
+            fmt::format("store {}: no such file; 'pendular simulate', 'calibrate' and "
+                        "'campaign' make a store, --store FILE names another",
+                        file_.string()));
     }
     if (std::filesystem::is_directory(file_, error)) {
         throw InputError(fmt::format("store {} is a folder; name a file", file_.string()));

@@ -28,6 +28,14 @@ std::string text_of(const RunCell& cell) {
     return text ? csv_cell(*text) : "";
 }
 
+std::string row_of(const StoredRun& stored) {
+    std::string row = fmt::format("{}", stored.physics_version);
+    for (const RunColumn& column : run_columns()) {
+        row += ',' + text_of(column.get(stored.run));
+    }
+    return row;
+}
+
 template <typename Number>
 Number number(const Table& table, const Row& row, std::size_t at, const std::string& meaning) {
     const std::string& text = row.cells[at].text;
@@ -120,13 +128,13 @@ void write_runs(const std::filesystem::path& file, const std::vector<StoredRun>&
     }
     text += '\n';
     for (const StoredRun& stored : runs) {
-        text += fmt::format("{}", stored.physics_version);
-        for (const RunColumn& column : run_columns()) {
-            text += ',' + text_of(column.get(stored.run));
-        }
-        text += '\n';
+        text += row_of(stored) + '\n';
     }
     write_whole(file, text);
+}
+
+std::string run_fingerprint(const StoredRun& stored) {
+    return fmt::format("{:016x}", dem::fingerprint(row_of(stored)));
 }
 
 std::vector<StoredRun> read_runs(const std::filesystem::path& file) {
@@ -143,9 +151,14 @@ std::filesystem::path atlas_file() {
     if (const char* named = std::getenv("PENDULAR_ATLAS"); named && *named) {
         return named;
     }
-    for (const char* folder : {PENDULAR_INSTALLED_ATLAS, PENDULAR_SOURCE_ATLAS}) {
-        const auto file = std::filesystem::path(folder) / "atlas.csv";
-        std::error_code error;
+    std::error_code error;
+    // An installed program may have been moved, or installed with another --prefix.
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const auto beside = program.parent_path().parent_path() / "share" / "pendular";
+    for (const std::filesystem::path& folder :
+         {beside, std::filesystem::path(PENDULAR_INSTALLED_ATLAS),
+          std::filesystem::path(PENDULAR_SOURCE_ATLAS)}) {
+        const auto file = folder / "atlas.csv";
         if (std::filesystem::exists(file, error)) {
             return file;
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "sim/store/run_store.h"
@@ -11,6 +12,10 @@ namespace pendular {
 /// short as gives the same number back. Traces and final states are left out.
 /// @throws std::runtime_error where it cannot be written
 void write_runs(const std::filesystem::path& file, const std::vector<StoredRun>& runs);
+
+/// Fingerprint of such a row, 16 hexadecimal digits: the same for the same run with the same
+/// results, whether it comes from a table, from a store or from the simulation.
+std::string run_fingerprint(const StoredRun& stored);
 
 /// The same back. Columns may stand in any order; of those that do not determine a run any may be
 /// missing.

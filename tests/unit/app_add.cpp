@@ -87,7 +87,7 @@ Fitted after_fit() {
     Calibration c = planted::calibration(planted::readings());
     Comparison comparison = compare(c);
     Rung r = with_torque(rung_of(c, comparison, std::nullopt));
-    return {std::move(c), std::move(comparison), std::move(r), 0, 0};
+    return {.calibration = std::move(c), .comparison = std::move(comparison), .rung = std::move(r)};
 }
 
 TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {

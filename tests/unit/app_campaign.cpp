@@ -213,6 +213,60 @@ TEST(RunsCommand, LooksAfterTheStore) {
     refused("learn", "name the file to write");
 }
 
+TEST(RunsCommand, MakesNoStoreWhereItOnlyReads) {
+    const TemporaryFolder folder;
+    const fs::path store = folder.path() / "nope.sqlite", table = folder.path() / "runs.csv";
+    for (const std::string& words :
+         {std::string("list"), std::string("show 1"), std::string("compare 1 2"),
+          std::string("plot"), "export " + table.string(),
+          std::string("prune --where \"crystallised\" --yes"),
+          "learn " + (folder.path() / "emulator.csv").string(),
+          "merge " + (folder.path() / "other.sqlite").string(),
+          "import " + (folder.path() / "other.csv").string()}) {
+        expect_refused(
+            "runs " + words + " --store " + store.string() + " --out " + folder.path().string(),
+            "no such file");
+        EXPECT_FALSE(fs::exists(store)) << words;
+        EXPECT_FALSE(fs::exists(table)) << words;
+    }
+}
+
+TEST(CampaignCommand, EstimatesItsDurationWithoutMakingAStore) {
+    const TemporaryFolder folder;
+    const fs::path store = folder.path() / "new.sqlite";
+    const std::string words =
+        fmt::format("campaign {} --threads 1 --dry-run --json - --store ",
+                    folder
+                        .write("more.toml", eight_runs + "[[grid]]\nfriction = 0.2\nstrain = "
+                                                         "2\ninertial_number = 0.05\nbeads = "
+                                                         "1000\nstiffness_number = 300\n")
+                        .string());
+    const Outcome fresh = run_pendular(words + store.string());
+    ASSERT_EQ(fresh.code, 0) << fresh.errors;
+    EXPECT_FALSE(fs::exists(store));
+    EXPECT_THAT(fresh.errors, HasSubstr("0 of 9 runs are in"));
+    EXPECT_THAT(fresh.errors, HasSubstr("Estimated duration of the 9 runs to do"));
+    EXPECT_THAT(fresh.errors, HasSubstr("another machine"));
+    EXPECT_GT(json::parse(fresh.output)["estimated_seconds"], 0);
+    const Outcome rest = run_pendular(words + whole(folder).string());
+    EXPECT_THAT(rest.errors, HasSubstr("8 of 9 runs are in"));
+    EXPECT_THAT(rest.errors, HasSubstr("the speed of the 8 runs in the store"));
+}
+
+TEST(Simulate, StartsFromARandomSampleWhereTheStoreHasNone) {
+    const TemporaryFolder folder;
+    const std::string words =
+        "simulate --quiet --beads 100 --stiffness-number 300 --inertial-number 0.1 --strain 1 "
+        "--json - ";
+    const Outcome nearest =
+        run_pendular(words + "--start nearest --store " + (folder.path() / "a.sqlite").string());
+    ASSERT_EQ(nearest.code, 0) << nearest.errors;
+    EXPECT_THAT(nearest.errors, HasSubstr("starts from a random sample"));
+    const Outcome random = run_pendular(words + "--store " + (folder.path() / "b.sqlite").string());
+    EXPECT_EQ(json::parse(nearest.output)["stress_ratio"],
+              json::parse(random.output)["stress_ratio"]);
+}
+
 TEST(Simulate, KeepsItsRun) {
     const TemporaryFolder folder;
     const std::string store = " --store " + (folder.path() / "runs.sqlite").string();

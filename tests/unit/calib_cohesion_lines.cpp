@@ -230,6 +230,10 @@ TEST(CohesionLines, LeaveOutPointsBelowTheLimitAndSayByHowMuchTheyAreOverestimat
     EXPECT_NEAR(line.below[0].relative.standard_error,
                 std::hypot(of_line / 0.52, 0.56 * 0.004 / (0.52 * 0.52)), 1e-7);
     EXPECT_THAT(found.notes, ElementsAre(HasSubstr("below 2.3: 1, 0.5")));
+    // Replicates are named once.
+    readings.push_back(reading(1, 0.53, 0.004));
+    EXPECT_THAT(measured(readings).notes, ElementsAre(testing::EndsWith("below 2.3: 1, 0.5")));
+    readings.pop_back();
 
     // Another limit takes one of them in.
     const Lines lower = measured(readings, {.lowest_reduced_pressure = 0.9});

@@ -95,6 +95,13 @@ TEST_F(ColumnsOf, CountTurnsInASpeedAndRadiansInAnAngularVelocity) {
     EXPECT_DOUBLE_EQ(read("Speed [1/min]\n60\n").value(row(), "angular_velocity"), turn);
     EXPECT_DOUBLE_EQ(read("Angular velocity [rpm]\n60\n").value(row(), "angular_velocity"), turn);
     EXPECT_DOUBLE_EQ(read("Angular velocity [1/s]\n2\n").value(row(), "angular_velocity"), 2);
+    EXPECT_DOUBLE_EQ(read("Angular velocity [Hz]\n1\n").value(row(), "angular_velocity"), turn);
+    EXPECT_NEAR(read("Angular velocity [mHz]\n1000\n").value(row(), "angular_velocity"), turn,
+                1e-12);
+    EXPECT_NEAR(read("Angular velocity [deg/s]\n360\n").value(row(), "angular_velocity"), turn,
+                1e-12);
+    EXPECT_NEAR(read("Angular velocity [rad/min]\n60\n").value(row(), "angular_velocity"), 1,
+                1e-12);
     EXPECT_DOUBLE_EQ(read("omega [rad/s]\n2\n").value(row(), "angular_velocity"), 2);
     EXPECT_THAT(error("x,Angular velocity [1/min]\n1,60\n", "angular_velocity"),
                 AllOf(HasSubstr("t.csv:1:3:"), HasSubstr("turns or radians"), HasSubstr("rpm")));

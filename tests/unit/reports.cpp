@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -187,7 +188,7 @@ TEST(FitFile, IsReadBackForTheSameReadingsOnly) {
     const TemporaryFolder folder;
     const Calibration c = small_calibration();
     const auto file = folder.path() / "fit.json";
-    write_json(file, to_json(c, compare(c)));
+    write_calibration(folder.path(), c, compare(c), {});
     const Calibration back = read_calibration(file, study(), c.readings);
     EXPECT_EQ(back.fit.parameters(0), c.fit.parameters(0));
     EXPECT_EQ(back.runs.size(), c.runs.size());
@@ -206,6 +207,43 @@ TEST(FitFile, IsReadBackForTheSameReadingsOnly) {
     EXPECT_THROW(read_calibration(folder.path() / "none.json", study(), c.readings), InputError);
     folder.write("cut.json", content_of(file).substr(0, 200));
     EXPECT_THROW(read_calibration(folder.path() / "cut.json", study(), c.readings), InputError);
+}
+
+TEST(FitFile, NamesItsRunsWhichStandBesideIt) {
+    const TemporaryFolder folder;
+    const Calibration c = small_calibration();
+    const auto file = folder.path() / "fit.json", runs = folder.path() / "fit_runs.csv";
+    const auto json = write_calibration(folder.path(), c, compare(c), {});
+    EXPECT_EQ(json["runs"].size(), c.runs.size());
+    EXPECT_TRUE(json["runs"][0].is_string());
+    const Calibration back = read_calibration(file, study(), c.readings);
+    const auto predicted = [](const Calibration& by) {
+        return predict_readings(StudyModel(study(), by).model(), by);
+    };
+    // Bit for bit: the same runs in the same order.
+    EXPECT_EQ(predicted(back).value, predicted(c).value);
+    EXPECT_EQ(predicted(back).covariance, predicted(c).covariance);
+
+    // Versions without formats wrote whole runs.
+    auto older = json;
+    older["runs"] = nlohmann::ordered_json::array();
+    for (const auto& run : c.runs) {
+        older["runs"].push_back(to_json(run));
+    }
+    folder.write("older.json", older.dump());
+    const Calibration of_older =
+        read_calibration(folder.path() / "older.json", study(), c.readings);
+    EXPECT_EQ(predicted(of_older).value, predicted(c).value);
+
+    std::filesystem::remove(runs);
+    EXPECT_THAT(input_error([&] { read_calibration(file, study(), c.readings); }),
+                testing::AllOf(HasSubstr("runs that this fit rests on"),
+                               HasSubstr("run 'pendular calibrate' again")));
+    older["format"] = 7;
+    folder.write("newer.json", older.dump());
+    EXPECT_THAT(
+        input_error([&] { read_calibration(folder.path() / "newer.json", study(), c.readings); }),
+        HasSubstr("has the format 7"));
 }
 
 TEST(FitFile, HoldsWetReadingsAndCohesionLines) {
@@ -231,7 +269,7 @@ TEST(FitFile, HoldsWetReadingsAndCohesionLines) {
 
     const TemporaryFolder folder;
     const auto file = folder.path() / "fit.json";
-    write_json(file, json);
+    write_calibration(folder.path(), c, comparison, {});
     const Calibration back = read_calibration(file, planted::study(), c.readings);
     EXPECT_EQ(back.fitted, c.fitted);
     const Prediction again = predict_readings(StudyModel(planted::study(), back).model(), back);
@@ -268,6 +306,20 @@ TEST(Figures, SayWhenNothingCouldBeDrawn) {
     Figure figure{
         .name = "missing/folder/name", .title = "", .panels = {{.x_label = "x", .y_label = "y"}}};
     EXPECT_THROW(draw(figure, "/proc/pendular"), std::exception);
+}
+
+TEST(Tables, SayOnceHowFarReplicatesAreFromACohesionLine) {
+    const CohesionLine line{
+        .source = "measured",
+        .liquid_content = 0.03,
+        .inertial_number = 0.003,
+        .below = {{1.401, {0.06, 0.02}}, {1.399, {0.08, 0.02}}, {0.7, {0.3, 0.02}}}};
+    const auto table = cohesion_table({line});
+    EXPECT_EQ(std::ranges::count_if(
+                  table, [](const auto& row) { return row.find("deviates") != std::string::npos; }),
+              1);
+    EXPECT_TRUE(table.back().ends_with("+7.0 +- 2.0 % at P* 1.4, +30.0 +- 2.0 % at P* 0.7."))
+        << table.back();
 }
 
 TEST(Tables, NameEveryReadingAndUnit) {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <sstream>
 
 #include "analysis/compare.h"
 #include "app_support.h"
 #include "calib/structural_cohesion.h"
+#include "data/csv.h"
 #include "reports/comparison_figures.h"
 #include "reports/wet_figures.h"
 #include "wet_study_support.h"
@@ -44,19 +44,15 @@ std::vector<std::string> names(const std::vector<Figure>& figures) {
 std::map<std::string, std::vector<std::array<double, 3>>> numbers_of(const Figure& figure) {
     const TemporaryFolder folder;
     draw(figure, folder.path());
-    std::istringstream lines(content_of(folder.path() / (figure.name + ".csv")));
+    const Table table = read_table(folder.path() / (figure.name + ".csv"));
     std::map<std::string, std::vector<std::array<double, 3>>> result;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("1,")) {
-            const auto last = line.rfind(','), middle = line.rfind(',', last - 1),
-                       first = line.rfind(',', middle - 1);
-            std::string name = line.substr(2, first - 2);
-            std::erase(name, '"');
-            const auto number = [&](std::size_t comma) {
-                const std::string text = line.substr(comma + 1);
-                return text.empty() || text.front() == ',' ? std::nan("") : std::stod(text);
-            };
-            result[name].push_back({number(first), number(middle), number(last)});
+    for (const Row& row : table.rows) {
+        const auto number = [&](std::size_t cell) {
+            const std::string& text = row.cells[cell].text;
+            return text.empty() ? std::nan("") : std::stod(text);
+        };
+        if (row.cells[0].text == "1") {
+            result[row.cells[1].text].push_back({number(2), number(3), number(4)});
         }
     }
     return result;
@@ -144,7 +140,7 @@ TEST(WetFigures, ShowTheCohesionOfLinesAndOfTheStructure) {
     const auto rumpf = std::ranges::find_if(
         numbers, [](const auto& curve) { return curve.first.find("Rumpf") != std::string::npos; });
     ASSERT_NE(rumpf, numbers.end());
-    const auto structural = structural_cohesions(study.model.simulation(), c);
+    const auto structural = structural_cohesions(study.model, c);
     ASSERT_EQ(rumpf->second.size(), planted::contents.size());
     for (std::size_t k = 0; k < planted::contents.size(); ++k) {
         EXPECT_NEAR(rumpf->second[k][0], planted::contents[k], 1e-12);
@@ -162,9 +158,9 @@ TEST(WetFigures, FollowTheLimitOfTheCohesionLines) {
     EXPECT_TRUE(std::ranges::any_of(panel.curves, [](const Curve& curve) {
         return curve.in_key && curve.label.find("P* ≥ 4") != std::string::npos;
     }));
-    const double from_4 = structural_cohesions(model.simulation(), c, from_four)[0].rumpf.value;
+    const double from_4 = structural_cohesions(model, c, from_four)[0].rumpf.value;
     EXPECT_NEAR(numbers_of(figures.back()).at("μ*_0Φ_SZ*/π (Rumpf)")[0][1], from_4, 1e-12);
-    EXPECT_GT(from_4, structural_cohesions(model.simulation(), c)[0].rumpf.value);
+    EXPECT_GT(from_4, structural_cohesions(model, c)[0].rumpf.value);
 }
 
 TEST(WetFigures, ShowTheSlowestReadings) {
@@ -196,7 +192,7 @@ TEST(WetFigures, SayNothingOfCohesionBelowWhereItIsDefined) {
 
 TEST(StructuralCohesion, IsThatOfThePlantedStructure) {
     const Planted study;
-    const auto found = structural_cohesions(study.model.simulation(), study.calibration);
+    const auto found = structural_cohesions(study.model, study.calibration);
     ASSERT_EQ(found.size(), planted::contents.size());
     for (std::size_t k = 0; k < found.size(); ++k) {
         const double volume = planted::volume_of(planted::contents[k]);
@@ -220,7 +216,7 @@ TEST(StructuralCohesion, CarriesTheErrorOfTheFriction) {
     const auto found = [&](double friction, double error) {
         c.fit.parameters(0) = friction;
         c.fit.covariance(0, 0) = error * error;
-        return structural_cohesions(study.model.simulation(), c).front();
+        return structural_cohesions(study.model, c).front();
     };
     // What the friction adds to the variance is the slope of the values themselves.
     constexpr double error = 0.01, step = 1e-4;

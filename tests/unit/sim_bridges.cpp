@@ -21,7 +21,7 @@ constexpr Wetting wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};
 /// Two beads that are moved by hand along x, their forces from the lists of a pair each.
 struct TwoBeads {
     Beads beads{2};
-    Cell cell{20, 20, 20, 0};
+    dem::Cell cell{20, 20, 20, 0};
     Pairs pairs;
     Material material{.modulus = 3e4, .friction = 0};
     BridgeLaw bridges{wetting};
@@ -139,7 +139,7 @@ std::pair<int, int> called_at_first(const Beads& beads, const Neighbours& pairs,
 /// Pairs whose gap is below this now, by looking at all of them.
 PairSet closer_than(double gap, const ShearCell& sample) {
     Beads wrapped = sample.beads();
-    Cell cell = sample.cell();
+    dem::Cell cell = sample.cell();
     cell.reduce_offset();
     for (std::size_t i = 0; i < wrapped.size(); ++i) {
         wrapped.position(i) = cell.wrapped(wrapped.position(i));

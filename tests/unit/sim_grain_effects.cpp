@@ -19,7 +19,7 @@ constexpr Wetting wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};  // F0 
 /// Two beads along direction 1 that are moved by hand, with effects between them.
 struct TwoBeads {
     Beads beads{2};
-    Cell cell{20, 20, 20, 0};
+    dem::Cell cell{20, 20, 20, 0};
     Pairs pairs;
     Material material{.modulus = 3e4, .friction = 0, .damping = 0};
     GrainEffects effects;

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calib/model.h"
+#include "data/reading.h"
+#include "data/study.h"
+
+namespace pendular {
+
+/// A column that may have been read in a wrong unit: the factor on it that mends the misfit.
+struct UnitMistake {
+    std::string column;  ///< "angular velocity"
+    std::string file;    ///< none: that of all files
+    double factor = 1;   ///< the column's numbers have to be multiplied by it
+    std::string unit;    ///< what that factor is: "60/2pi: rad/s were written as rpm"
+    double chi2_before = 0, chi2_after = 0;  ///< of all readings, errors of the model as a floor
+    int dof = 0;
+
+    /// One sentence for the user.
+    std::string sentence() const;
+};
+
+/// Looks for one column, of all recordings or of one file, whose numbers multiplied by a factor of
+/// 10^n, 2 pi, 60, 57.3 or 9.81, or a combination that units have, take at least 70 % off chi2 and
+/// leave a fit that holds: for readings that no friction explains. The friction is fitted anew for
+/// each factor, other parameters stay. None where chi2 is no larger than it should be.
+/// @param parameters fitted ones, friction first
+std::optional<UnitMistake> find_unit_mistake(const FlowModel& model,
+                                             const std::vector<Reading>& readings,
+                                             const Study& study, const Eigen::VectorXd& parameters);
+
+}  // namespace pendular

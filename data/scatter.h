@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "data/reading.h"
+
+namespace pendular {
+
+/// One value of a reading among others of the same condition.
+struct ReplicatedValue {
+    std::size_t reading = 0;    ///< its place among the readings
+    std::size_t condition = 0;  ///< readings of one condition replicate each other
+    std::size_t file = 0;       ///< readings of one file are of one filling
+    double deviation = 0;       ///< value over the mean of its condition, less 1 [1]
+    double within = 0;          ///< variance within its run, relative to the value [1]
+    double load = 1;            ///< normal stress over the reference [1]
+};
+
+/// Two-way analysis of variance (conditions and files) of relative deviations, each divided by
+/// load^-exponent [1].
+struct ScatterSums {
+    double within = 0;          ///< sum of squares left by conditions and files
+    double freedom_within = 0;  ///< of it
+    double between = 0;         ///< sum of squares that the files take off, conditions adjusted for
+    double freedom_between = 0;
+    double steps = 0;             ///< trace of the files' design, conditions adjusted for
+    double run_variance = 0;      ///< sum of the variances within runs, times freedom_within/n
+    Eigen::VectorXd left_over;    ///< residual of each value, in the same units
+    std::vector<double> of_file;  ///< shift of each file about their mean, by file; 0 if not there
+};
+
+/// Analyses values whose files are connected through common conditions. Where conditions and files
+/// leave no degree of freedom, files are not told apart from steps.
+/// Source: Searle, Casella and McCulloch, Variance Components (1992), chapter 5.
+/// @param tell_files false: all scatter counts as that of steps
+ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double exponent,
+                            bool tell_files = true);
+
+/// Exponent e of scatter ~ load^-e that is most probable for these sets of values, each with a
+/// variance of its own, with a prior of 0 +- 0.5 [1]; 0 where that is no less probable than chance
+/// allows in one of a hundred cases, or where fewer than 10 degrees of freedom tell.
+double load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
+
+/// A variance estimated with some degrees of freedom.
+struct MeanSquare {
+    double value = 0;
+    double freedom = 0;
+};
+
+/// Mean squares of sets that may scatter alike or not, each drawn towards what they have in common
+/// as far as they agree; sets without degrees of freedom get the common one.
+/// Source: Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3, moderated variances.
+std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own);
+
+}  // namespace pendular

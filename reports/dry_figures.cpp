@@ -1,0 +1,331 @@
+#include "reports/dry_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "reports/model_curve.h"
+#include "reports/shown.h"
+#include "reports/symbol_code.h"
+
+namespace pendular {
+namespace {
+
+const std::string friction_label = "intergranular friction μ";
+const std::string inertial_label = "inertial number I = γ̇ (m/aσ_{22})^{1/2}";
+constexpr int curve_steps = 60;
+
+/// What the dry figures are made from.
+struct DryStudy {
+    const StudyModel& model;
+    const Calibration& calibration;
+    std::vector<std::size_t> readings;  ///< dry ones, by place in the calibration
+
+    double friction() const { return calibration.fit.parameters(0); }
+    const Condition& condition(std::size_t place) const {
+        return calibration.readings[place].condition;
+    }
+    Shown measured(std::size_t place) const { return shown(calibration.readings[place]); }
+    Shown predicted(std::size_t place) const {
+        return shown(calibration.prediction, static_cast<Eigen::Index>(place),
+                     condition(place).normal_stress);
+    }
+    /// Effects on dry readings, on the instrument or on the grains.
+    std::vector<const Effect*> effects(bool on_instrument) const {
+        std::vector<const Effect*> result;
+        std::ranges::copy_if(model.effects(), std::back_inserter(result), [&](const Effect* e) {
+            return e->touches != Touches::wet && e->of_instrument() == on_instrument;
+        });
+        return result;
+    }
+};
+
+/// Dry readings at the lowest inertial number, within 5 %: those of the calibration figure.
+std::vector<std::size_t> slowest_of(const DryStudy& study) {
+    const auto number = [&](std::size_t k) { return study.condition(k).inertial_number; };
+    const double least = number(std::ranges::min(study.readings, {}, number));
+    std::vector<std::size_t> result;
+    std::ranges::copy_if(study.readings, std::back_inserter(result),
+                         [&](std::size_t k) { return number(k) <= 1.05 * least; });
+    return result;
+}
+
+/// Solid fraction of a run at the study's stiffness, stress ratio as it is.
+Shown at_study_stiffness(const dem::RunResult& run, double share) {
+    const Mean &ratio = run[dem::Observable::stress_ratio],
+               &fraction = run[dem::Observable::solid_fraction];
+    const double shift =
+        share * dem::rigidity_shift(fraction.value, run[dem::Observable::mean_overlap].value);
+    return {{ratio.value, fraction.value - shift}, {ratio.standard_error, fraction.standard_error}};
+}
+
+/// Runs of plain dry grains, whatever effects the study has.
+Curve runs_curve(const DryStudy& study, const Condition& condition, std::size_t o,
+                 double inertial_number) {
+    const Calibration& c = study.calibration;
+    const std::string without = names_of(study.effects(false));
+    Curve curve{.label = fmt::format("simulations{}, I = {:.3g}",
+                                     without.empty() ? "" : " without " + without, inertial_number),
+                .colour = run_colour,
+                .symbol = {Shape::circle, Filling::hollow}};
+    for (const auto& run : c.runs) {
+        if (!run.crystallised && !run.parameters.wetting && run.parameters.effects.empty() &&
+            std::abs(run.parameters.inertial_number / inertial_number - 1) < 0.01) {
+            const Shown one = at_study_stiffness(
+                run,
+                stiffness_share(run.parameters.stiffness_number, condition, c.grains, c.fidelity));
+            curve.x.push_back(run.parameters.friction);
+            curve.y.push_back(one.value[o]);
+            curve.y_error.push_back(one.error[o]);
+        }
+    }
+    return curve;
+}
+
+/// The model of what grains do at a condition, against friction; other parameters as fitted.
+ModelCurve against_friction(const DryStudy& study, const Condition& condition) {
+    const FlowModel& flow = study.model.flow();
+    Eigen::VectorXd parameters = study.model.flow_parameters(study.calibration.fit.parameters);
+    const Supported range = study.model.simulation().supported();
+    std::vector<double> x;
+    Prediction all{
+        .value = Eigen::VectorXd(2 * (curve_steps + 1)),
+        .jacobian = {},
+        .covariance = Eigen::MatrixXd::Zero(2 * (curve_steps + 1), 2 * (curve_steps + 1)),
+        .run_noise = {}};
+    for (int k = 0; k <= curve_steps; ++k) {
+        x.push_back(range.lower(0) + (range.upper(0) - range.lower(0)) * k / curve_steps);
+        parameters(0) = x.back();
+        const Prediction one = flow.predict_conditions(parameters, {condition});
+        all.value.segment<2>(2 * k) = one.value;
+        all.covariance.block<2, 2>(2 * k, 2 * k) = one.covariance;
+    }
+    return {x, all, std::vector<Condition>(x.size(), condition)};
+}
+
+/// Mean of readings as they would be at a condition on an instrument that shows the truth: each is
+/// moved by what the fitted model says that this makes.
+Shown corrected_mean(const DryStudy& study, const std::vector<std::size_t>& places,
+                     const Condition& condition) {
+    const Shown there =
+        shown(study.model.flow().predict_conditions(
+                  study.model.flow_parameters(study.calibration.fit.parameters), {condition}),
+              0, condition.normal_stress);
+    std::vector<Shown> all;
+    for (const std::size_t k : places) {
+        all.push_back(study.measured(k));
+        for (std::size_t o = 0; o < 2; ++o) {
+            all.back().value[o] += there.value[o] - study.predicted(k).value[o];
+        }
+    }
+    return mean_of(all);
+}
+
+Figure calibration_figure(const DryStudy& study) {
+    const Calibration& c = study.calibration;
+    const std::vector<std::size_t> used = slowest_of(study);
+    const Condition& condition = study.condition(used.front());
+    const Shown measured = corrected_mean(study, used, condition);
+    const ModelCurve curve = against_friction(study, condition);
+    const std::string corrected = names_of(study.effects(true)),
+                      with = names_of(study.effects(false));
+    Figure figure{.name = "calibration",
+                  .title = fmt::format("Calibrated friction μ = {:.3f} ± {:.3f}", study.friction(),
+                                       c.fit.standard_error(0)),
+                  .panels = {},
+                  .stacked = true};
+    const double slow = study.model.simulation().inertial_numbers().front();
+    for (std::size_t o = 0; o < 2; ++o) {
+        Panel panel{.x_label = friction_label,
+                    .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
+        panel.references.push_back({corrected.empty() ? "measured, ± 1 standard error"
+                                                      : "measured, corrected for " + corrected,
+                                    measured.value[o], measured.error[o], false, measured_colour});
+        panel.references.push_back({"calibrated, ± 1 standard error", study.friction(),
+                                    c.fit.standard_error(0), true, calibrated_colour});
+        panel.curves.push_back(runs_curve(study, condition, o, slow));
+        const std::string label = fmt::format("model{}, {}", with.empty() ? "" : " with " + with,
+                                              inertial_text(condition.inertial_number));
+        curve.draw_in(panel, o, {.label = label, .colour = model_colour},
+                      label + ", ± 1 standard error");
+        panel.key = o == 0 ? Key::bottom_right : Key::none;
+        figure.panels.push_back(panel);
+    }
+    return figure;
+}
+
+/// How readings of a series and the model of them are told from others.
+struct SeriesLook {
+    const char* colour;
+    Shape shape;
+};
+constexpr std::array<SeriesLook, 8> series_looks = {{{"#1f4fd8", Shape::circle},
+                                                     {"#d62728", Shape::square},
+                                                     {"#149339", Shape::triangle},
+                                                     {"#8e2fb5", Shape::diamond},
+                                                     {"#b9770e", Shape::downward_triangle},
+                                                     {"#0f8b8d", Shape::star},
+                                                     {"#111111", Shape::circle},
+                                                     {"#808080", Shape::square}}};
+
+/// The figure against the inertial number: its readings, parted as the model needs it.
+struct InertialFigure {
+    const DryStudy& study;
+    std::vector<CurveGroup> series;
+    double low, high;               ///< ends of the axis
+    double fastest;                 ///< up to where there is a model to show
+    bool curves;                    ///< whether the model is known at more than one inertial number
+    std::vector<ModelCurve> model;  ///< of each series
+
+    bool parted() const { return series.size() > 1; }
+    std::string of(const std::string& what, const CurveGroup& one) const {
+        return one.name.empty() ? what : what + ", " + one.name;
+    }
+};
+
+InertialFigure inertial_figure_of(const DryStudy& study) {
+    const Calibration& c = study.calibration;
+    const auto& levels = study.model.simulation().inertial_numbers();
+    InertialFigure figure{
+        .study = study,
+        .series = curve_groups(study.readings, study.model.model(), c, along_inertial_number,
+                               {Apart::normal_stress, Apart::bead_volume, Apart::file}),
+        .low = levels.front() / 4,
+        .high = levels.back() * 2,
+        .fastest = levels.back(),
+        .curves = levels.size() > 1,
+        .model = {}};
+    for (const CurveGroup& one : figure.series) {
+        const ConditionPath path = one.path(c.readings, along_inertial_number);
+        std::vector<double> x;
+        std::vector<Condition> conditions;
+        // Faster than simulated there is no model to show; slower it is extrapolated.
+        for (int k = 0; k <= curve_steps; ++k) {
+            x.push_back(figure.low *
+                        std::pow(figure.fastest / figure.low, k / double{curve_steps}));
+            conditions.push_back(path.at(x.back()));
+        }
+        figure.model.emplace_back(
+            x, study.model.model().predict_conditions(c.fit.parameters, conditions), conditions);
+    }
+    return figure;
+}
+
+/// Quasi-static readings of all series as one, beside the model's mean of them.
+void draw_limit(Panel& panel, const std::vector<std::size_t>& quasi_static, const Calibration& c,
+                std::size_t o) {
+    if (quasi_static.empty()) return;
+    const auto [measured, model] = means_of(quasi_static, c);
+    panel.references.push_back(
+        {"measured, quasi-static", measured.value[o], measured.error[o], false, measured_colour});
+    panel.references.push_back(
+        {"model, I → 0", model.value[o], model.error[o], false, calibrated_colour});
+}
+
+/// Readings of a series and, where its curve does not tell it, the model of each of them.
+void draw_series(Panel& panel, const InertialFigure& figure, std::size_t s, std::size_t o) {
+    const CurveGroup& one = figure.series[s];
+    const DryStudy& study = figure.study;
+    const bool curve = figure.curves && one.curve;
+    Curve measured{.label = figure.of("measured", one), .colour = measured_colour};
+    Curve model{
+        .label = curve || figure.parted() ? figure.of("model at the readings", one) : "model",
+        .colour = model_colour,
+        .symbol = {.shape = Shape::square}};
+    Curve line{.label = figure.of("model", one), .colour = model_colour};
+    if (figure.parted()) {
+        const SeriesLook& look = series_looks[s];
+        measured.colour = model.colour = line.colour = look.colour;
+        measured.symbol = measured_symbol;
+        model.symbol = {look.shape, Filling::hollow};
+        measured.in_key = model.in_key = line.in_key = false;
+    }
+    std::vector<std::size_t> quasi_static;
+    for (const std::size_t k : one.members) {
+        const double number = study.condition(k).inertial_number;
+        if (number <= 0 && !figure.parted()) {
+            quasi_static.push_back(k);
+            continue;
+        }
+        // A logarithmic axis has no zero: the limit stands at its left edge.
+        const double x = number > 0 ? number : 1.06 * figure.low;
+        add_point(measured, x, study.measured(k), o);
+        add_point(model, x, study.predicted(k), o);
+    }
+    draw_limit(panel, quasi_static, study.calibration, o);
+    if (!measured.x.empty()) panel.curves.push_back(measured);
+    if (curve) figure.model[s].draw_in(panel, o, line, line.label + ", ± 1 standard error");
+    if (!model.x.empty() && (!curve || figure.parted())) panel.curves.push_back(model);
+}
+
+/// The key where there are several series: what each looks like, then what kinds of data do.
+void explain_series(Panel& panel, const InertialFigure& figure) {
+    for (std::size_t s = 0; s < figure.series.size(); ++s) {
+        panel.curves.push_back({.label = figure.series[s].name,
+                                .colour = series_looks[s].colour,
+                                .symbol = {series_looks[s].shape, Filling::hollow}});
+    }
+    const auto kind = [&](const std::string& label, Curve::Style style, const Symbol& symbol = {}) {
+        panel.curves.push_back(
+            {.label = label, .style = style, .colour = explaining_colour, .symbol = symbol});
+    };
+    kind("measured", Curve::Style::points, measured_symbol);
+    kind("model at the readings", Curve::Style::points, {Shape::circle, Filling::hollow});
+    if (figure.curves && std::ranges::any_of(figure.series, &CurveGroup::curve)) {
+        kind("model between them", Curve::Style::line);
+        kind("± 1 standard error", Curve::Style::band);
+    }
+    panel.key = Key::outside;
+}
+
+bool has_limit(const DryStudy& study) {
+    return std::ranges::any_of(
+        study.readings, [&](std::size_t k) { return study.condition(k).inertial_number <= 0; });
+}
+
+Figure inertial_figure(const DryStudy& study) {
+    const InertialFigure plan = inertial_figure_of(study);
+    std::vector<const Effect*> effects = study.effects(true);
+    std::ranges::copy(study.effects(false), std::back_inserter(effects));
+    Figure figure{.name = "inertial_number",
+                  .title = effects.empty()
+                               ? "Against the inertial number, at the calibrated friction"
+                               : fmt::format("Against the inertial number, friction μ = {:.3f}, "
+                                             "with {}",
+                                             study.friction(), names_of(effects)),
+                  .panels = {},
+                  .stacked = true};
+    for (std::size_t o = 0; o < 2; ++o) {
+        Panel panel{.x_label = inertial_label,
+                    .y_label = o == 0 ? stress_ratio_label : solid_fraction_label,
+                    .log_x = true};
+        if (plan.parted() && has_limit(study)) panel.x_label += "; left edge: I → 0";
+        for (std::size_t s = 0; s < plan.series.size(); ++s) {
+            draw_series(panel, plan, s, o);
+        }
+        panel.x_range = {plan.low, plan.high};
+        if (o == 0 && plan.parted()) {
+            explain_series(panel, plan);
+        } else if (o == 0) {
+            panel.key = Key::top_left;
+            panel.headroom = 0.3;
+        }
+        figure.panels.push_back(panel);
+    }
+    return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> dry_figures(const StudyModel& model, const Calibration& calibration) {
+    DryStudy study{model, calibration, {}};
+    for (std::size_t k = 0; k < calibration.readings.size(); ++k) {
+        if (calibration.readings[k].condition.dry()) study.readings.push_back(k);
+    }
+    if (study.readings.empty()) return {};
+    return {calibration_figure(study), inertial_figure(study)};
+}
+
+}  // namespace pendular

@@ -1,0 +1,97 @@
+#include "reports/figure_numbers.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "data/csv.h"
+#include "reports/figure_text.h"
+
+namespace pendular {
+namespace {
+
+using Names = std::vector<std::vector<std::string>>;
+
+/// The names along a panel's x axis. Of panels above one another only the lowest shows them.
+const Names& names_along(const Panel& panel, const Figure& figure) {
+    const auto shows = [](const std::vector<std::string>& name) { return !name.empty(); };
+    if (std::ranges::any_of(panel.x_names, shows)) {
+        return panel.x_names;
+    }
+    const auto other = std::ranges::find_if(figure.panels, [&](const Panel& each) {
+        return each.x_names.size() == panel.x_names.size() &&
+               std::ranges::any_of(each.x_names, shows);
+    });
+    return other == figure.panels.end() ? panel.x_names : other->x_names;
+}
+
+/// The rows of one panel.
+class PanelRows {
+  public:
+    PanelRows(const Figure& figure, const Panel& panel)
+        : panel_(panel),
+          names_(names_along(panel, figure)),
+          number_(static_cast<std::size_t>(&panel - figure.panels.data()) + 1) {}
+
+    std::string text() {
+        for (const Reference& r : panel_.references) {
+            const std::string value = fmt::format("{}", r.value);
+            add(r.label, r.vertical ? value : "", r.vertical ? "" : value,
+                fmt::format("{}", r.error), "");
+        }
+        for (const Curve& curve : panel_.curves) {
+            for (std::size_t k = 0; k < curve.x.size() && curve.in_table; ++k) {
+                add(curve.label, fmt::format("{}", curve.x[k]), fmt::format("{}", curve.y[k]),
+                    curve.y_error.empty() ? "" : fmt::format("{}", curve.y_error[k]),
+                    name_at(curve.x[k]));
+            }
+        }
+        for (std::size_t k = 0; k < names_.size(); ++k) {
+            if (!named_.contains(k)) {
+                add("", fmt::format("{}", k + 1), "", "", name(k));
+            }
+        }
+        return text_;
+    }
+
+  private:
+    std::string name(std::size_t k) const {
+        return unescaped(fmt::format("{}", fmt::join(names_[k], "")));
+    }
+    /// Points stand at or beside the whole number of their name.
+    std::string name_at(double x) {
+        const double nearest = std::round(x) - 1;
+        if (!(nearest >= 0) || nearest >= static_cast<double>(names_.size())) {
+            return "";
+        }
+        named_.insert(static_cast<std::size_t>(nearest));
+        return name(static_cast<std::size_t>(nearest));
+    }
+    void add(const std::string& curve, const std::string& x, const std::string& y,
+             const std::string& error, const std::string& x_name) {
+        text_ += fmt::format("{},{},{},{},{},{},{},{}\n", number_, csv_cell(unescaped(curve)), x, y,
+                             error, csv_cell(x_name), csv_cell(unescaped(panel_.x_label)),
+                             csv_cell(unescaped(panel_.y_label)));
+    }
+
+    const Panel& panel_;
+    const Names& names_;
+    std::size_t number_;
+    std::set<std::size_t> named_;  ///< names with a point
+    std::string text_;
+};
+
+}  // namespace
+
+std::string numbers_table(const Figure& figure) {
+    std::string text = "panel,curve,x,y,y_error,x_name,x_label,y_label\n";
+    for (const Panel& panel : figure.panels) {
+        text += PanelRows(figure, panel).text();
+    }
+    return text;
+}
+
+}  // namespace pendular

@@ -1,0 +1,70 @@
+#include "reports/json_parts.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/run_json.h"
+
+namespace pendular {
+namespace {
+using Json = nlohmann::ordered_json;
+}  // namespace
+
+Json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance) {
+    return {{"shear_stress", uncertain(value(0), std::sqrt(covariance(0, 0)))},
+            {"solid_fraction", uncertain(value(1), std::sqrt(covariance(1, 1)))}};
+}
+
+Json misfit_json(const Misfit& misfit) {
+    return {{"chi2", misfit.chi2}, {"dof", misfit.dof}, {"p", misfit.p()}};
+}
+
+Json prediction_json(const ReadingMisfit& misfit) {
+    const Reading& reading = misfit.reading;
+    return {{"file", reading.origin.file},
+            {"step", reading.step},
+            {"normal_stress", reading.condition.normal_stress},
+            {"inertial_number", reading.condition.inertial_number},
+            {"liquid_content", reading.condition.liquid_content},
+            {"measured", pair_of(reading.value, reading.covariance)},
+            {"predicted", pair_of(misfit.predicted, misfit.predicted_covariance)},
+            {"chi2", misfit.chi2.sum()}};
+}
+
+Json direct_json(const DirectMeasurement& direct) {
+    Json json = {{"parameter", direct.parameter}, {"unit", direct.unit}};
+    json.update(uncertain(direct.value, direct.standard_error));
+    return json;
+}
+
+Json cohesion_lines_json(const std::vector<CohesionLine>& lines) {
+    const auto estimate = [](const Estimate& e) { return uncertain(e.value, e.standard_error); };
+    Json json = Json::array();
+    for (const auto& line : lines) {
+        Json below = Json::array();
+        for (const auto& one : line.below) {
+            below.push_back(
+                {{"reduced_pressure", one.reduced_pressure}, {"relative", estimate(one.relative)}});
+        }
+        json.push_back({{"source", line.source},
+                        {"liquid_content", line.liquid_content},
+                        {"inertial_number", line.inertial_number},
+                        {"stress_ratio_intercept", estimate(line.stress_ratio_intercept)},
+                        {"reduced_cohesion", estimate(line.reduced_cohesion)},
+                        {"correlation", line.correlation},
+                        {"cohesion", estimate(line.cohesion)},
+                        {"points", line.points},
+                        {"lowest_reduced_pressure", line.lowest_reduced_pressure},
+                        {"chi2", line.chi2},
+                        {"dof", line.dof},
+                        {"overestimate_below", below}});
+    }
+    return json;
+}
+
+void add_belief(nlohmann::ordered_json& json, const Belief& belief) {
+    json["believable"] = belief.believable();
+    json["reasons"] = belief.reasons;
+}
+
+}  // namespace pendular

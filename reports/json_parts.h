@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "analysis/believable.h"
+#include "analysis/compare.h"
+#include "calib/cohesion_lines.h"
+#include "sim/direct_measurement.h"
+
+namespace pendular {
+
+// What the JSON of several commands has in common.
+
+/// Shear stress [Pa] and solid fraction with their standard errors.
+nlohmann::ordered_json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance);
+
+/// chi2, degrees of freedom and the probability of a larger chi2; 1 without any degree.
+nlohmann::ordered_json misfit_json(const Misfit& misfit);
+
+/// A reading with what the model predicts of it.
+nlohmann::ordered_json prediction_json(const ReadingMisfit& misfit);
+
+/// A parameter that was measured by itself, with its standard error.
+nlohmann::ordered_json direct_json(const DirectMeasurement& direct);
+
+/// Adds `believable` and `reasons`.
+void add_belief(nlohmann::ordered_json& json, const Belief& belief);
+
+nlohmann::ordered_json cohesion_lines_json(const std::vector<CohesionLine>& lines);
+
+}  // namespace pendular

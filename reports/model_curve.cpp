@@ -1,0 +1,227 @@
+#include "reports/model_curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+#include "calib/wet_groups.h"
+#include "reports/figure_text.h"
+
+namespace pendular {
+
+const Coordinate along_inertial_number = {
+    [](const Condition& c) { return c.inertial_number; },
+    [](Condition& c, double value) { c.inertial_number = value; }};
+const Coordinate along_inverse_normal_stress = {
+    [](const Condition& c) { return 1 / c.normal_stress; },
+    [](Condition& c, double value) { c.normal_stress = 1 / value; }};
+
+namespace {
+
+constexpr std::size_t most_series = 8;
+constexpr double same_place = 0.05;  ///< coordinates that agree so are one set point
+
+double mixed(double a, double b, double share) {
+    return a + share * (b - a);
+}
+
+std::optional<double> mixed(const std::optional<double>& a, const std::optional<double>& b,
+                            double share) {
+    return a && b ? std::optional(mixed(*a, *b, share)) : std::nullopt;
+}
+
+/// `a` where the share of `b` is 0.
+Condition mixed(const Condition& a, const Condition& b, double share) {
+    Condition result = a;
+    result.normal_stress = mixed(a.normal_stress, b.normal_stress, share);
+    result.inertial_number = mixed(a.inertial_number, b.inertial_number, share);
+    result.liquid_content = mixed(a.liquid_content, b.liquid_content, share);
+    result.height = mixed(a.height, b.height, share);
+    result.bead_volume = mixed(a.bead_volume, b.bead_volume, share);
+    result.time = mixed(a.time, b.time, share);
+    return result;
+}
+
+}  // namespace
+
+ConditionPath::ConditionPath(std::vector<Condition> conditions, const Coordinate& along)
+    : along_(along) {
+    std::ranges::sort(conditions, {}, along.of);
+    double first = 0;  // coordinate of the first condition of the last node
+    int count = 0;     // of conditions in it
+    for (const Condition& condition : conditions) {
+        if (count == 0 || !agree(first, along.of(condition), same_place)) {
+            nodes_.push_back(condition);
+            first = along.of(condition);
+            count = 1;
+        } else {
+            nodes_.back() = mixed(nodes_.back(), condition, 1.0 / ++count);
+        }
+    }
+}
+
+Condition ConditionPath::at(double coordinate) const {
+    const auto above = std::ranges::lower_bound(nodes_, coordinate, {}, along_.of);
+    Condition result = above == nodes_.end() ? nodes_.back() : *above;
+    if (above != nodes_.begin() && above != nodes_.end()) {
+        const Condition& below = *std::prev(above);
+        const double from = along_.of(below);
+        result = mixed(below, *above, (coordinate - from) / (along_.of(*above) - from));
+    }
+    along_.set(result, coordinate);
+    return result;
+}
+
+namespace {
+
+/// A number by which readings are told apart.
+double number_of(const Reading& reading, Apart apart, const std::vector<std::string>& files) {
+    switch (apart) {
+        case Apart::normal_stress:
+            return reading.condition.normal_stress;
+        case Apart::bead_volume:
+            return reading.condition.bead_volume.value_or(0);
+        case Apart::file:
+            break;
+    }
+    return static_cast<double>(std::ranges::find(files, reading.origin.file) - files.begin()) + 1;
+}
+
+std::string text_of(double number, Apart apart, const std::vector<std::string>& files,
+                    const Calibration& c) {
+    switch (apart) {
+        case Apart::normal_stress:
+            return fmt::format("σ_{{22}} = {:.3g} Pa", number);
+        case Apart::bead_volume:
+            return fmt::format("{:.3g} g of beads", 1e3 * c.grains.density * number);
+        case Apart::file:
+            break;
+    }
+    const std::filesystem::path file = files[static_cast<std::size_t>(std::lround(number)) - 1];
+    return plain_text(file.filename().string());
+}
+
+std::vector<std::string> files_of(const std::vector<Reading>& readings) {
+    std::vector<std::string> files;
+    for (const Reading& reading : readings) {
+        if (std::ranges::find(files, reading.origin.file) == files.end()) {
+            files.push_back(reading.origin.file);
+        }
+    }
+    return files;
+}
+
+/// The parts of a series, by rising number.
+std::vector<CurveGroup> divided(const CurveGroup& series, Apart apart, const Calibration& c) {
+    const std::vector<std::string> files = files_of(c.readings);
+    const auto number = [&](std::size_t k) { return number_of(c.readings[k], apart, files); };
+    std::vector<std::size_t> order = series.members;
+    std::ranges::stable_sort(order, {}, number);
+    std::vector<CurveGroup> parts;
+    for (const std::size_t k : order) {
+        const bool next = parts.empty() || !agree(number(parts.back().members.front()), number(k),
+                                                  apart == Apart::file ? 0 : same_place);
+        if (next) parts.emplace_back();
+        parts.back().members.push_back(k);
+    }
+    for (CurveGroup& part : parts) {
+        part.name = series.name;
+        if (parts.size() > 1) {
+            double sum = 0;
+            for (const std::size_t k : part.members)
+                sum += number(k);
+            part.name += (part.name.empty() ? "" : ", ") +
+                         text_of(sum / static_cast<double>(part.members.size()), apart, files, c);
+        }
+        std::ranges::sort(part.members);
+    }
+    return parts;
+}
+
+bool passes(const CurveGroup& series, const FlowModel& model, const Calibration& c,
+            const Coordinate& along) {
+    const ConditionPath path = series.path(c.readings, along);
+    std::vector<Condition> conditions;
+    for (const std::size_t k : series.members) {
+        conditions.push_back(path.at(along.of(c.readings[k].condition)));
+    }
+    const Eigen::VectorXd drawn = model.values_of_conditions(c.fit.parameters, conditions);
+    for (std::size_t m = 0; m < series.members.size(); ++m) {
+        const std::size_t k = series.members[m];
+        const Reading& reading = c.readings[k];
+        // Both as stress ratios: normal stresses of replicates differ a little.
+        const Eigen::Vector2d unit(reading.condition.normal_stress, 1);
+        Eigen::Vector2d off = drawn.segment<2>(2 * static_cast<Eigen::Index>(m));
+        off(0) *= unit(0) / conditions[m].normal_stress;
+        off -= c.prediction.value.segment<2>(2 * static_cast<Eigen::Index>(k));
+        const Eigen::Array2d error = reading.covariance.diagonal().array().sqrt();
+        if ((off.array().abs() > told_apart * error).any()) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+ConditionPath CurveGroup::path(const std::vector<Reading>& readings,
+                               const Coordinate& along) const {
+    std::vector<Condition> conditions;
+    for (const std::size_t k : members) {
+        conditions.push_back(readings[k].condition);
+    }
+    return {std::move(conditions), along};
+}
+
+std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
+                                     const FlowModel& model, const Calibration& c,
+                                     const Coordinate& along, const std::vector<Apart>& apart) {
+    const auto judge = [&](std::vector<CurveGroup>& all) {
+        for (CurveGroup& series : all) {
+            series.curve = passes(series, model, c, along);
+        }
+        return std::ranges::all_of(all, &CurveGroup::curve);
+    };
+    std::vector<CurveGroup> best = {{.members = members}};
+    bool told = judge(best);
+    for (auto by = apart.begin(); by != apart.end() && !told; ++by) {
+        std::vector<CurveGroup> finer;
+        for (const CurveGroup& series : best) {
+            std::ranges::move(divided(series, *by, c), std::back_inserter(finer));
+        }
+        if (finer.size() > most_series) break;
+        told = judge(finer);
+        best = std::move(finer);
+    }
+    return best;
+}
+
+ModelCurve::ModelCurve(std::vector<double> at, const Prediction& predicted,
+                       const std::vector<Condition>& conditions)
+    : x(std::move(at)) {
+    for (std::size_t k = 0; k < conditions.size(); ++k) {
+        y.push_back(shown(predicted, static_cast<Eigen::Index>(k), conditions[k].normal_stress));
+    }
+}
+
+void ModelCurve::draw_in(Panel& panel, std::size_t o, const Curve& look,
+                         const std::string& band_label) const {
+    Curve line = look;
+    line.style = Curve::Style::line;
+    line.x = x;
+    Curve band = line;
+    band.style = Curve::Style::band;
+    band.label = band_label;
+    band.in_key = false;
+    for (const Shown& one : y) {
+        line.y.push_back(one.value[o]);
+        band.y.push_back(one.value[o]);
+        band.y_error.push_back(one.error[o]);
+    }
+    panel.curves.push_back(band);
+    panel.curves.push_back(line);
+}
+
+}  // namespace pendular
