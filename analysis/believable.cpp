@@ -43,9 +43,9 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
     }
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         if (!out_of_range(fit, parameters, k)) continue;
-        belief.reasons.push_back(fmt::format("{} ended at the bound of its range, {:.3g} to {:.3g}.",
-                                             parameters[k].name, parameters[k].lower,
-                                             parameters[k].upper));
+        belief.reasons.push_back(
+            fmt::format("{} ended at {:.3g}, the bound of its range or of what the runs know.",
+                        parameters[k].name, fit.parameters(static_cast<Eigen::Index>(k))));
     }
     for (std::size_t k = 0; k < std::min(most_doubts, measurements.doubts.size()); ++k) {
         belief.reasons.push_back(measurements.doubts[k].what);

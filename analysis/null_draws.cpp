@@ -44,10 +44,26 @@ Eigen::MatrixXd normals(Eigen::Index rows, Random& random) {
     return Eigen::MatrixXd::NullaryExpr(rows, 1, [&] { return normal(random); });
 }
 
+/// Correlates independent errors of the two observables of each reading, as far as the estimated
+/// correlation may be off.
+void correlate(const ErrorKnowledge& knowledge, Random& random,
+               Eigen::Ref<Eigen::VectorXd> errors) {
+    constexpr double fewest = 4;
+    if (!std::isfinite(knowledge.correlation_freedom)) return;
+    const double spread = 1 / std::sqrt(std::max(fewest, knowledge.correlation_freedom) - 2);
+    const double off = std::tanh(spread * std::normal_distribution<double>()(random));
+    for (Eigen::Index k = 0; k < knowledge.readings; ++k) {
+        errors(2 * k + 1) = off * errors(2 * k) + std::sqrt(1 - off * off) * errors(2 * k + 1);
+    }
+}
+
 }  // namespace
 
 ErrorKnowledge ErrorKnowledge::known(Eigen::Index n) {
-    return {std::vector<std::size_t>(static_cast<std::size_t>(n), 0), {INFINITY}, {}};
+    ErrorKnowledge result;
+    result.kind.assign(static_cast<std::size_t>(n), 0);
+    result.freedom = {INFINITY};
+    return result;
 }
 
 NullDraws::NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, std::uint64_t seed,
@@ -59,6 +75,7 @@ NullDraws::NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, 
     for (Eigen::Index draw = 0; draw < count; ++draw) {
         errors_.col(draw) = normals(n, random);
         predictions_.col(draw) = normals(n, random);
+        correlate(knowledge, random, errors_.col(draw));
     }
     errors_ = root * errors_;
     for (Eigen::Index draw = 0; draw < count; ++draw) {
@@ -68,6 +85,10 @@ NullDraws::NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, 
         }
         for (Eigen::Index k = 0; k < n; ++k) {
             errors_(k, draw) *= believed[knowledge.kind[static_cast<std::size_t>(k)]];
+        }
+        for (const Eigen::VectorXd& log_size : knowledge.log_sizes) {
+            const double off = std::normal_distribution<double>()(random);
+            errors_.col(draw).array() *= (off * log_size).array().exp();
         }
         for (const SharedErrors& shared : knowledge.shared) {
             errors_.col(draw) += std::sqrt(drawn_variance(shared, random)) *

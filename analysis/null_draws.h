@@ -28,6 +28,13 @@ struct ErrorKnowledge {
     std::vector<std::size_t> kind;
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;
+    /// Entries 2k and 2k + 1 are of one reading for k below this; their correlation was estimated
+    /// with `correlation_freedom` degrees of freedom.
+    Eigen::Index readings = 0;
+    double correlation_freedom = INFINITY;
+    /// What is known of the dependence on load: in a draw, errors are multiplied by exp(z column)
+    /// with one standard normal z for each column.
+    std::vector<Eigen::VectorXd> log_sizes;
 
     /// n entries whose errors are known.
     static ErrorKnowledge known(Eigen::Index n);
@@ -36,9 +43,9 @@ struct ErrorKnowledge {
 /// Errors of the readings as they come, in the units of the readings. Errors of each kind are
 ///     z sqrt(nu/chi2_nu),   z normal as believed,
 /// those that readings share have variances drawn likewise: max(0, between nu_b/chi2 - within
-/// nu_w/chi2)/steps. To them come errors of the prediction, normal as it says.
-/// The same draws serve every test of a diagnosis, so that its tests together are wrong as often as
-/// is said.
+/// nu_w/chi2)/steps. The correlation between the observables of a reading is off by tanh(z/sqrt(nu
+/// - 2)), after Fisher. To them come errors of the prediction, normal as it says. The same draws
+/// serve every test of a diagnosis, so that its tests together are wrong as often as is said.
 /// Source: generalised pivotal quantities of variance components, Burdick, Borror and Montgomery
 /// (2005), Design and Analysis of Gauge R&R Studies, appendix B.
 class NullDraws {

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "analysis/compare.h"
+#include "data/number.h"
 #include "data/replicates.h"
 
 namespace pendular {
@@ -113,8 +114,8 @@ EntryKinds entries_of(const std::vector<Reading>& readings,
 }
 
 std::string described(const Condition& condition) {
-    std::string text =
-        fmt::format("{:.3g} Pa, I {:.2g}", condition.normal_stress, condition.inertial_number);
+    std::string text = fmt::format("{} Pa, I {:.2g}", short_text(condition.normal_stress),
+                                   condition.inertial_number);
     return text + (condition.dry()
                        ? ", dry"
                        : fmt::format(", liquid content {:.3g}", condition.liquid_content));
@@ -187,6 +188,19 @@ SharedErrors known_shared_errors(const std::vector<Reading>& readings, Eigen::In
     return shared;
 }
 
+/// Logarithm of the factor on the errors of an observable that one standard error of the load
+/// exponent makes.
+Eigen::VectorXd load_errors(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
+                            Eigen::Index observable, Eigen::Index entries) {
+    Eigen::VectorXd logs = Eigen::VectorXd::Zero(entries);
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        logs(2 * static_cast<Eigen::Index>(k) + observable) =
+            -scatter.load_exponent_error(observable) *
+            std::log(readings[k].condition.normal_stress / scatter.reference_stress);
+    }
+    return logs;
+}
+
 ErrorKnowledge knowledge_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                             Eigen::Index entries) {
     ErrorKnowledge knowledge;
@@ -194,16 +208,26 @@ ErrorKnowledge knowledge_of(const std::vector<Reading>& readings, const Replicat
     std::map<std::tuple<Eigen::Index, double, double>, std::size_t> kinds;
     for (const Reading& reading : readings) {
         for (const Eigen::Index o : {0, 1}) {
-            double excess = 0, freedom = INFINITY;
+            double mean_square = 0, freedom = INFINITY;
             if (reading.scatter_group < scatter.groups.size()) {
                 const auto& group = scatter.groups[reading.scatter_group];
-                excess = group.excess(o, o);
-                if (excess > 0) freedom = group.freedom(o);
+                // Stated errors that explain the scatter are known.
+                if (group.excess(o, o) > 0 || (reading.within_run_only && group.freedom(o) > 0)) {
+                    mean_square = group.mean_square(o);
+                    freedom = group.freedom(o);
+                }
             }
             const auto [kind, added] =
-                kinds.emplace(std::tuple(o, excess, freedom), knowledge.freedom.size());
+                kinds.emplace(std::tuple(o, mean_square, freedom), knowledge.freedom.size());
             if (added) knowledge.freedom.push_back(freedom);
             knowledge.kind.push_back(kind->second);
+        }
+    }
+    knowledge.readings = std::ssize(readings);
+    knowledge.correlation_freedom = scatter.correlation_freedom;
+    for (const Eigen::Index o : {0, 1}) {
+        if (scatter.load_exponent_error(o) > 0) {
+            knowledge.log_sizes.push_back(load_errors(readings, scatter, o, entries));
         }
     }
     if (auto known = known_shared_errors(readings, entries); known.loadings.cols() > 0) {

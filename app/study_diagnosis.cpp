@@ -73,6 +73,12 @@ StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed,
     const Study& study = result.input.study;
     result.readings = dry_first(result.input.measurements);
     check_range(result.readings, study, options.fidelity);
+    if (result.readings.empty()) {
+        throw InputError({study.file.string()},
+                         fmt::format("there is no reading to diagnose; 'pendular import {}' says "
+                                     "what was left out and why",
+                                     options.study.string()));
+    }
     if (replicate_groups(result.readings).size() < 2) {
         throw InputError({study.file.string()},
                          "all readings are at one condition, where every effect looks like every "

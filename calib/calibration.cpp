@@ -46,18 +46,31 @@ void check_wet(const Reading& reading, const Study& study, const Fidelity& fidel
     }
 }
 
+/// What was set aside because it cannot be right; empty if nothing was.
+std::string set_aside(const Measurements& measurements) {
+    const auto doubt = std::ranges::find_if(measurements.doubts, &Doubt::set_aside);
+    return doubt == measurements.doubts.end()
+               ? ""
+               : "readings were set aside, the first for: " + doubt->what;
+}
+
+/// What to do about a study without any reading.
+std::string why_no_reading(const Measurements& measurements) {
+    if (std::string aside = set_aside(measurements); !aside.empty()) return aside;
+    return measurements.excluded.empty()
+               ? "give recordings or readings"
+               : "all were left out, the first one for: " + measurements.excluded.front().reason;
+}
+
 /// @throws InputError where there is nothing to fit
 void check_fitted(const Study& study, const Measurements& measurements, const Calibration& c) {
     if (c.fitted > 0) {
         return;
     }
-    std::string why;
+    std::string why = why_no_reading(measurements);
     if (!c.readings.empty()) {
         why = "give dry recordings or readings (liquid_content = 0), or set fit_to = \"all\"";
-    } else if (measurements.excluded.empty()) {
-        why = "give recordings or readings";
-    } else {
-        why = "all were left out, the first one for: " + measurements.excluded.front().reason;
+        if (const std::string aside = set_aside(measurements); !aside.empty()) why += "; " + aside;
     }
     throw InputError({study.file.string()},
                      fmt::format("there is no {}reading to fit; {}",

@@ -350,10 +350,9 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
         }
     }
     for (Eigen::Index k = 0; k < parameters.size(); ++k) {
-        const Parameter& p = model.parameters()[static_cast<std::size_t>(k)];
-        const double close = 1e-6 * (p.upper - p.lower);
-        result.at_bound.push_back(parameters(k) - p.lower < close ||
-                                  p.upper - parameters(k) < close);
+        const double close = 1e-6 * (range.upper(k) - range.lower(k));
+        result.at_bound.push_back(parameters(k) - range.lower(k) < close ||
+                                  range.upper(k) - parameters(k) < close);
     }
     return result;
 }

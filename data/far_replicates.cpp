@@ -12,7 +12,7 @@ namespace {
 
 /// Fillings of one laboratory do not differ by more than this, relative to (stress ratio, solid
 /// fraction): a wrong column, unit or mass does.
-const Eigen::Vector2d largest_filling_difference(0.10, 0.03);
+const Eigen::Vector2d largest_filling_difference(0.05, 0.03);
 /// Probability per study that a condition is said to scatter too much where none does.
 constexpr double far_by_chance = 1e-3;
 constexpr double fewest_to_judge_conditions = 4;

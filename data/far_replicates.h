@@ -19,10 +19,10 @@ struct FarReplicates {
     std::vector<Doubt> doubts;  ///< one for each file or condition found
 };
 
-/// Finds files whose values differ from those of their replicates by more than 10 % in stress ratio
-/// or 3 % in solid fraction, and conditions whose replicates scatter more than all others (F test,
-/// p < 0.001 for the study). Their values leave the table, so that they do not widen the errors of
-/// the others.
+/// Finds files whose values differ from those of their replicates by more than 5 % in stress ratio
+/// or 3 % in solid fraction (RMS about their mean), and conditions whose replicates scatter more
+/// than all others (F test, p < 0.001 for the study). Their values leave the table, so that they do
+/// not widen the errors of the others.
 FarReplicates set_far_replicates_apart(ReplicateTable& table, const std::vector<Reading>& readings);
 
 }  // namespace pendular

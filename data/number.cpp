@@ -1,5 +1,7 @@
 #include "data/number.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -29,6 +31,13 @@ bool has_decimal_comma(std::string_view text) {
     std::string with_point(text);
     std::replace(with_point.begin(), with_point.end(), ',', '.');
     return parse_number(with_point).has_value();
+}
+
+std::string short_text(double number) {
+    const double size = std::abs(number);
+    if (!(size >= 999.5 && size < 1e6)) return fmt::format("{:.3g}", number);
+    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
+    return fmt::format("{:.0f}", std::round(number / unit) * unit);
 }
 
 }  // namespace pendular

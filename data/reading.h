@@ -99,12 +99,19 @@ struct ReplicateScatter {
     /// Scatter from step to step in files that replicate each other.
     struct Group {
         std::vector<std::string> files;
-        Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();   ///< variance at `reference_stress`
+        Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();  ///< variance at `reference_stress`
+        /// Mean square between replicates, that within runs included; the same number for groups
+        /// that share one estimate.
+        Eigen::Vector2d mean_square = Eigen::Vector2d::Zero();
         Eigen::Vector2d freedom = Eigen::Vector2d::Zero();  ///< degrees of freedom it rests on
     };
     std::vector<Group> groups;
     /// Standard deviation of step scatter ~ (normal stress/reference)^-exponent, by observable [1].
     Eigen::Vector2d load_exponent = Eigen::Vector2d::Zero();
+    /// Standard errors of `load_exponent` [1]; 0 where it is not estimated.
+    Eigen::Vector2d load_exponent_error = Eigen::Vector2d::Zero();
+    /// Degrees of freedom that the correlation between the observables rests on; infinite: known.
+    double correlation_freedom = INFINITY;
     double reference_stress = 0;  ///< [Pa]
 
     /// Errors that all steps of one filling share. From the mean squares of a two-way analysis of

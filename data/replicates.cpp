@@ -22,10 +22,10 @@ constexpr double no_error = 1e-12;
 /// From a factor of two on, more replicates are worth a word.
 constexpr double worth_a_note = 2;
 
-/// Fillings usually share errors of 0.3 times the scatter of a step, which is believed like two
-/// measured differences between fillings.
-constexpr double usual_filling = 0.3, usual_freedom = 2;
-/// Filling errors count from this probability on that chance alone makes files differ so.
+/// Fillings usually share errors of half the scatter of a step, which is believed like one measured
+/// difference between fillings.
+constexpr double usual_filling = 0.5, usual_freedom = 1;
+/// Filling errors are seen from this probability on that chance alone makes files differ so.
 constexpr double hint_of_fillings = 0.03;
 
 bool close(double a, double b) {
@@ -63,7 +63,9 @@ class Pooling {
     }
 
     void by_replicates() {
+        weigh_rounding(table_, readings_);
         apart_ = set_far_replicates_apart(table_, readings_);
+        weigh_rounding(table_, readings_);  // by the scatter without those apart
         all_.doubts.insert(all_.doubts.end(), apart_.doubts.begin(), apart_.doubts.end());
         find_load_exponents();
         estimate_fillings();
@@ -74,9 +76,10 @@ class Pooling {
         estimate_steps();  // groups only; their sizes are those stated
         for (auto& group : all_.scatter.groups) {
             group.excess = stated.step.cwiseAbs2().asDiagonal();
+            group.mean_square = stated.step.cwiseAbs2();
             group.freedom.setConstant(INFINITY);
         }
-        all_.scatter.load_exponent.setZero();
+        all_.scatter.correlation_freedom = INFINITY;
         for (const Eigen::Index o : {0, 1}) {
             auto& filling = all_.scatter.filling[static_cast<std::size_t>(o)];
             filling = {.variance = stated.filling(o) * stated.filling(o),
@@ -123,7 +126,9 @@ void Pooling::find_load_exponents() {
         std::vector<std::vector<ReplicatedValue>> sets;
         for (const ReplicateCluster& cluster : table_.clusters)
             sets.push_back(cluster.values[static_cast<std::size_t>(o)]);
-        all_.scatter.load_exponent(o) = load_exponent(sets);
+        const LoadExponent found = load_exponent(sets);
+        all_.scatter.load_exponent(o) = found.value;
+        all_.scatter.load_exponent_error(o) = found.standard_error;
     }
 }
 
@@ -161,14 +166,14 @@ void Pooling::estimate_fillings() {
         if (filling.freedom_between > 0) {
             filling.between /= filling.freedom_between;
             filling.steps /= filling.freedom_between;
-            if (!files_differ(filling)) {
-                all_.scatter.filling[static_cast<std::size_t>(o)] = {};
-                continue;
-            }
+            const bool seen = files_differ(filling);
             temper(filling);
             // Widened: what fillings share must not weigh more than the little that is known of it.
             filling.variance = widened(filling.freedom_between) *
                                std::max(0.0, (filling.between - filling.within) / filling.steps);
+            // Errors that are not seen are taken for known: if every size that a few fillings do
+            // not exclude counted in tests, these would see next to nothing.
+            if (!seen) filling.freedom_between = INFINITY;
         }
         all_.scatter.filling[static_cast<std::size_t>(o)] = filling;
     }
@@ -183,19 +188,22 @@ void Pooling::estimate_steps() {
     }
     for (const Eigen::Index o : {0, 1}) {
         std::vector<MeanSquare> own;
+        std::vector<double> within_runs;
         double run_variance = 0, freedom = 0;
         for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
             const ScatterSums sums = sums_of(c, o);
             const double nu = sums.freedom_within;
             own.push_back({nu > 0 ? sums.within / nu : 0, nu});
+            within_runs.push_back(nu > 0 ? sums.run_variance / nu : NAN);
             run_variance += sums.run_variance;
             freedom += nu;
         }
         if (freedom == 0) continue;
         const std::vector<MeanSquare> shrunk = moderated(own);
         for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
-            scatter.groups[c].excess(o, o) =
-                std::max(0.0, shrunk[c].value - run_variance / freedom);
+            const double within = own[c].freedom > 0 ? within_runs[c] : run_variance / freedom;
+            scatter.groups[c].excess(o, o) = std::max(0.0, shrunk[c].value - within);
+            scatter.groups[c].mean_square(o) = shrunk[c].value;
             scatter.groups[c].freedom(o) = shrunk[c].freedom;
         }
     }
@@ -215,6 +223,7 @@ void Pooling::estimate_correlation() {
         freedom += ratio.freedom_within;
     }
     if (!(squares0 > 0 && squares1 > 0)) return;
+    scatter.correlation_freedom = freedom;
     const double correlation = std::clamp(
         product / std::sqrt(squares0 * squares1) * (freedom - 1) / (freedom + 1), -0.99, 0.99);
     for (auto& group : scatter.groups) {
@@ -269,7 +278,7 @@ void Pooling::apply() {
         add_filling(k);
     }
     note_errors_below_rounding();
-    add_rounding(table_, stated_, {known(0), known(1)}, readings_);
+    add_rounding(table_, stated_, readings_);
     note_few_replicates();
     assume_missing_errors();
 }

@@ -26,8 +26,8 @@ bool are_replicates(const Reading& a, const Reading& b);
 /// scatter from step to step from the error that all steps of a filling, which is a file, share:
 ///     value = condition (1 + filling + step),   sd(step) ~ (normal stress)^-exponent.
 /// Step scatter is estimated for files that replicate each other, drawn towards that of all as far
-/// as they agree (`moderated`); filling errors are pooled over all files, with a usual size (0.3
-/// times the scatter of a step) that counts like two differences, and stand in `Reading::shared`.
+/// as they agree (`moderated`); filling errors are pooled over all files, with a usual size (half
+/// the scatter of a step) that counts like one difference, and stand in `Reading::shared`.
 /// Files or readings far away from their replicates are named in a note, left out of the pooling,
 /// and weigh as little as their distance says.
 ///

@@ -12,12 +12,16 @@ namespace pendular {
 /// the Fourier series of the rounding error.
 double rounding_correlation(double scatter);
 
-/// Adds the error of rounding, of variance resolution^2/12, to the covariances of the readings.
-/// The part that replicates have in common does not show in their scatter; it is added as an error
-/// that they share. The rest is added where replicates do not show it.
+/// Sets `rounding` of all values in the table: the part of the rounding errors that differs between
+/// replicates, in units of the step scatter T that makes the mean square of the deviations, each
+/// over its variance T + rounding, equal to 1.
+/// Source: Paule and Mandel, J. Res. Natl. Bur. Stand. 87 (1982) 377.
+void weigh_rounding(ReplicateTable& table, const std::vector<Reading>& readings);
+
+/// Adds the error of rounding, of variance resolution^2/12, to the covariances of the readings; the
+/// part that replicates have in common as an error that they share.
 /// @param stated variances given with the readings, rounding included; 0 where none
-/// @param scatter_known by observable: whether scatter was estimated from replicates or stated
 void add_rounding(const ReplicateTable& table, const std::vector<Eigen::Vector2d>& stated,
-                  const std::array<bool, 2>& scatter_known, std::vector<Reading>& readings);
+                  std::vector<Reading>& readings);
 
 }  // namespace pendular

@@ -18,9 +18,16 @@ constexpr double worth_an_exponent = 6.63;
 
 /// Sets scatter differently from this probability on that chance alone makes them differ so.
 constexpr double unlike = 0.01;
+/// A set that scatters unlike others stands for itself from so many degrees of freedom on: what it
+/// were drawn towards others by would be a bias of its errors.
+constexpr double enough_alone = 5;
+
+double load_variance(const ReplicatedValue& value, double exponent) {
+    return std::pow(value.load, -2 * exponent);
+}
 
 double shape(const ReplicatedValue& value, double exponent) {
-    return std::pow(value.load, -exponent);
+    return std::sqrt(load_variance(value, exponent) + value.rounding);
 }
 
 /// Takes the mean of its condition out of each column, weighted as least squares does.
@@ -64,13 +71,14 @@ ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double e
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, 1 + f);
     ScatterSums sums;
     sums.of_file.assign(files.empty() ? 0 : files.back() + 1, 0.0);
-    double run_variance = 0;
+    double run_variance = 0, step_share = 0;
     for (Eigen::Index k = 0; k < n; ++k) {
         const ReplicatedValue& value = values[static_cast<std::size_t>(k)];
         const double size = shape(value, exponent);
         columns(k, 0) = value.deviation / size;
         columns(k, 1 + (std::ranges::lower_bound(files, value.file) - files.begin())) = 1 / size;
         run_variance += value.within / (size * size);
+        step_share += load_variance(value, exponent) / (size * size);
     }
     columns = without_conditions(values, exponent, std::move(columns));
     const auto conditions =
@@ -88,23 +96,23 @@ ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double e
         sums.left_over = y - design * shifts;
         sums.within = sums.left_over.squaredNorm();
         sums.freedom_within = freedom - between_files;
-        sums.between = all - sums.within;
+        sums.between = std::max(0.0, all - sums.within);
         sums.freedom_between = between_files;
         sums.steps = design.squaredNorm();
         for (Eigen::Index k = 0; k < f; ++k) {
             sums.of_file[files[static_cast<std::size_t>(k)]] = shifts(k) - shifts.mean();
         }
     }
-    sums.run_variance = n > 0 ? run_variance / static_cast<double>(n) * sums.freedom_within : 0;
+    sums.run_variance = n > 0 ? run_variance / step_share * sums.freedom_within : 0;
     return sums;
 }
 
-double load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets) {
+LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets) {
     double freedom = 0;
     for (const auto& values : sets) {
         freedom += analyse_scatter(values, 0).freedom_within;
     }
-    if (freedom < fewest_for_exponent) return 0;
+    if (freedom < fewest_for_exponent) return {};
     // -2 log of the likelihood, each set's variance at its best, and of the prior.
     const auto badness = [&](double exponent) {
         double sum = std::pow(exponent / exponent_prior, 2);
@@ -126,7 +134,11 @@ double load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets) {
         const double exponent = largest_exponent * k / steps, here = badness(exponent);
         if (here < least) least = here, best = exponent;
     }
-    return badness(0) - least > worth_an_exponent ? best : 0;
+    if (badness(0) - least <= worth_an_exponent) return {};
+    constexpr double step = 0.1;
+    const double curvature =
+        (badness(best + step) + badness(best - step) - 2 * least) / (step * step);
+    return {best, curvature > 0 ? std::sqrt(2 / curvature) : exponent_prior};
 }
 
 namespace {
@@ -196,6 +208,10 @@ std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own) {
     const double prior = std::exp(mean + digamma(prior_freedom / 2) - std::log(prior_freedom / 2));
     std::vector<MeanSquare> result;
     for (const MeanSquare& each : own) {
+        if (each.freedom >= enough_alone) {
+            result.push_back(each);
+            continue;
+        }
         const double freedom = std::min(prior_freedom + each.freedom, pooled.freedom);
         result.push_back(
             {(prior_freedom * prior + each.freedom * each.value) / (prior_freedom + each.freedom),

@@ -14,17 +14,22 @@ struct ReplicatedValue {
     double deviation = 0;       ///< value over the mean of its condition, less 1 [1]
     double within = 0;          ///< variance within its run, relative to the value [1]
     double load = 1;            ///< normal stress over the reference [1]
+    /// Variance that rounding makes different between replicates, over that of a step at load 1
+    /// [1].
+    double rounding = 0;
 };
 
 /// Two-way analysis of variance (conditions and files) of relative deviations, each divided by
-/// load^-exponent [1].
+/// sqrt(load^(-2 exponent) + rounding) [1].
 struct ScatterSums {
     double within = 0;          ///< sum of squares left by conditions and files
     double freedom_within = 0;  ///< of it
     double between = 0;         ///< sum of squares that the files take off, conditions adjusted for
     double freedom_between = 0;
-    double steps = 0;             ///< trace of the files' design, conditions adjusted for
-    double run_variance = 0;      ///< sum of the variances within runs, times freedom_within/n
+    double steps = 0;  ///< trace of the files' design, conditions adjusted for
+    /// Part of the mean square at load 1 that the variances within runs explain, times
+    /// freedom_within.
+    double run_variance = 0;
     Eigen::VectorXd left_over;    ///< residual of each value, in the same units
     std::vector<double> of_file;  ///< shift of each file about their mean, by file; 0 if not there
 };
@@ -36,10 +41,16 @@ struct ScatterSums {
 ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double exponent,
                             bool tell_files = true);
 
-/// Exponent e of scatter ~ load^-e that is most probable for these sets of values, each with a
-/// variance of its own, with a prior of 0 +- 0.5 [1]; 0 where that is no less probable than chance
-/// allows in one of a hundred cases, or where fewer than 10 degrees of freedom tell.
-double load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
+/// How scatter depends on load: standard deviation ~ load^-value.
+struct LoadExponent {
+    double value = 0;           ///< [1]
+    double standard_error = 0;  ///< [1]; 0 where it is not estimated
+};
+
+/// Exponent that is most probable for these sets of values, each with a variance of its own, with a
+/// prior of 0 +- 0.5 [1]; 0 where that is no less probable than chance allows in one of a hundred
+/// cases, or where fewer than 10 degrees of freedom tell.
+LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
 
 /// A variance estimated with some degrees of freedom.
 struct MeanSquare {
@@ -47,8 +58,9 @@ struct MeanSquare {
     double freedom = 0;
 };
 
-/// Mean squares of sets that may scatter alike or not, each drawn towards what they have in common
-/// as far as they agree; sets without degrees of freedom get the common one.
+/// Mean squares of sets that may scatter alike or not: one for all where Bartlett's test does not
+/// tell them apart (p > 0.01); else each set's own from 5 degrees of freedom on, and below that
+/// drawn towards what they have in common as far as they agree.
 /// Source: Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3, moderated variances.
 std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own);
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "data/robust.h"
+#include "data/spikes.h"
 #include "data/step_series.h"
 #include "data/time_series.h"
 #include "data/unsteady.h"
@@ -151,6 +152,16 @@ void reduce_step(const StepSeries& series, int number, const Setting& setting,
     result.readings.push_back(reading_of(means, steady, number, setting));
 }
 
+/// Lists rows of a step whose torque, force or gap was replaced.
+void exclude_spikes(const StepSeries& series, const std::vector<std::size_t>& rows,
+                    const std::string& file, Measurements& result) {
+    for (const std::size_t k : rows) {
+        result.excluded.push_back({{file, series.line[k], 0},
+                                   series.line[k],
+                                   "spike: torque, force or gap is far off the rows around it"});
+    }
+}
+
 /// Adds a note on some steps of a file, if there are any.
 void note_steps(const std::vector<int>& steps, const std::string& file, const std::string& what,
                 Measurements& result) {
@@ -177,16 +188,24 @@ Measurements reduce_recording(const Recording& recording, const AnnularCell& cel
                     least_step(recording.torque),
                     least_step(recording.height)};
     Measurements result;
-    std::vector<int> flipped, interpolated, coarse;
+    std::vector<int> flipped, interpolated, coarse, spiked;
     int number = 0;
     for (const Step& step : split_steps(recording)) {
-        const StepSeries series = step_series(recording, step);
+        StepSeries series = step_series(recording, step);
         ++number;
+        if (const auto rows = take_out_spikes(series); !rows.empty()) {
+            spiked.push_back(number);
+            exclude_spikes(series, rows, recording.file, result);
+        }
         if (series.flipped) flipped.push_back(number);
         if (series.interpolated) interpolated.push_back(number);
         setting.time_shift = clock.shift(recording.time[step.begin], recording.time[step.end - 1]);
         reduce_step(series, number, setting, coarse, result);
     }
+    note_steps(spiked, recording.file,
+               "single rows jump far off their neighbours and back; they were left out (listed in "
+               "excluded.csv). Look for a disturbance, or a wrong column",
+               result);
     note_steps(flipped, recording.file, "the torque was negative; its sign was flipped", result);
     note_steps(interpolated, recording.file,
                "samples are unevenly spaced in time; interpolated to even spacing", result);

@@ -23,6 +23,8 @@ namespace pendular {
 /// that only read wrong add up. (T/F is the slope of a cohesionless material; with cohesion it is
 /// smaller, and this error a little too large.)
 ///
+/// Single rows that jump far off their neighbours and back (`spikes`) are left out first.
+///
 /// A step whose steady part covers less than the choice's least strain is no steady shear, however
 /// constant it looks: grains forget their arrangement over strains of order 1. It is left out, with
 /// what it looks like instead.

@@ -132,8 +132,9 @@ Figure calibration_figure(const DryStudy& study) {
     const std::string corrected = names_of(study.effects(true)),
                       with = names_of(study.effects(false));
     Figure figure{.name = "calibration",
-                  .title = fmt::format("Calibrated friction μ = {:.3f} ± {:.3f}", study.friction(),
-                                       c.fit.standard_error(0)),
+                  .title = fmt::format("Calibrated friction μ = {:.3f} ± {:.3f}{}",
+                                       study.friction(), c.fit.standard_error(0),
+                                       corrected.empty() ? "" : ", with " + corrected),
                   .panels = {},
                   .stacked = true};
     const double slow = study.model.simulation().inertial_numbers().front();
@@ -141,7 +142,7 @@ Figure calibration_figure(const DryStudy& study) {
         Panel panel{.x_label = friction_label,
                     .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
         panel.references.push_back({corrected.empty() ? "measured, ± 1 standard error"
-                                                      : "measured, corrected for " + corrected,
+                                                      : "measured, corrected for the instrument",
                                     measured.value[o], measured.error[o], false, measured_colour});
         panel.references.push_back({"calibrated, ± 1 standard error", study.friction(),
                                     c.fit.standard_error(0), true, calibrated_colour});

@@ -179,7 +179,7 @@ std::string panel_script(const Figure& figure, std::size_t p, const Page& page) 
 
 std::string page_script(const Figure& figure, const Page& page, const Ink& marks) {
     std::string text =
-        fmt::format("set multiplot title {} font ',13'\n", gnuplot_string(figure.title));
+        fmt::format("set multiplot title {} font ',13'\n", gnuplot_string(page.title));
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
         text += panel_script(figure, p, page);
     }

@@ -10,7 +10,7 @@ namespace pendular {
 namespace {
 
 // All lengths in inches.
-constexpr double title_height = 0.38;
+constexpr double title_height = 0.38, title_line = 0.24, title_character = 0.078;
 constexpr double left_margin = 1.1, right_margin = 0.3, bottom_margin = 0.62, top_margin = 0.1;
 constexpr double outside_key_width = 2.75;
 struct Size {
@@ -160,6 +160,26 @@ PaperPoint PanelPlace::at(double value_x, double value_y) const {
             bottom + share(value_y, y, log_y) * (top - bottom)};
 }
 
+namespace {
+
+/// The text with line ends behind commas or blanks, so that no line is wider than a page.
+std::string wrapped_title(const std::string& title, double page_width) {
+    const auto most = static_cast<std::size_t>(page_width / title_character);
+    if (shown_characters(title) <= most) return title;
+    for (const std::string_view mark : {", ", " "}) {
+        // The last place before which the text fits.
+        for (std::size_t at = title.rfind(mark); at != std::string::npos && at > 0;
+             at = title.rfind(mark, at - 1)) {
+            const std::size_t end = at + mark.size() - 1;
+            if (shown_characters(title.substr(0, end)) > most) continue;
+            return title.substr(0, end) + "\n" + wrapped_title(title.substr(end + 1), page_width);
+        }
+    }
+    return title;
+}
+
+}  // namespace
+
 Page page_of(const Figure& figure) {
     const Size usual = figure.panels.size() == 1 ? alone
                        : figure.stacked          ? above_another
@@ -195,6 +215,8 @@ Page page_of(const Figure& figure) {
         place.bottom += page.height;
         place.top += page.height;
     }
+    page.title = wrapped_title(figure.title, page.width);
+    page.height += title_line * static_cast<double>(std::ranges::count(page.title, '\n'));
     return page;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,7 @@ constexpr double name_line = 0.19;
 /// drawn in inches and keep their shape.
 struct Page {
     double width = 0, height = 0;  ///< [inch]
+    std::string title;             ///< in as many lines as the width needs
     std::vector<PanelPlace> panels;
 };
 Page page_of(const Figure& figure);

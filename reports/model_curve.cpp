@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "calib/wet_groups.h"
+#include "data/number.h"
 #include "reports/figure_text.h"
 
 namespace pendular {
@@ -95,7 +96,7 @@ std::string text_of(double number, Apart apart, const std::vector<std::string>& 
                     const Calibration& c) {
     switch (apart) {
         case Apart::normal_stress:
-            return fmt::format("σ_{{22}} = {:.3g} Pa", number);
+            return fmt::format("σ_{{22}} = {} Pa", short_text(number));
         case Apart::bead_volume:
             return fmt::format("{:.3g} g of beads", 1e3 * c.grains.density * number);
         case Apart::file:
@@ -186,6 +187,12 @@ std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
     };
     std::vector<CurveGroup> best = {{.members = members}};
     bool told = judge(best);
+    // One criterion alone serves, or else one after the other.
+    for (auto by = apart.begin(); by != apart.end() && !told; ++by) {
+        std::vector<CurveGroup> finer = divided(best.front(), *by, c);
+        if (finer.size() > most_series || !judge(finer)) continue;
+        return finer;
+    }
     for (auto by = apart.begin(); by != apart.end() && !told; ++by) {
         std::vector<CurveGroup> finer;
         for (const CurveGroup& series : best) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "data/number.h"
 #include "reports/with_error.h"
 
 namespace pendular {
@@ -50,20 +51,21 @@ std::vector<std::string> scatter_table(const Measurements& measurements) {
     }
     if (lines.empty()) return lines;
     lines.insert(lines.begin(),
-                 fmt::format("scatter between repetitions [% of the value], at {:.3g} Pa{}:",
-                             scatter.reference_stress,
+                 fmt::format("scatter between repetitions [% of the value], at {} Pa{}:",
+                             short_text(scatter.reference_stress),
                              scatter.stated ? ", as stated in [scatter]" : ""));
     lines.insert(lines.begin() + 1, fmt::format("  {:>8} {:>8}", "stress", "fraction"));
     const auto& [stress, fraction] = scatter.filling;
-    if (stress.freedom_between > 0) {
+    if (stress.variance > 0 || fraction.variance > 0) {
         lines.push_back(fmt::format("  {:>8.2f} {:>8.2f}   shared by all steps of a filling",
                                     100 * std::sqrt(stress.variance),
                                     100 * std::sqrt(fraction.variance)));
     }
     if (scatter.load_exponent.cwiseAbs().maxCoeff() > 0.05) {
-        lines.push_back(fmt::format("  step scatter grows as normal stress to the power {:.2f} "
-                                    "(stress), {:.2f} (fraction)",
-                                    -scatter.load_exponent(0), -scatter.load_exponent(1)));
+        lines.push_back(
+            fmt::format("  step scatter grows as normal stress to the power {:.2f} "
+                        "(stress), {:.2f} (fraction)",
+                        -scatter.load_exponent(0), -scatter.load_exponent(1)));
     }
     return lines;
 }

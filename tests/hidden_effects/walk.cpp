@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 
 const fs::path here = fs::path(PENDULAR_SOURCE_DIR) / "tests/hidden_effects";
 
-nlohmann::json told(const std::string& command) {
+nlohmann::json told(const std::string& command, const std::vector<int>& codes = {0}) {
     const Outcome outcome = run_pendular(command + " --quiet --json -");
-    EXPECT_EQ(outcome.code, 0) << command << outcome.errors;
+    EXPECT_THAT(codes, testing::Contains(outcome.code)) << command << outcome.errors;
     return nlohmann::json::parse(outcome.output, nullptr, false);
 }
 
@@ -60,7 +60,8 @@ TEST_P(HiddenEffects, AreFoundByTheWholeWalk) {
     const std::string path = (folder.path() / "study").string();
     fs::copy(here / GetParam(), path, fs::copy_options::recursive);
 
-    const auto fit = told("calibrate " + path + " --no-confirm");
+    // What is hidden may drive the friction to the end of its range: a meaningless fit, code 3.
+    const auto fit = told("calibrate " + path + " --no-confirm", {0, 3});
     const auto compared = told("compare " + path);
     const auto diagnosis = told("diagnose " + path);
     const Truth truth = truth_of(GetParam());
