@@ -9,8 +9,9 @@
 
 namespace pendular {
 
-/// An error that entries of several readings share, such as that of a filling: what is known of the
-/// variance of its sources, from the mean squares of an analysis of variance,
+/// An error that entries of several readings share, such as that of a filling. An entry is one
+/// observable of one reading. What is known of the variance of its sources comes from the mean
+/// squares of an analysis of variance,
 ///     variance = max(0, between - within)/steps.
 struct SharedErrors {
     Eigen::MatrixXd loadings;  ///< entries x sources: what a source of variance 1 adds to entries

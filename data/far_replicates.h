@@ -13,8 +13,8 @@ struct FarReplicates {
     /// Variance to add to (stress ratio, solid fraction) of each reading, relative to their
     /// squares [1]; 0 for readings that agree with their replicates.
     std::vector<Eigen::Vector2d> variance;
-    /// Clusters and observables whose files differ so much that they tell nothing about usual
-    /// fillings, while it is unknown which file is wrong.
+    /// Clusters and observables that are left out of the pooled error of fillings: their files
+    /// differ far too much, and it is unknown which of them is wrong.
     std::set<std::pair<std::size_t, Eigen::Index>> unlike;
     std::vector<Doubt> doubts;  ///< one for each file or condition found
 };

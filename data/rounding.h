@@ -12,10 +12,10 @@ namespace pendular {
 /// the Fourier series of the rounding error.
 double rounding_correlation(double scatter);
 
-/// Sets `rounding` of all values in the table: the part of the rounding errors that differs between
-/// replicates, in units of the step scatter T that makes the mean square of the deviations, each
-/// over its variance T + rounding, equal to 1.
-/// Source: Paule and Mandel, J. Res. Natl. Bur. Stand. 87 (1982) 377.
+/// Sets `rounding` of all values in the table. That is the variance of the part of rounding errors
+/// that differs between replicates, divided by T, the relative variance [1] of a step. T is chosen
+/// so that squared deviations, each divided by its own variance (T plus that of rounding), have a
+/// mean of 1. Source: Paule and Mandel, J. Res. Natl. Bur. Stand. 87 (1982) 377.
 void weigh_rounding(ReplicateTable& table, const std::vector<Reading>& readings);
 
 /// Adds the error of rounding, of variance resolution^2/12, to the covariances of the readings; the

@@ -23,7 +23,7 @@ struct ReplicatedValue {
 /// sqrt(load^(-2 exponent) + rounding) [1].
 struct ScatterSums {
     double within = 0;          ///< sum of squares left by conditions and files
-    double freedom_within = 0;  ///< of it
+    double freedom_within = 0;  ///< degrees of freedom of `within`
     double between = 0;         ///< sum of squares that the files take off, conditions adjusted for
     double freedom_between = 0;
     double steps = 0;  ///< trace of the files' design, conditions adjusted for
@@ -52,7 +52,7 @@ struct LoadExponent {
 /// cases, or where fewer than 10 degrees of freedom tell.
 LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
 
-/// A variance estimated with some degrees of freedom.
+/// Variance of relative deviations [1], estimated with some degrees of freedom.
 struct MeanSquare {
     double value = 0;
     double freedom = 0;
