@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace pendular {
 namespace {
@@ -18,14 +19,6 @@ bool out_of_range(const Fit& fit, const std::vector<Parameter>& parameters, std:
     const double at = fit.parameters(static_cast<Eigen::Index>(k));
     const bool lower = std::abs(at - p.lower) < std::abs(at - p.upper);
     return fit.at_bound[k] && (friction || !lower || p.lower != 0);
-}
-
-std::size_t readings_set_aside(const Measurements& measurements) {
-    std::size_t count = 0;
-    for (const Doubt& doubt : measurements.doubts) {
-        if (doubt.set_aside) count += doubt.origins.size();
-    }
-    return count;
 }
 
 }  // namespace
@@ -58,6 +51,16 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
     belief.meaningless = (undescribed && !fit.at_bound.empty() && fit.at_bound[0]) ||
                          aside > measurements.readings.size();
     return belief;
+}
+
+std::size_t readings_set_aside(const Measurements& measurements) {
+    std::set<std::pair<std::string, int>> rows;
+    for (const Doubt& doubt : measurements.doubts) {
+        if (!doubt.set_aside) continue;
+        for (const Position& origin : doubt.origins)
+            rows.emplace(origin.file, origin.line);
+    }
+    return rows.size();
 }
 
 std::string error_basis(const Measurements& measurements) {

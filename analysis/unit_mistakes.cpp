@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <set>
 
 #include "data/grains.h"
 
@@ -37,11 +38,12 @@ const std::vector<Factor> gravity_factors = {
     {gravity / 100, "numbers in gf cm were read as mN m"},
     {1 / gravity, "numbers in newton were read as kilogram-force"}};
 
+constexpr std::string_view wrong_prefix = "a prefix of the unit is wrong";
+
 std::vector<Factor> with_powers_of_ten(std::vector<Factor> factors, int most) {
-    static constexpr std::string_view meaning = "a prefix of the unit is wrong";
     for (int n = 1; n <= most; ++n) {
-        factors.push_back({std::pow(10.0, n), meaning});
-        factors.push_back({std::pow(10.0, -n), meaning});
+        factors.push_back({std::pow(10.0, n), wrong_prefix});
+        factors.push_back({std::pow(10.0, -n), wrong_prefix});
     }
     return factors;
 }
@@ -184,18 +186,23 @@ struct Trial {
     std::vector<std::size_t> changed;  ///< places of those that differ
 };
 
-bool has_column(const Reading& reading, const std::string& file, const Column& column) {
-    return (file.empty() || reading.origin.file == file) &&
+/// Files whose columns may all be in the same wrong unit.
+struct FileGroup {
+    std::set<std::string> files;
+    std::string name;  ///< as in "the torque of wet_1.csv": "of wet_1.csv"
+};
+
+bool has_column(const Reading& reading, const FileGroup& group, const Column& column) {
+    return group.files.contains(reading.origin.file) &&
            !(column.name == "liquid content" && reading.condition.dry());
 }
 
 /// None if the factor changes no reading or makes one impossible.
-/// @param file all files if empty
-std::optional<Trial> multiplied(const std::vector<Reading>& readings, const std::string& file,
+std::optional<Trial> multiplied(const std::vector<Reading>& readings, const FileGroup& group,
                                 const Column& column, double factor, const Study& study) {
     Trial trial{.readings = readings, .changed = {}};
     for (std::size_t k = 0; k < readings.size(); ++k) {
-        if (!has_column(readings[k], file, column)) continue;
+        if (!has_column(readings[k], group, column)) continue;
         column.multiply(trial.readings[k], factor);
         if (!possible(trial.readings[k], study)) return std::nullopt;
         trial.changed.push_back(k);
@@ -220,15 +227,37 @@ double chi2_of(const Trial& trial, const Column& column, const Misfits& misfits,
     return Misfits::least(trial.readings, predictions);
 }
 
-/// An empty name, which stands for all files, then each file's where there are several.
-std::vector<std::string> files_to_try(const std::vector<Reading>& readings) {
-    std::vector<std::string> files = {""};
-    for (const Reading& reading : readings) {
-        if (std::ranges::find(files, reading.origin.file) == files.end())
-            files.push_back(reading.origin.file);
+/// All files, those of each entry of the study, and each file; no set of files twice.
+std::vector<FileGroup> groups_to_try(const std::vector<Reading>& readings, const Study& study) {
+    std::set<std::string> all;
+    for (const Reading& reading : readings)
+        all.insert(reading.origin.file);
+    std::vector<FileGroup> groups = {{.files = all, .name = "of all recordings"}};
+    const auto add = [&](const FileGroup& group) {
+        if (!group.files.empty() &&
+            std::ranges::find(groups, group.files, &FileGroup::files) == groups.end())
+            groups.push_back(group);
+    };
+    for (const Source& source : study.sources) {
+        FileGroup entry{.files = {}, .name = "of the files " + source.pattern};
+        for (const auto& file : source.files) {
+            if (all.contains(file.string())) entry.files.insert(file.string());
+        }
+        if (entry.files.size() > 1) add(entry);
     }
-    if (files.size() == 2) files.pop_back();
-    return files;
+    for (const std::string& file : all)
+        add({.files = {file}, .name = "of " + std::filesystem::path(file).filename().string()});
+    return groups;
+}
+
+/// Whether a factor mends better than the best so far, or as well and is likelier.
+/// @param dof degrees of freedom, by which chi2 varies by chance
+bool better(double chi2, const Factor& factor, const std::optional<UnitMistake>& best, int dof) {
+    if (!best) return true;
+    const double alike = std::sqrt(2.0 * dof);
+    const bool prefix = factor.meaning == wrong_prefix, best_is_prefix = best->unit == wrong_prefix;
+    const double handicap = prefix == best_is_prefix ? 0 : prefix ? alike : -alike;
+    return chi2 + handicap < best->chi2_after;
 }
 
 }  // namespace
@@ -237,8 +266,7 @@ std::string UnitMistake::sentence() const {
     return fmt::format(
         "Multiplying the {} {} by {:.4g} takes chi2 from {:.3g} to {:.2g} for {} degrees of "
         "freedom, as if {}: check the unit in the file.",
-        column, file.empty() ? "of all recordings" : "of " + file, factor, chi2_before, chi2_after,
-        dof, unit);
+        column, files, factor, chi2_before, chi2_after, dof, unit);
 }
 
 std::optional<UnitMistake> find_unit_mistake(const FlowModel& model,
@@ -251,17 +279,17 @@ std::optional<UnitMistake> find_unit_mistake(const FlowModel& model,
     const int dof = std::max(1, static_cast<int>(2 * readings.size()) - 1);
     if (before < bad_enough * dof) return std::nullopt;
     std::optional<UnitMistake> best;
-    for (const std::string& file : files_to_try(readings)) {
+    for (const FileGroup& group : groups_to_try(readings, study)) {
         for (const Column& column : columns()) {
             for (const Factor& factor : column.factors) {
-                const auto trial = multiplied(readings, file, column, factor.value, study);
+                const auto trial = multiplied(readings, group, column, factor.value, study);
                 if (!trial) continue;
                 const double after = chi2_of(*trial, column, misfits, as_read);
                 if (after > mended * before || after > good_enough * dof ||
-                    (best && after >= best->chi2_after))
+                    !better(after, factor, best, dof))
                     continue;
                 best = UnitMistake{.column = std::string(column.name),
-                                   .file = std::filesystem::path(file).filename().string(),
+                                   .files = group.name,
                                    .factor = factor.value,
                                    .unit = std::string(factor.meaning),
                                    .chi2_before = before,

@@ -13,9 +13,9 @@ namespace pendular {
 /// A column that may have been read in a wrong unit: the factor on it that mends the misfit.
 struct UnitMistake {
     std::string column;  ///< "angular velocity"
-    std::string file;    ///< none: that of all files
+    std::string files;   ///< "of all recordings", "of wet_1.csv" or "of the files dry_*.csv"
     double factor = 1;   ///< the column's numbers have to be multiplied by it
-    std::string unit;    ///< what that factor is: "60/2pi: rad/s were written as rpm"
+    std::string unit;    ///< what the factor means: "numbers in rpm were read as rad/s"
     double chi2_before = 0, chi2_after = 0;  ///< of all readings, errors of the model as a floor
     int dof = 0;
 
@@ -23,10 +23,12 @@ struct UnitMistake {
     std::string sentence() const;
 };
 
-/// Looks for one column, of all recordings or of one file, whose numbers multiplied by a factor of
-/// 10^n, 2 pi, 60, 57.3 or 9.81, or a combination that units have, take at least 70 % off chi2 and
-/// leave a fit that holds: for readings that no friction explains. The friction is fitted anew for
-/// each factor, other parameters stay. None where chi2 is no larger than it should be.
+/// Looks for one column whose numbers multiplied by a factor of 10^n, 2 pi, 60, 57.3 or 9.81, or a
+/// combination that units have, take at least 70 % off chi2 and leave a fit that holds: for
+/// readings that no friction explains. Tried are the column of all recordings, of the files of one
+/// entry of the study, and of one file. The friction is fitted anew for each factor, other
+/// parameters stay. Of factors that mend alike, one that two units have between them comes before a
+/// power of ten. None where chi2 is no larger than it should be.
 /// @param parameters fitted ones, friction first
 std::optional<UnitMistake> find_unit_mistake(const FlowModel& model,
                                              const std::vector<Reading>& readings,

@@ -30,6 +30,14 @@ std::string with_effects(const ModelChoice& model) {
     return names.empty() ? "" : names + ": ";
 }
 
+/// "; but not 42 predicted readings (p = 1e-9)": where what was fitted is described and what was
+/// only predicted is not.
+std::string verdict_on_predicted(const Calibration& c, const Comparison& comparison) {
+    if (c.fitted == c.readings.size() || comparison.predicted.p() >= incredible_p) return "";
+    return fmt::format("; the {} readings that were only predicted are not described (p = {:.2g})",
+                       c.readings.size() - c.fitted, comparison.predicted.p());
+}
+
 }  // namespace
 
 int compare(const std::vector<std::string>& arguments) {
@@ -79,9 +87,9 @@ int compare(const std::vector<std::string>& arguments) {
     write_json(out / "compare.json", json);
     console.line(fmt::format(
         "{}chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear "
-        "stress, {:.2f} % in solid fraction{}",
+        "stress, {:.2f} % in solid fraction{}{}",
         with_effects(c.model), comparison.total.chi2, comparison.total.dof, comparison.total.p(),
-        comparison.rms_percent[0], comparison.rms_percent[1],
+        comparison.rms_percent[0], comparison.rms_percent[1], verdict_on_predicted(c, comparison),
         verdict_on(belief, error_basis(measurements))));
     print_doubts(console, belief);
     if (c.fitted < c.readings.size()) {
@@ -107,7 +115,8 @@ int compare(const std::vector<std::string>& arguments) {
     if (!c.fit.converged) {
         console.note("the calibration had not converged");
     }
-    for (const auto& figure : comparison_figures(model, c, comparison)) {
+    for (auto figure : comparison_figures(model, c, comparison)) {
+        if (!belief.believable()) figure.title += " (in doubt: see compare.json)";
         draw(figure, out / "figures");
         console.line(
             fmt::format("figure: {}", (out / "figures" / (figure.name + ".png")).string()));

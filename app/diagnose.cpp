@@ -28,6 +28,19 @@ that would matter could hide), missing, indistinguishable (several explain the r
 suspect-measurement (one condition or file is off), unknown (something is missing that no known
 effect explains). Simulates nothing: predictions are emulated from the atlas and all stored runs.)";
 
+/// What speaks against relying on a verdict, as a sentence; empty where nothing does.
+std::string caution(const StudyDiagnosis& d) {
+    const Measurements& measurements = d.input.measurements;
+    if (const std::size_t aside = readings_set_aside(measurements); aside > 0) {
+        return fmt::format(" {} of {} readings were set aside as doubtful and have no part in it.",
+                           aside, aside + measurements.readings.size());
+    }
+    const bool said = d.diagnosis.verdict == Verdict::suspect_measurement;
+    return measurements.doubts.empty() || said
+               ? ""
+               : " The readings are in doubt: " + measurements.doubts.front().what;
+}
+
 }  // namespace
 
 int diagnose(const std::vector<std::string>& arguments) {
@@ -57,7 +70,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     auto json = to_json(diagnosis, models, d.evidence, checks);
     add_belief(json, belief);
     write_json(common->out_folder() / "diagnosis.json", json);
-    console.line(verdict_line(diagnosis, models, checks));
+    console.line(verdict_line(diagnosis, models, checks) + caution(d));
     if (d.input.measurements.doubts.empty() && !d.mistake) {
         console.line(fmt::format("The verdict rests on {}.", error_basis(d.input.measurements)));
     }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/believable.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/options.h"
@@ -11,6 +12,15 @@
 #include "reports/tables.h"
 
 namespace pendular::app {
+namespace {
+
+/// ", 8 more set aside as doubtful"; empty where none is.
+std::string set_aside_text(const Measurements& measurements) {
+    const std::size_t count = readings_set_aside(measurements);
+    return count == 0 ? "" : fmt::format(" ({} more set aside as doubtful)", count);
+}
+
+}  // namespace
 
 int import(const std::vector<std::string>& arguments) {
     Options options("import STUDY [options]",
@@ -31,9 +41,10 @@ int import(const std::vector<std::string>& arguments) {
     const auto readings = common->out_folder() / "readings.csv";
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
-    console.line(
-        fmt::format("readings: {}, ranges of rows excluded: {}; see {} and excluded.csv beside it",
-                    measurements.readings.size(), measurements.excluded.size(), readings.string()));
+    console.line(fmt::format(
+        "readings: {}{}, ranges of rows excluded: {}; see {} and excluded.csv beside it",
+        measurements.readings.size(), set_aside_text(measurements), measurements.excluded.size(),
+        readings.string()));
     for (const Doubt& doubt : measurements.doubts) {
         console.line(fmt::format("doubt: {} {}", doubt.what,
                                  doubt.set_aside ? "Set aside; see excluded.csv." : "Kept."));
@@ -43,9 +54,6 @@ int import(const std::vector<std::string>& arguments) {
     }
     for (const auto& line : scatter_table(measurements)) {
         console.line(line);
-    }
-    for (const Doubt& doubt : measurements.doubts) {
-        console.line(fmt::format("doubt: {}{}", doubt.what, doubt.set_aside ? " Set aside." : ""));
     }
     for (const auto& note : measurements.notes) {
         console.note(note);

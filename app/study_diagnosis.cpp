@@ -37,9 +37,8 @@ std::string cause_of(const std::string& quantity) {
 void suspect_measurement(StudyDiagnosis& result) {
     std::set<std::string> suspects;
     if (result.mistake) {
-        suspects.insert(fmt::format(
-            "the unit of the {} {}", result.mistake->column,
-            result.mistake->file.empty() ? "of all recordings" : "of " + result.mistake->file));
+        suspects.insert(
+            fmt::format("the unit of the {} {}", result.mistake->column, result.mistake->files));
     }
     for (const Doubt& doubt : result.input.measurements.doubts) {
         if (!doubt.set_aside && result.input.study.import.keep_implausible) {

@@ -116,13 +116,16 @@ void check_header(const Table& table) {
                          "and units first, like 'Time [s],Torque [mN m]'");
 }
 
-void check_length(const Table& table, const Row& row) {
+void check_length(const Table& table, const Row& row, bool last) {
     const std::size_t expected = table.header.cells.size();
     if (row.cells.size() == expected) return;
     const std::size_t shown = std::min(row.cells.size() - 1, expected);
-    const char* const hint = table.delimiter == ',' && row.cells.size() > expected
-                                 ? "; if commas are decimal signs here, export with '.' instead"
-                                 : "; complete or remove this line";
+    const char* const hint =
+        table.delimiter == ',' && row.cells.size() > expected
+            ? "; if commas are decimal signs here, export with '.' instead"
+        : last ? "; this is the last line: if the file was cut off, export it again, "
+                 "or remove the line"
+               : "; complete or remove this line";
     throw InputError(table.at(row, shown), fmt::format("{} cells where the header has {}{}",
                                                        row.cells.size(), expected, hint));
 }
@@ -145,7 +148,7 @@ Table read_table(const std::filesystem::path& path) {
     for (std::size_t i = first + 1; i < lines.size(); ++i) {
         if (passed_over(lines[i])) continue;
         table.rows.push_back(parser.parse(lines[i], static_cast<int>(i) + 1));
-        check_length(table, table.rows.back());
+        check_length(table, table.rows.back(), i + 1 == lines.size());
     }
     if (table.rows.empty())
         throw InputError({table.file, table.header.line},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <numbers>
 
 namespace pendular {
 namespace {
@@ -13,6 +14,9 @@ namespace {
 /// Fillings of one laboratory do not differ by more than this, relative to (stress ratio, solid
 /// fraction): a wrong column, unit or mass does.
 const Eigen::Vector2d largest_filling_difference(0.05, 0.03);
+/// Differences to be noted: as a share of the largest, and over the scatter of the files' own
+/// steps.
+constexpr double noted_share = 0.5, noted_ratio = 3;
 /// Probability per study that a condition is said to scatter too much where none does.
 constexpr double far_by_chance = 1e-3;
 constexpr double fewest_to_judge_conditions = 4;
@@ -93,22 +97,44 @@ Doubt doubt_about(Eigen::Index observable, std::string what) {
             .set_aside = false};
 }
 
+/// "a.csv, b.csv"
+std::string names_of(const ReplicateTable& table, const std::vector<std::size_t>& files) {
+    std::vector<std::string> names;
+    for (const std::size_t file : files)
+        names.push_back(table.name_of(file));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Notes files that differ from one another far more than steps within them, if they do.
+void note_unlike_files(const ReplicateTable& table, const ReplicateCluster& cluster, Eigen::Index o,
+                       FarReplicates& result) {
+    const ScatterSums sums = analyse_scatter(cluster.values[static_cast<std::size_t>(o)], 0);
+    const double difference = filling_difference(sums);
+    if (difference < noted_share * largest_filling_difference(o) || sums.freedom_within < 1) return;
+    const double of_steps = std::sqrt(sums.within / sums.freedom_within);
+    if (difference < noted_ratio * of_steps) return;
+    result.notes.push_back(fmt::format(
+        "In {}, {} differ by {:.2g} % at all conditions, while steps within a file scatter by "
+        "{:.2g} %. That is much for fillings: check whether a file's liquid content, unit or bead "
+        "mass is another's. It counts as the error of a filling.",
+        name_of(o), names_of(table, cluster.files), 100 * std::numbers::sqrt2 * difference,
+        100 * of_steps));
+}
+
 void set_files_apart(ReplicateTable& table, std::size_t place, Eigen::Index o,
                      const std::vector<Reading>& readings, FarReplicates& result) {
     ReplicateCluster& cluster = table.clusters[place];
     auto& values = cluster.values[static_cast<std::size_t>(o)];
     const double difference = filling_difference(analyse_scatter(values, 0));
-    if (difference <= largest_filling_difference(o)) return;
+    if (difference <= largest_filling_difference(o))
+        return note_unlike_files(table, cluster, o, result);
     const std::vector<std::size_t> far = far_files(cluster, o);
     const double variance = 2 * difference * difference;
-    std::vector<std::string> names;
-    for (const std::size_t file : far)
-        names.push_back(table.name_of(file));
     Doubt doubt = doubt_about(
         o, fmt::format("In {}, {} {} at all conditions, by {:.3g} %, while steps within a file "
                        "agree; check the units, the bead mass and the filling. {} weight in the "
                        "fit is cut.",
-                       name_of(o), fmt::join(names, ", "),
+                       name_of(o), names_of(table, far),
                        far.size() == 1 ? "differs from its replicates" : "differ from one another",
                        100 * std::expm1(std::sqrt(variance)), far.size() == 1 ? "Its" : "Their"));
     for (std::size_t k = 0; k < readings.size(); ++k) {

@@ -57,8 +57,8 @@ std::optional<std::string> grain_weight_note(const Study& study,
     return fmt::format(
         "The weight of the grains adds {:.0f} Pa over the depth, more than 10 % of the normal "
         "stress in {} of {} readings ({}; {}): shear may gather under the lid, and the normal "
-        "stress at mid-height is higher than shown. To include the weight in the model: pendular "
-        "add {} grain-weight",
+        "stress at mid-height is higher than shown. Whether the readings show it: pendular "
+        "diagnose {}",
         weight, count, readings.size(), named(files), range_of(least, greatest),
         folder.empty() ? "." : folder.string());
 }

@@ -2,6 +2,7 @@
 
 #include "data/contradictions.h"
 #include "data/copies.h"
+#include "data/cut_files.h"
 #include "data/grain_weight.h"
 #include "data/plausibility.h"
 #include "data/readings.h"
@@ -84,6 +85,7 @@ Measurements read_measurements(const Study& study) {
             append(all, read_file(file, source, study, before));
     count_readings_once(all);
     doubt_impossible_readings(all, study);
+    append(all.notes, notes_on_cut_files(study, all.readings));
     pool_replicates(all, study.scatter);
     if (const auto note = grain_weight_note(study, all.readings)) all.notes.push_back(*note);
     return all;

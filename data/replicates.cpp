@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -67,6 +68,7 @@ class Pooling {
         apart_ = set_far_replicates_apart(table_, readings_);
         weigh_rounding(table_, readings_);  // by the scatter without those apart
         all_.doubts.insert(all_.doubts.end(), apart_.doubts.begin(), apart_.doubts.end());
+        all_.notes.insert(all_.notes.end(), apart_.notes.begin(), apart_.notes.end());
         find_load_exponents();
         estimate_fillings();
         estimate_steps();
@@ -122,13 +124,20 @@ class Pooling {
 };
 
 void Pooling::find_load_exponents() {
+    // Both observables have one cause for it, so they are judged together: by chance the evidence
+    // of the two is as large in 5 of 100 studies.
+    constexpr double enough = 5.99;
+    std::array<LoadExponent, 2> found;
     for (const Eigen::Index o : {0, 1}) {
         std::vector<std::vector<ReplicatedValue>> sets;
         for (const ReplicateCluster& cluster : table_.clusters)
             sets.push_back(cluster.values[static_cast<std::size_t>(o)]);
-        const LoadExponent found = load_exponent(sets);
-        all_.scatter.load_exponent(o) = found.value;
-        all_.scatter.load_exponent_error(o) = found.standard_error;
+        found[static_cast<std::size_t>(o)] = load_exponent(sets);
+    }
+    if (found[0].evidence + found[1].evidence < enough) return;
+    for (const Eigen::Index o : {0, 1}) {
+        all_.scatter.load_exponent(o) = found[static_cast<std::size_t>(o)].value;
+        all_.scatter.load_exponent_error(o) = found[static_cast<std::size_t>(o)].standard_error;
     }
 }
 

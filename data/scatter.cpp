@@ -13,11 +13,9 @@ namespace {
 
 constexpr double exponent_prior = 0.5, largest_exponent = 2;
 constexpr double fewest_for_exponent = 10;
-/// Rise of -2 log likelihood that an exponent of 0 must cost: one in a hundred by chance.
-constexpr double worth_an_exponent = 6.63;
 
 /// Sets scatter differently from this probability on that chance alone makes them differ so.
-constexpr double unlike = 0.01;
+constexpr double unlike = 0.002;
 /// A set that scatters unlike others stands for itself from so many degrees of freedom on: what it
 /// were drawn towards others by would be a bias of its errors.
 constexpr double enough_alone = 5;
@@ -129,16 +127,17 @@ LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets
         return sum;
     };
     constexpr int steps = 80;
-    double best = 0, least = badness(0);
+    double best = 0, least = INFINITY;
     for (int k = -steps; k <= steps; ++k) {
         const double exponent = largest_exponent * k / steps, here = badness(exponent);
         if (here < least) least = here, best = exponent;
     }
-    if (badness(0) - least <= worth_an_exponent) return {};
     constexpr double step = 0.1;
     const double curvature =
         (badness(best + step) + badness(best - step) - 2 * least) / (step * step);
-    return {best, curvature > 0 ? std::sqrt(2 / curvature) : exponent_prior};
+    return {.value = best,
+            .standard_error = curvature > 0 ? std::sqrt(2 / curvature) : exponent_prior,
+            .evidence = badness(0) - least};
 }
 
 namespace {

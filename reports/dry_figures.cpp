@@ -142,7 +142,7 @@ Figure calibration_figure(const DryStudy& study) {
         Panel panel{.x_label = friction_label,
                     .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
         panel.references.push_back({corrected.empty() ? "measured, ± 1 standard error"
-                                                      : "measured, corrected for the instrument",
+                                                      : "corrected measurement, ± 1 standard error",
                                     measured.value[o], measured.error[o], false, measured_colour});
         panel.references.push_back({"calibrated, ± 1 standard error", study.friction(),
                                     c.fit.standard_error(0), true, calibrated_colour});

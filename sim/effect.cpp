@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <stdexcept>
 
@@ -47,8 +46,7 @@ EffectParameter on_switch(std::string meaning) {
 double Values::operator[](std::string_view name) const {
     const auto found = std::ranges::find(parameters_, name, &EffectParameter::name);
     if (found == parameters_.end()) {
-        fmt::print(stderr, "no parameter '{}' in an effect\n", name);
-        std::abort();
+        throw std::logic_error(fmt::format("no parameter '{}' in an effect", name));
     }
     return values_[static_cast<std::size_t>(found - parameters_.begin())];
 }

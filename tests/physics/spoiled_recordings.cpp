@@ -30,6 +30,7 @@ struct Spoiling {
     std::string name;
     std::function<void(const fs::path& study)> spoil;
     std::vector<Fate> allowed;
+    std::string says = {};  ///< in what is printed
 };
 
 void PrintTo(const Spoiling& spoiling, std::ostream* out) {
@@ -152,6 +153,19 @@ const std::vector<Spoiling> spoilings = {
     {"angular velocity in rpm read as rad/s", in_all(times(speed, 60 / turn)), caught},
     {"angular velocity in Hz read as rad/s", in_all(times(speed, 1 / turn)), caught},
     {"angular velocity in deg/s read as rad/s", in_all(times(speed, 360 / turn)), caught},
+    {"angular velocity in rad/s read as rpm", in_all(times(speed, turn / 60)), any,
+     "numbers in rad/s were read as rpm"},
+    {"torque in N m in the files of one content", in("wet_0.03", times(torque, 1e-3)), caught,
+     "a torque 1000 times larger"},
+    {"torque 10 % too large in one file", in("wet_0.03_1", times(torque, 1.1)), any,
+     "wet_0.03_1.csv, wet_0.03_2.csv differ"},
+    {"two wet files swapped",
+     [](const fs::path& study) {
+         fs::rename(study / "wet_0.03_1.csv", study / "kept");
+         fs::rename(study / "wet_0.007_2.csv", study / "wet_0.03_1.csv");
+         fs::rename(study / "kept", study / "wet_0.007_2.csv");
+     },
+     any},
     {"angular velocity in rpm in one wet file", in("wet_0.03_1", times(speed, 60 / turn)), any},
     {"angular velocity in deg/s in one dry file", in("dry_1", times(speed, 360 / turn)), any},
     {"gap in um read as mm", in_all(times(gap, 1e3)), caught},
@@ -226,6 +240,9 @@ const std::vector<Spoiling> spoilings = {
          fs::resize_file(file, fs::file_size(file) - 30);
      },
      any},
+    {"half a file",
+     in("wet_0.03_2", [](Cells& cells) { cells.rows.resize(cells.rows.size() / 2); }), any,
+     "wet_0.03_2.csv ends after step"},
     {"a cell that is nan",
      in("dry_1", [](Cells& cells) { cells.rows[99][1] = "nan"; }),
      {Fate::refused}},
@@ -254,9 +271,8 @@ TEST_P(SpoiledRecordings, AreNotBelievedInSilence) {
     fs::copy(fs::path(PENDULAR_SOURCE_DIR) / "examples/wet", study, fs::copy_options::recursive);
     fs::remove_all(study / "out");
     GetParam().spoil(study);
-    const Outcome run =
-        run_pendular("calibrate " + study.string() + " --no-confirm --quiet --json " +
-                     (folder.path() / "fit.json").string());
+    const Outcome run = run_pendular("calibrate " + study.string() + " --no-confirm --json " +
+                                     (folder.path() / "fit.json").string());
     ASSERT_NE(run.code, 1) << run.errors;
     Fate fate = Fate::refused;
     std::string value = run.errors.substr(0, run.errors.find('\n'));
@@ -277,6 +293,7 @@ TEST_P(SpoiledRecordings, AreNotBelievedInSilence) {
     }
     std::printf("| %s | %s |\n", GetParam().name.c_str(), name_of(fate).c_str());
     EXPECT_THAT(GetParam().allowed, testing::Contains(fate)) << value;
+    EXPECT_THAT(run.output + run.errors, testing::HasSubstr(GetParam().says));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfWetBeads, SpoiledRecordings, testing::ValuesIn(spoilings),

@@ -163,7 +163,9 @@ TEST_F(ContradictoryStudy, DoesNotMindColumnsItCannotRead) {
 std::optional<std::string> published(const std::string& name) {
     const char* const samples = std::getenv("PENDULAR_SAMPLES");
     if (!samples) return std::nullopt;
-    std::ifstream stream(std::filesystem::path(samples) / "antonpaar_powder" / name);
+    const auto file = std::filesystem::path(samples) / "antonpaar_powder" / name;
+    if (!std::filesystem::exists(file)) throw std::runtime_error(file.string() + " is missing");
+    std::ifstream stream(file);
     std::string text =
         "Interval,Point,Time [s],Gap [mm],Normal force [N],Normal stress [Pa],Torque [mN m],"
         "Shear stress [Pa],Speed [1/min]\n";

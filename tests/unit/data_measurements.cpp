@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "data/study.h"
 #include "data/write_tables.h"
@@ -133,6 +134,27 @@ TEST(Examples, PolystyreneHoldsThePublishedDryReading) {
     EXPECT_DOUBLE_EQ(study.liquid->viscosity, 50e-3);
 }
 
+TEST_F(ReadMeasurements, NotesAFileThatEndsBeforeItsReplicate) {
+    // Two steps, the second at twice the force; the other file ends after the first.
+    const std::string one = recording(1, 1);
+    std::string two = recording(1.01, 2);
+    std::istringstream rows(recording(2, 3));
+    std::string row;
+    std::getline(rows, row);
+    for (int i = 0; std::getline(rows, row); ++i) {
+        row.replace(row.find(",5,"), 3, ",10,");
+        two += fmt::format("{}{}\n", 0.1 * (200 + i), row.substr(row.find(',')));
+    }
+    folder_.write("dry_1.csv", one);
+    folder_.write("dry_2.csv", two);
+    const auto notes = read_measurements(read_study(folder_.path())).notes;
+    EXPECT_THAT(notes, testing::Contains(testing::AllOf(HasSubstr("dry_1.csv ends after step 1"),
+                                                        HasSubstr("dry_2.csv goes on to step 2"))));
+    folder_.write("dry_2.csv", recording(1.01, 4));
+    EXPECT_THAT(read_measurements(read_study(folder_.path())).notes,
+                testing::Not(testing::Contains(HasSubstr("ends after"))));
+}
+
 TEST_F(ReadMeasurements, NotesTheWeightOfTheGrainsOnce) {
     // M g/A = 0.06 kg x 9.81 m/s^2/(pi (45^2 - 21^2) mm^2) = 118 Pa, above a tenth of 5 N/A = 1
     // kPa.
@@ -140,7 +162,7 @@ TEST_F(ReadMeasurements, NotesTheWeightOfTheGrainsOnce) {
         folder_.write("study.toml", text);
         std::vector<std::string> notes = read_measurements(read_study(folder_.path())).notes;
         std::erase_if(notes, [](const std::string& note) {
-            return note.find("grain-weight") == std::string::npos;
+            return note.find("weight of the grains") == std::string::npos;
         });
         return notes;
     };
@@ -153,7 +175,7 @@ TEST_F(ReadMeasurements, NotesTheWeightOfTheGrainsOnce) {
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_THAT(notes[0], HasSubstr("118 Pa"));
     EXPECT_THAT(notes[0], HasSubstr("3 of 3 readings (dry_1.csv, dry_2.csv, wet_1.csv; 1005 Pa)"));
-    EXPECT_THAT(notes[0], HasSubstr("pendular add " + folder_.path().string() + " grain-weight"));
+    EXPECT_THAT(notes[0], HasSubstr("pendular diagnose " + folder_.path().string()));
     EXPECT_TRUE(weight_notes(study_text).empty());
     EXPECT_TRUE(weight_notes(heavy + "[model]\neffects = [\"grain-weight\"]\n").empty());
 }

@@ -258,6 +258,22 @@ TEST(Replicates, AreNotWidenedByOneFileInOtherUnits) {
     EXPECT_GT(relative_variance(wrong.readings[31], 0), 1);
 }
 
+TEST(Replicates, AreNotedWhereFillingsDifferMuch) {
+    std::mt19937_64 random(8);
+    Measurements all = four_files(random, {0, 0});
+    for (Reading& one : all.readings) {
+        if (one.origin.file == "file_3.csv") one.value(0) *= 1.05;
+    }
+    pool_replicates(all);
+    EXPECT_TRUE(all.doubts.empty());
+    EXPECT_THAT(all.notes, testing::Contains(AllOf(HasSubstr("shear stress"),
+                                                   HasSubstr("file_2.csv, file_3.csv differ by"),
+                                                   HasSubstr("liquid content"))));
+    Measurements alike = four_files(random, {0.005, 0});
+    pool_replicates(alike);
+    EXPECT_THAT(alike.notes, testing::Not(testing::Contains(HasSubstr("differ by"))));
+}
+
 TEST(Replicates, ScatterMoreAtLowLoad) {
     // Two pairs of twenty conditions tell the exponent to about 0.15, and the prior of 0 +- 0.5
     // pulls it by a tenth: the mean over 50 laboratories lies between 0.5 and 0.8.
