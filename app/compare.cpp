@@ -89,7 +89,8 @@ int compare(const std::vector<std::string>& arguments) {
         "{}chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear "
         "stress, {:.2f} % in solid fraction{}{}",
         with_effects(c.model), comparison.total.chi2, comparison.total.dof, comparison.total.p(),
-        comparison.rms_percent[0], comparison.rms_percent[1], verdict_on_predicted(c, comparison),
+        comparison.rms_percent[0], comparison.rms_percent[1],
+        belief.believable() ? verdict_on_predicted(c, comparison) : "",
         verdict_on(belief, error_basis(measurements))));
     print_doubts(console, belief);
     if (c.fitted < c.readings.size()) {

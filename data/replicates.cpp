@@ -260,7 +260,14 @@ void Pooling::add_steps(std::size_t k) {
         widening(o) = std::sqrt(widened(group.freedom(o)));
         reading.scatter_freedom(o) = group.excess(o, o) > 0 ? group.freedom(o) : INFINITY;
     }
-    const Eigen::Matrix2d step = shape.asDiagonal() * group.excess * shape.asDiagonal();
+    Eigen::Matrix2d step = shape.asDiagonal() * group.excess * shape.asDiagonal();
+    // No reading is surer than replicates at its load show, however little it varies within its
+    // run.
+    for (const Eigen::Index o : {0, 1}) {
+        const double least = group.mean_square(o) * shape(o) * shape(o);
+        const double more = least - relative_variance(reading, o) - step(o, o);
+        if (reading.within_run_only) step(o, o) += std::max(0.0, more);
+    }
     add_scatter(reading, step, widening.asDiagonal() * step * widening.asDiagonal());
     const Eigen::Matrix2d own = apart_.variance[k].asDiagonal();
     add_scatter(reading, own, own);

@@ -15,7 +15,7 @@ constexpr double exponent_prior = 0.5, largest_exponent = 2;
 constexpr double fewest_for_exponent = 10;
 
 /// Sets scatter differently from this probability on that chance alone makes them differ so.
-constexpr double unlike = 0.002;
+constexpr double unlike = 0.02;
 /// A set that scatters unlike others stands for itself from so many degrees of freedom on: what it
 /// were drawn towards others by would be a bias of its errors.
 constexpr double enough_alone = 5;
@@ -126,9 +126,9 @@ LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets
         }
         return sum;
     };
-    constexpr int steps = 80;
+    constexpr int steps = 40;
     double best = 0, least = INFINITY;
-    for (int k = -steps; k <= steps; ++k) {
+    for (int k = 0; k <= steps; ++k) {
         const double exponent = largest_exponent * k / steps, here = badness(exponent);
         if (here < least) least = here, best = exponent;
     }

@@ -49,7 +49,9 @@ struct LoadExponent {
 };
 
 /// Exponent that is most probable for these sets of values, each with a variance of its own, with a
-/// prior of 0 +- 0.5 [1]. All 0 where fewer than 10 degrees of freedom tell.
+/// prior of 0 +- 0.5 [1] that leaves out exponents below 0: an instrument's errors are constant or
+/// proportional, so relative ones do not grow with load. All 0 where fewer than 10 degrees of
+/// freedom tell.
 LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
 
 /// Variance of relative deviations [1], estimated with some degrees of freedom.
@@ -59,7 +61,7 @@ struct MeanSquare {
 };
 
 /// Mean squares of sets that may scatter alike or not: one for all where Bartlett's test does not
-/// tell them apart (p > 0.002); else each set's own from 5 degrees of freedom on, and below that
+/// tell them apart (p > 0.02); else each set's own from 5 degrees of freedom on, and below that
 /// drawn towards what they have in common as far as they agree.
 /// Source: Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3, moderated variances.
 std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own);

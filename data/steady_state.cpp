@@ -112,7 +112,7 @@ std::string short_strain(const char* what, double strain, const StepSeries& seri
     return fmt::format(
         "{} covers a strain of {:.2g}, steady shear takes {:g} (least_strain in [import]); it "
         "looks "
-        "like {}",
+        "like {}, unless the angular velocity is in another unit",
         what, strain, setting.least_strain, looks_like(series));
 }
 

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Compares two folders that same_answers.sh kept: names every answer that differs.
+
+Simulations have to agree bit for bit. Other numbers may differ by 1e-9 of their size, where a sum
+was taken in another order; words, tables and exit codes may not.
+"""
+import json
+import math
+import re
+import sys
+from pathlib import Path
+
+TOLERANCE = 1e-9
+# What differs between two runs of the same program: the time they took and where they ran.
+PASSING = re.compile(r"seconds|wall|host|date|created|started|finished|per_second|version")
+
+
+def differences(before, after, exact, path=""):
+    """Yields a line for each place at which two JSON values differ."""
+    if isinstance(before, dict) and isinstance(after, dict):
+        for key in sorted(before.keys() | after.keys()):
+            if PASSING.search(key):
+                continue
+            if key not in before or key not in after:
+                yield f"{path}/{key}: only {'before' if key in before else 'after'}"
+            else:
+                yield from differences(before[key], after[key], exact, f"{path}/{key}")
+    elif isinstance(before, list) and isinstance(after, list):
+        if len(before) != len(after):
+            yield f"{path}: {len(before)} entries, then {len(after)}"
+        for place, (one, other) in enumerate(zip(before, after)):
+            yield from differences(one, other, exact, f"{path}/{place}")
+    elif isinstance(before, float) and isinstance(after, float) and not exact:
+        if not math.isclose(before, after, rel_tol=TOLERANCE, abs_tol=1e-300):
+            yield f"{path}: {before!r}, then {after!r}"
+    elif before != after:
+        yield f"{path}: {before!r}, then {after!r}"
+
+
+def of_text(before, after):
+    """Yields the first line in which two texts differ."""
+    for number, (one, other) in enumerate(
+        zip(before.splitlines() + [""], after.splitlines() + [""]), start=1
+    ):
+        if one != other and not re.search(r"in \d+(\.\d+)? (s|min)\b", one):
+            yield f"line {number}: {one!r}, then {other!r}"
+            return
+    if len(before.splitlines()) != len(after.splitlines()):
+        yield "one text is longer"
+
+
+def of_file(before, after):
+    if not after.exists():
+        return ["missing"]
+    if before.suffix == ".json":
+        exact = before.name.startswith("simulate_")
+        return list(
+            differences(json.loads(before.read_text()), json.loads(after.read_text()), exact)
+        )
+    return list(of_text(before.read_text(), after.read_text()))
+
+
+def main():
+    before, after = map(Path, sys.argv[1:])
+    names = sorted(p for s in ("json", "txt", "code") for p in before.glob(f"*.{s}"))
+    if not names:
+        sys.exit(f"{before}: no answers; make them with same_answers.sh keep")
+    different = 0
+    for file in names:
+        found = of_file(file, after / file.name)
+        different += bool(found)
+        for line in found[:5]:
+            print(f"{file.name} {line}")
+        if len(found) > 5:
+            print(f"{file.name}: {len(found) - 5} further differences")
+    print(f"{len(names)} answers, {different} differ")
+    sys.exit(1 if different else 0)
+
+
+if __name__ == "__main__":
+    main()
