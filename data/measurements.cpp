@@ -49,7 +49,8 @@ Measurements read_file(const std::filesystem::path& file, const Source& source, 
                          before.clock, study.import);
     set_aside_contradicted(contradictions, part);
     doubt_stuck_columns(recording, part, study.import);
-    if (part.readings.empty()) doubt_filling(recording, cell, part);
+    if (part.readings.empty() && !study.import.keep_implausible)
+        doubt_filling(recording, cell, part);
     append(result, part);
     return result;
 }
