@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "data/replicates.h"
+#include "data/replicate_groups.h"
 
 namespace pendular {
 namespace {

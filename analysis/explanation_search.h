@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analysis/diagnosis.h"
+#include "analysis/explanation.h"
 #include "analysis/explanations.h"
 #include "analysis/signature.h"
 

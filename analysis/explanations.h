@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analysis/diagnosis.h"
+#include "analysis/explanation.h"
 
 namespace pendular {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "analysis/compare.h"
-#include "data/replicates.h"
+#include "data/replicate_groups.h"
 
 namespace pendular {
 namespace {

@@ -1,33 +1,14 @@
 #pragma once
 
-#include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
-#include "calib/model.h"
+#include "analysis/rival.h"
+#include "analysis/separating_series.h"
 #include "data/reading.h"
 #include "data/study.h"
 
 namespace pendular {
-
-/// A model that may be the right one, with what its fit says of its parameters.
-struct Rival {
-    std::string name;
-    const FlowModel* model = nullptr;
-    Eigen::VectorXd parameters;
-    Eigen::MatrixXd covariance;
-};
-
-/// A point that could be measured, and what a reading there costs; or a direct measurement that
-/// could be made, which is a reading of one number.
-struct Point {
-    Condition condition = {};
-    std::optional<DirectMeasurement> direct = {};  ///< if it is one
-    double first_cost = 0;                         ///< before the first reading of this filling
-    double wait = 0;                               ///< before it, from the last reading on [s]
-    double wait_cost = 0;                          ///< of that; shorter ones are over by then
-    double cost = 1;                               ///< of each reading
-};
 
 /// What a rig can be set to, on a grid: normal stresses and rates in even steps of their logarithm,
 /// every liquid content and filling, after every wait from `time` [s] on; and then what can be
@@ -41,14 +22,6 @@ Rig rig_of(const std::vector<Reading>& readings);
 /// Standard errors of one reading, shear stress and solid fraction, over the values: the root mean
 /// square of those that were made.
 Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
-
-/// What a rival says of a point: (shear stress [Pa], solid fraction [1]), or the one number of a
-/// direct measurement [its unit].
-struct Forecast {
-    Eigen::VectorXd value;
-    Eigen::MatrixXd from_parameters;  ///< covariance by errors of its parameters
-    Eigen::MatrixXd from_simulation;  ///< by those of the simulation
-};
 
 /// What measuring at one point would tell.
 struct Plan {
@@ -64,10 +37,6 @@ struct Plan {
     double cost = 0;
 };
 
-/// Noncentrality at which rivals are told apart in 4 of 5 cases at 5 %: of two observables, which
-/// counts for several points together too, and of the one of a direct measurement.
-inline constexpr double telling_noncentrality = 9.63, telling_directly = 7.85;
-
 /// Plans of all points, the most telling first. With n readings of covariance V/n, rivals i and j,
 ///     T = D' S^-1 D + tr(2 V S^-1)/n,   D = f_i - f_j,
 ///     S = 2 V/n + J_i C_i J_i' + J_j C_j J_j' + 2 C_f,
@@ -80,29 +49,6 @@ inline constexpr double telling_noncentrality = 9.63, telling_directly = 7.85;
 std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
                                    const std::vector<Point>& points,
                                    const Eigen::Vector2d& relative_noise, int most_repeats);
-
-/// Readings at one or several points which together tell rivals apart.
-struct Series {
-    struct Step {
-        std::size_t point = 0;
-        int readings = 0;
-    };
-    std::vector<Step> steps;  ///< the longest waits last; empty where these readings are too few
-    std::vector<std::pair<std::size_t, std::size_t>> separated;  ///< pairs of rivals
-    double cost = 0;
-
-    int readings() const;
-};
-
-/// A cheap series that tells as many pairs of rivals apart as it can with so many readings. Rivals
-/// are told apart where D' S^-1 D of all points together, D their differences and
-///     S = V/n + J_i C_i J_i' + J_j C_j J_j' + C_f,
-/// reaches `telling_noncentrality`; what points share by errors of the parameters or the simulation
-/// is no news at the second of them. Found one reading at a time, each where it brings pairs that
-/// are not yet told apart on most, over its cost; readings that then are not needed are left out.
-Series separating_series(const std::vector<Rival>& rivals, const std::vector<Point>& points,
-                         const Eigen::Vector2d& relative_noise, int most_repeats,
-                         int most_readings);
 
 /// What to measure: at the point of the first plan alone, or a series where that tells more pairs
 /// apart. Of a rig: repeats at one point, readings in all.

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "analysis/next_measurement.h"
+#include <vector>
+
+#include "analysis/rival.h"
 
 namespace pendular {
 

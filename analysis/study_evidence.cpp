@@ -13,7 +13,7 @@
 
 #include "analysis/compare.h"
 #include "data/number.h"
-#include "data/replicates.h"
+#include "data/replicate_groups.h"
 
 namespace pendular {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/score_test.h"
+#include "analysis/score_statistic.h"
 #include "analysis/study_evidence.h"
 
 namespace pendular {

@@ -13,7 +13,9 @@
 #include "app/options.h"
 #include "app/stored_runs.h"
 #include "app/study_input.h"
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
+#include "reports/fit_file.h"
 #include "reports/json.h"
 #include "reports/tables.h"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/stored_runs.h"
+#include "calib/calibrate_study.h"
 
 namespace pendular::app {
 

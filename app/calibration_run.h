@@ -5,6 +5,7 @@
 
 #include "app/console.h"
 #include "app/options.h"
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 #include "sim/store/run_store.h"
 

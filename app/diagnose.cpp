@@ -13,6 +13,7 @@
 #include "app/study_diagnosis.h"
 #include "reports/diagnosis_figure.h"
 #include "reports/diagnosis_report.h"
+#include "reports/draw_figure.h"
 #include "reports/failure_report.h"
 #include "reports/json.h"
 #include "reports/json_parts.h"

@@ -12,6 +12,7 @@
 #include "app/study_input.h"
 #include "data/input_error.h"
 #include "data/text_file.h"
+#include "reports/draw_figure.h"
 #include "reports/effect_pages.h"
 #include "reports/effect_signature.h"
 #include "sim/effect_catalogue.h"

@@ -11,6 +11,7 @@
 #include "app/console.h"
 #include "app/study_diagnosis.h"
 #include "data/input_error.h"
+#include "reports/draw_figure.h"
 #include "reports/json.h"
 #include "reports/next_report.h"
 

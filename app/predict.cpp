@@ -16,6 +16,7 @@
 #include "data/nearest.h"
 #include "data/number.h"
 #include "data/text_file.h"
+#include "reports/draw_figure.h"
 #include "reports/prediction_figure.h"
 
 namespace pendular::app {

@@ -15,6 +15,7 @@
 #include "calib/emulator.h"
 #include "data/input_error.h"
 #include "data/nearest.h"
+#include "reports/draw_figure.h"
 #include "reports/json.h"
 #include "reports/run_plots.h"
 #include "sim/dem/grain_effects.h"

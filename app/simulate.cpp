@@ -17,6 +17,7 @@
 #include "data/input_error.h"
 #include "data/quantity.h"
 #include "data/text_file.h"
+#include "reports/draw_figure.h"
 #include "reports/figure.h"
 #include "reports/json.h"
 #include "reports/run_fields.h"

@@ -9,9 +9,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "calib/calibrate_study.h"
 #include "data/input_error.h"
 #include "data/study_edit.h"
 #include "data/text_file.h"
+#include "reports/fit_file.h"
 #include "reports/json.h"
 #include "sim/effect_catalogue.h"
 

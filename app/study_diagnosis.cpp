@@ -10,10 +10,11 @@
 #include "analysis/study_evidence.h"
 #include "app/interrupt.h"
 #include "app/stored_runs.h"
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 #include "data/input_error.h"
 #include "data/quantity.h"
-#include "data/replicates.h"
+#include "data/replicate_groups.h"
 
 namespace pendular::app {
 namespace {

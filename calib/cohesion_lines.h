@@ -3,17 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "calib/estimate.h"
 #include "calib/model.h"
 #include "data/reading.h"
 #include "data/study.h"
 
 namespace pendular {
-
-/// A number with its standard error, in the same unit.
-struct Estimate {
-    double value = 0;
-    double standard_error = 0;
-};
 
 /// By how much a cohesion line is too high at a reduced pressure that it was not fitted to.
 struct Overestimate {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "data/input_error.h"
+#include "sim/closures/terms.h"
 #include "sim/seeds.h"
 
 namespace pendular {

@@ -9,6 +9,7 @@
 #include "calib/simulation_model.h"
 #include "data/reading.h"
 #include "data/study.h"
+#include "sim/closures/terms.h"
 #include "sim/ensemble.h"
 #include "sim/fidelity.h"
 

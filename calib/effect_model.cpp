@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/closures/terms.h"
 #include "sim/instrument.h"
 
 namespace pendular {

@@ -8,6 +8,7 @@
 #include "calib/model_space.h"
 #include "data/study.h"
 #include "sim/closures/strength.h"
+#include "sim/closures/terms.h"
 #include "sim/effect.h"
 
 namespace pendular {

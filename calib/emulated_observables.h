@@ -1,6 +1,8 @@
 #pragma once
 
-#include "calib/emulator.h"
+#include <vector>
+
+#include "calib/query.h"
 
 namespace pendular::emulated {
 

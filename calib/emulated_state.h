@@ -6,6 +6,7 @@
 
 #include "calib/cohesion_lines.h"
 #include "calib/emulator.h"
+#include "calib/estimate.h"
 
 namespace pendular {
 

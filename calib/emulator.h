@@ -12,22 +12,10 @@
 #include "calib/basis.h"
 #include "calib/effect_response.h"
 #include "calib/gaussian_process.h"
+#include "calib/query.h"
 #include "sim/dem/run.h"
 
 namespace pendular {
-
-/// What an emulated observable may be differentiated by.
-enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
-
-/// An observable at a state, or its derivative there.
-struct Query {
-    FlowState state;
-    dem::Observable which = dem::Observable::stress_ratio;
-    std::optional<Input> by = {};
-};
-
-/// Scales of the emulator of each observable.
-using EmulatorScales = std::map<dem::Observable, Scales>;
 
 /// What runs say of all the states between them: for each observable a Gaussian process over
 /// friction, inertial number, reduced pressure and bridge volume, whose noise is the runs' own. The

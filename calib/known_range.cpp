@@ -191,7 +191,8 @@ std::string KnownRange::why_unsupported(const FlowState& state) const {
     const Point at = place(state);
     if ((at - nearest_in_hull(at, cloud)).norm() > margin) {
         const std::string outside = emulator_.beyond(state);
-        return outside.empty() ? "the state lies outside the convex hull of the known runs" : outside;
+        return outside.empty() ? "the state lies outside the convex hull of the known runs"
+                               : outside;
     }
     return why_unsure(state);
 }

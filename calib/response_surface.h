@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calib/basis.h"
+#include "sim/closures/terms.h"
 
 namespace pendular {
 

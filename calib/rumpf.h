@@ -2,6 +2,7 @@
 
 #include "calib/simulation_model.h"
 #include "sim/closures/strength.h"
+#include "sim/closures/terms.h"
 
 namespace pendular {
 

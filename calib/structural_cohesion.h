@@ -4,6 +4,7 @@
 
 #include "calib/calibration.h"
 #include "calib/cohesion_lines.h"
+#include "calib/estimate.h"
 #include "calib/study_model.h"
 
 namespace pendular {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "data/input_error.h"
+#include "sim/closures/terms.h"
 
 namespace pendular {
 

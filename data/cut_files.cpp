@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <ranges>
 
-#include "data/replicates.h"
+#include "data/replicate_groups.h"
 
 namespace pendular {
 namespace {

@@ -137,4 +137,13 @@ struct Measurements {
     std::vector<std::string> notes;  ///< checks worth a line: a flipped torque, heavy beads
 };
 
+/// The conditions of readings, in their order.
+inline std::vector<Condition> conditions_of(const std::vector<Reading>& readings) {
+    std::vector<Condition> conditions;
+    for (const auto& reading : readings) {
+        conditions.push_back(reading.condition);
+    }
+    return conditions;
+}
+
 }  // namespace pendular

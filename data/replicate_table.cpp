@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "data/replicates.h"
+#include "data/replicate_groups.h"
 
 namespace pendular {
 namespace {

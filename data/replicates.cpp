@@ -16,7 +16,6 @@
 namespace pendular {
 namespace {
 
-constexpr double set_point_tolerance = 0.02;
 constexpr double assumed_error = 0.02;
 /// Relative variances below this are the rounding of computers, not errors.
 constexpr double no_error = 1e-12;
@@ -28,10 +27,6 @@ constexpr double worth_a_note = 2;
 constexpr double usual_filling = 0.5, usual_freedom = 1;
 /// Filling errors are seen from this probability on that chance alone makes files differ so.
 constexpr double hint_of_fillings = 0.03;
-
-bool close(double a, double b) {
-    return std::abs(a - b) <= set_point_tolerance * std::max(std::abs(a), std::abs(b));
-}
 
 /// Factor on a standard error estimated with so many degrees of freedom, so that twice the product
 /// covers as often as twice a known standard error does: Student's quantile over the normal one.
@@ -347,29 +342,6 @@ void Pooling::assume_missing_errors() {
 }
 
 }  // namespace
-
-bool are_replicates(const Reading& a, const Reading& b) {
-    constexpr double rounding = 1e-9;
-    const bool same_filling =
-        a.condition.bead_volume && b.condition.bead_volume
-            ? close(*a.condition.bead_volume, *b.condition.bead_volume)
-            : a.condition.bead_volume.has_value() == b.condition.bead_volume.has_value();
-    return same_filling &&
-           std::abs(a.condition.liquid_content - b.condition.liquid_content) <= rounding &&
-           close(a.condition.normal_stress, b.condition.normal_stress) &&
-           close(a.condition.inertial_number, b.condition.inertial_number);
-}
-
-std::vector<std::vector<std::size_t>> replicate_groups(const std::vector<Reading>& readings) {
-    std::vector<std::vector<std::size_t>> groups;
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-        const auto group = std::ranges::find_if(groups, [&](const auto& members) {
-            return are_replicates(readings[members.front()], readings[k]);
-        });
-        group == groups.end() ? groups.push_back({k}) : group->push_back(k);
-    }
-    return groups;
-}
 
 void pool_replicates(Measurements& measurements, const std::optional<StatedScatter>& stated) {
     Pooling pooling(measurements);

@@ -13,10 +13,6 @@ struct StatedScatter {
     Eigen::Vector2d filling = Eigen::Vector2d::Zero();  ///< from one filling to the next
 };
 
-/// Whether two readings are replicates: same liquid content, normal stress and inertial number
-/// within 2 %.
-bool are_replicates(const Reading& a, const Reading& b);
-
 /// Finds replicates among readings whose covariance is that within their runs, counts them, and
 /// adds the scatter between them that their own errors do not explain. Covariances are of
 /// (shear stress [Pa], solid fraction [1]).
@@ -42,8 +38,5 @@ bool are_replicates(const Reading& a, const Reading& b);
 /// so: errors within a recording are not the error of a measurement.
 void pool_replicates(Measurements& measurements,
                      const std::optional<StatedScatter>& stated = std::nullopt);
-
-/// Readings of the same condition as places among `readings`, in their order.
-std::vector<std::vector<std::size_t>> replicate_groups(const std::vector<Reading>& readings);
 
 }  // namespace pendular

@@ -4,6 +4,7 @@
 
 #include "analysis/compare.h"
 #include "calib/calibration.h"
+#include "calib/study_model.h"
 #include "reports/figure.h"
 
 namespace pendular {

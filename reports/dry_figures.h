@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "calib/calibration.h"
+#include "calib/study_model.h"
 #include "reports/figure.h"
 
 namespace pendular {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -65,9 +64,5 @@ struct Figure {
     std::size_t columns = 0;  ///< after so many panels side by side a new row begins; 0: never
     bool small = false;       ///< panels side by side are small ones, where there are many
 };
-
-/// Draws the figure through gnuplot as NAME.svg, .png and .pdf, and writes its numbers as NAME.csv.
-/// @throws std::runtime_error where gnuplot is missing or draws nothing
-void draw(const Figure& figure, const std::filesystem::path& folder);
 
 }  // namespace pendular

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "calib/calibrate_study.h"
 #include "data/form.h"
 #include "data/input_error.h"
 #include "data/json_text.h"

@@ -6,7 +6,6 @@
 #include "analysis/compare.h"
 #include "analysis/where_it_fails.h"
 #include "calib/calibration.h"
-#include "reports/fit_file.h"
 #include "reports/run_json.h"
 
 namespace pendular {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "calib/calibrate_study.h"
 #include "calib/structural_cohesion.h"
 #include "calib/wet_groups.h"
 #include "reports/model_curve.h"

@@ -3,15 +3,17 @@
 #include <vector>
 
 #include "calib/calibration.h"
+#include "calib/study_model.h"
 #include "reports/figure.h"
 
 namespace pendular {
 
 /// The figures of wet readings, none where there are none:
-/// - `stress_ratio_wet` and `solid_fraction_wet` against 1/P*, for each liquid content the readings,
-///   what the fitted model says of them, and the model between them; in the former also the straight
-///   lines of the Mohr-Coulomb cohesion, drawn on below the P* they are fitted for. Where the model
-///   depends on the mass of beads or on the file there is a curve for each;
+/// - `stress_ratio_wet` and `solid_fraction_wet` against 1/P*, for each liquid content the
+/// readings,
+///   what the fitted model says of them, and the model between them; in the former also the
+///   straight lines of the Mohr-Coulomb cohesion, drawn on below the P* they are fitted for. Where
+///   the model depends on the mass of beads or on the file there is a curve for each;
 /// - `reduced_cohesion` against liquid content: measured, of the model, and explained by the
 ///   simulated structure, with and without capillary shear stress; where there is a line to take it
 ///   from. What the structure explains is raised by what effects on the instrument make of the

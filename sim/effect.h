@@ -10,7 +10,7 @@
 
 #include "data/reading.h"
 #include "sim/cell_state.h"
-#include "sim/closures/strength.h"
+#include "sim/closures/terms.h"
 #include "sim/dem/change_pairs.h"
 #include "sim/effect_values.h"
 

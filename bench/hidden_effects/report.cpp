@@ -13,6 +13,7 @@
 #include "data/csv.h"
 #include "data/robust.h"
 #include "data/text_file.h"
+#include "reports/draw_figure.h"
 #include "reports/figure.h"
 #include "sim/virtual_recording.h"
 

@@ -15,6 +15,7 @@
 #include "app/study_diagnosis.h"
 #include "bench/hidden_effects/rig.h"
 #include "bench/hidden_effects/walk.h"
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 #include "data/csv.h"
 #include "data/number.h"

@@ -15,10 +15,11 @@
 #include "app/study_change.h"
 #include "app/study_input.h"
 #include "bench/hidden_effects/rig.h"
+#include "calib/calibrate_study.h"
 #include "calib/study_models.h"
+#include "data/replicate_groups.h"
 #include "data/text_file.h"
 #include "sim/seeds.h"
-#include "data/replicates.h"
 
 namespace pendular::bench {
 namespace {

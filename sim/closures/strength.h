@@ -7,11 +7,6 @@
 // stresses from outside would. Source of all equations: Badetti et al. (2018).
 namespace pendular::closures {
 
-/// Which of the closures base `rumpf` uses.
-struct Terms {
-    bool capillary_shear_stress = false;  ///< eq:strength2 in place of eq:strength3
-};
-
 /// Stress ratio of the contact forces alone [1], which the idea says is that of dry beads:
 ///     |s12 - s12cap| / (s22 - s22cap)
 /// from the total stress ratio |s12|/s22. Within 5 to 10 % of mu*_0 at the smallest P* (0.5), at

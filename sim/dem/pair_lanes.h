@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/dem/pair_forces.h"
+#include "sim/dem/pair_laws.h"
 
 // What the loops over batches of pairs share: lanes in, laws of one lane, lanes out. Everything is
 // inlined into loops that are compiled once per instruction set.

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "analysis/diagnosis.h"
+#include "calib/calibrate_study.h"
 #include "data/replicates.h"
 #include "data/resolution.h"
 #include "tests/physics/planted_readings.h"

@@ -7,6 +7,7 @@
 #include <random>
 #include <thread>
 
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 
 namespace planted_truths_test {

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "analysis/compare.h"
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 #include "data/text_file.h"
 #include "sim/virtual_lab.h"

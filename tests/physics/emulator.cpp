@@ -1,5 +1,6 @@
 // How good the emulator is, on runs that it has not seen. Prints the tables of docs/validation.md.
 #include "calib/emulator.h"
+#include "calib/calibrate_study.h"
 
 #include <gtest/gtest.h>
 

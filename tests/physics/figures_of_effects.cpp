@@ -11,6 +11,7 @@
 #include <random>
 
 #include "analysis/compare.h"
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 #include "data/effect_tables.h"
 #include "data/study_table.h"

@@ -8,6 +8,7 @@
 #include <map>
 #include <random>
 
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 
 namespace reported_error_test {

@@ -11,6 +11,7 @@
 
 #include "analysis/ladder.h"
 #include "app_support.h"
+#include "reports/draw_figure.h"
 #include "reports/ladder_figure.h"
 #include "reports/layout.h"
 #include "tests/unit/known_flow.h"

@@ -1,3 +1,4 @@
+#include "calib/calibrate_study.h"
 #include "calib/emulated_simulation.h"
 
 #include <gmock/gmock.h>

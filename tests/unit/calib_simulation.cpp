@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 #include "calib/direct_simulation.h"
 #include "calib/response_surface.h"

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 #include "calib/rumpf.h"
 #include "tests/unit/known_flow.h"

@@ -1,3 +1,4 @@
+#include "data/replicate_groups.h"
 #include "data/replicates.h"
 
 #include <cmath>

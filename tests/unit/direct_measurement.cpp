@@ -1,6 +1,7 @@
 // Effects measured by themselves: how a study states them, what a model says of them, and what they
 // are worth in a fit and a diagnosis.
 #include "sim/direct_measurement.h"
+#include "calib/calibrate_study.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "app_support.h"
+#include "reports/draw_figure.h"
 #include "reports/layout.h"
 #include "reports/symbol_code.h"
 

@@ -11,6 +11,7 @@
 #include "app_support.h"
 #include "data/csv.h"
 #include "data/study.h"
+#include "reports/draw_figure.h"
 #include "reports/figure.h"
 #include "reports/figure_text.h"
 #include "reports/ladder_figure.h"

@@ -12,6 +12,7 @@
 #include "calib/structural_cohesion.h"
 #include "data/csv.h"
 #include "reports/comparison_figures.h"
+#include "reports/draw_figure.h"
 #include "reports/wet_figures.h"
 #include "wet_study_support.h"
 

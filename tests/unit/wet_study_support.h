@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 
 /// A calibrated wet study whose runs and readings follow a law made up for the purpose, close to

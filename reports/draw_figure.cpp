@@ -1,4 +1,4 @@
-#include "reports/figure.h"
+#include "reports/draw_figure.h"
 
 #include <fmt/format.h>
 #include <gnuplot-iostream.h>

@@ -1,4 +1,4 @@
-#include "calib/calibration.h"
+#include "calib/calibrate_study.h"
 
 #include <fmt/format.h>
 
@@ -238,14 +238,6 @@ void check_range(const std::vector<Reading>& readings, const Study& study,
             check_wet(reading, study, fidelity);
         }
     }
-}
-
-std::vector<Condition> conditions_of(const std::vector<Reading>& readings) {
-    std::vector<Condition> conditions;
-    for (const auto& reading : readings) {
-        conditions.push_back(reading.condition);
-    }
-    return conditions;
 }
 
 std::size_t fitted_count(const Study& study, const std::vector<Reading>& readings) {

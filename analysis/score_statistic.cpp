@@ -1,4 +1,4 @@
-#include "analysis/score_test.h"
+#include "analysis/score_statistic.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
