@@ -6,18 +6,15 @@
 
 #include "analysis/compare.h"
 #include "app/belief.h"
-#include "app/calibration_run.h"
 #include "app/command.h"
 #include "app/console.h"
-#include "app/interrupt.h"
+#include "app/open_session.h"
 #include "app/options.h"
-#include "app/stored_runs.h"
-#include "app/study_input.h"
 #include "calib/calibrate_study.h"
 #include "calib/calibration.h"
-#include "reports/fit_file.h"
-#include "reports/json.h"
 #include "reports/tables.h"
+#include "workflow/fit_file.h"
+#include "workflow/json_parts.h"
 
 namespace pendular::app {
 namespace {
@@ -84,7 +81,7 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
 }  // namespace
 
 int calibrate(const std::vector<std::string>& arguments) {
-    CalibrationRequest request;
+    FitOptions fit;
     Options options("calibrate STUDY [options]",
                     "Fits the intergranular friction to shear stress and solid fraction of all dry "
                     "readings together,\n"
@@ -101,37 +98,30 @@ int calibrate(const std::vector<std::string>& arguments) {
                     true);
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the simulations (default 1)");
-    bool no_confirm = false, cold = false;
+    bool no_confirm = false;
     options.add_switch(
         "no-confirm", &no_confirm,
         "simulate nothing: take the emulator's answer as it is (with --cold: one round "
         "fewer)");
     options.add_switch(
-        "cold", &cold,
+        "cold", &fit.cold,
         "by direct simulation alone, from neither the atlas nor earlier runs; those of this fit "
         "are kept in the store all the same");
-    options.add("lowest-reduced-pressure", &request.cohesion.lowest_reduced_pressure,
+    options.add("lowest-reduced-pressure", &fit.cohesion.lowest_reduced_pressure,
                 "cohesion lines go through points from this P* on [1] (default 2.3)");
-    options.add_switch("profile", &request.profile,
+    options.add_switch("profile", &fit.profile,
                        "profile likelihood interval of the friction as well");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
     }
-    const InterruptGuard guard;
     Console console(*common);
-    check(request.cohesion);
-    request.seed = checked_seed(seed);
-    request.fidelity = common->fidelity;
-    const auto [study, measurements] = read_input(*common, {"fit.json", "figures"});
-    const auto store = open_store(*common);
-    choose_rounds(request, cold ? std::nullopt : known_runs(study, request.fidelity, store.get()),
-                  !no_confirm);
-    const Calibration c = run_calibration(console, *common, study, measurements, request,
-                                          store.get(), !cold, guard.token());
-    const Comparison comparison = compare(c);
-    const Belief belief = belief_in(study, measurements, c, comparison);
-    const auto json = write_calibration(common->out_folder(), c, comparison, belief);
+    check(fit.cohesion);
+    fit.confirm = !no_confirm;
+    const OpenSession session(console, *common, {"fit.json", "figures"}, seed);
+    const Measurements& measurements = session->measurements();
+    const CalibratedStudy result = session->calibrate(fit);
+    const auto& [c, comparison, belief] = result;
     print_result(console, c, comparison, belief, error_basis(measurements));
     for (const auto& note : measurements.notes) {
         console.note(note);
@@ -141,6 +131,8 @@ int calibrate(const std::vector<std::string>& arguments) {
             "{} ranges of rows were left out of the readings; 'pendular import' lists them",
             measurements.excluded.size()));
     }
+    auto json = to_json(c, comparison);
+    add_belief(json, belief);
     console.json(json);
     constexpr double significant = 0.05;
     if (!belief.believable() || comparison.total.p() < significant) {

@@ -15,6 +15,7 @@
 #include "sim/campaign.h"
 #include "sim/mpi_ensemble.h"
 #include "sim/store/run_table.h"
+#include "workflow/fit_study.h"
 
 namespace pendular::app {
 namespace {
@@ -197,7 +198,7 @@ int campaign(const std::vector<std::string>& arguments) {
             }
         } catch (const dem::Interrupted&) {
             console.end_progress();
-            throw interrupted_with(store);
+            throw interrupted_with(&store);
         }
         console.end_progress();
         report(runs.size(), before, survey(runs, store), store, console);

@@ -8,17 +8,17 @@
 #include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"
+#include "app/open_session.h"
 #include "app/options.h"
-#include "app/study_input.h"
 #include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 #include "reports/comparison_figures.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
-#include "reports/fit_file.h"
-#include "reports/json.h"
-#include "reports/json_parts.h"
 #include "reports/tables.h"
+#include "workflow/fit_file.h"
+#include "workflow/json.h"
+#include "workflow/json_parts.h"
 
 namespace pendular::app {
 
@@ -65,26 +65,16 @@ int compare(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const auto [study, measurements] = read_input(*common, {"compare.json", "figures"});
+    const OpenSession session(console, *common, {"compare.json", "figures"});
     const auto out = common->out_folder();
-    Calibration c = read_calibration(out / "fit.json", study, dry_first(measurements));
-    const StudyModel model(study, c);
-    c.prediction = predict_readings(model.model(), c);
-    const Comparison comparison = compare(c);
-
+    std::optional<CohesionOptions> drawn;
     if (options.given("lowest-reduced-pressure")) {
         check(cohesion);
-        c.cohesion = cohesion;
+        drawn = cohesion;
     }
-    draw_cohesion_lines(c);
-
-    // Without the errors of the fitted parameters, which the checks take out themselves.
-    const Prediction at_fit =
-        model.model().predict_conditions(c.fit.parameters, conditions_of(c.readings));
-    const WhereItFails where =
-        where_it_fails(c.readings, measurements.scatter,
-                       model.model().with_direct(c.fit.parameters, at_fit), c.parameters, c.direct);
-    const Belief belief = belief_in(study, measurements, c, comparison);
+    const Measurements& measurements = session->measurements();
+    const ComparedStudy compared = session->compare(drawn);
+    const auto& [c, model, comparison, where, belief] = compared;
     auto json = to_json(comparison, c.cohesion_lines, where);
     add_belief(json, belief);
     write_json(out / "compare.json", json);

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "data/json_text.h"
-#include "reports/json.h"
+#include "workflow/json.h"
 
 namespace pendular::app {
 

@@ -9,14 +9,14 @@
 #include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"
+#include "app/open_session.h"
 #include "app/options.h"
-#include "app/study_diagnosis.h"
 #include "reports/diagnosis_figure.h"
 #include "reports/diagnosis_report.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
-#include "reports/json.h"
-#include "reports/json_parts.h"
+#include "workflow/json.h"
+#include "workflow/json_parts.h"
 
 namespace pendular::app {
 namespace {
@@ -30,8 +30,7 @@ suspect-measurement (one condition or file is off), unknown (something is missin
 effect explains). Simulates nothing: predictions are emulated from the atlas and all stored runs.)";
 
 /// What speaks against relying on a verdict, as a sentence; empty where nothing does.
-std::string caution(const StudyDiagnosis& d) {
-    const Measurements& measurements = d.input.measurements;
+std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
     if (const std::size_t aside = readings_set_aside(measurements); aside > 0) {
         return fmt::format(" {} of {} readings were set aside as doubtful and have no part in it.",
                            aside, aside + measurements.readings.size());
@@ -57,7 +56,10 @@ int diagnose(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const StudyDiagnosis d = diagnosed(*common, checked_seed(seed), "diagnosis.json");
+    const OpenSession session(console, *common, {"diagnosis.json", "figures"}, seed);
+    const Measurements& measurements = session->measurements();
+    const StudyDiagnosis d = session->diagnose();
+    const Belief& belief = d.belief;
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModels& models = *d.models;
     const Checks checks =
@@ -66,14 +68,12 @@ int diagnose(const std::vector<std::string>& arguments) {
                   covariates_of(d.readings, models.direct().size()),
                   NullDraws(d.evidence.measured, d.evidence.errors, checked_seed(seed),
                             DiagnosisOptions{}.draws));
-    const Belief belief = pendular::belief_in(diagnosis.fit, models.with({}).parameters(),
-                                              d.misfit(), d.input.measurements, d.mistake);
     auto json = to_json(diagnosis, models, d.evidence, checks);
     add_belief(json, belief);
     write_json(common->out_folder() / "diagnosis.json", json);
-    console.line(verdict_line(diagnosis, models, checks) + caution(d));
-    if (d.input.measurements.doubts.empty() && !d.mistake) {
-        console.line(fmt::format("The verdict rests on {}.", error_basis(d.input.measurements)));
+    console.line(verdict_line(diagnosis, models, checks) + caution(d, measurements));
+    if (measurements.doubts.empty() && !d.mistake) {
+        console.line(fmt::format("The verdict rests on {}.", error_basis(measurements)));
     }
     print_doubts(console, belief);
     for (const auto& lines : {checks_table(checks), diagnosis_table(diagnosis, models, d.evidence),
@@ -82,7 +82,7 @@ int diagnose(const std::vector<std::string>& arguments) {
             console.line(line);
         }
     }
-    for (const auto& note : d.input.measurements.notes) {
+    for (const auto& note : measurements.notes) {
         console.note(note);
     }
     for (const LeftAside& aside : models.left_aside()) {

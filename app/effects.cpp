@@ -7,15 +7,16 @@
 
 #include "app/command.h"
 #include "app/console.h"
+#include "app/open_session.h"
 #include "app/options.h"
-#include "app/stored_runs.h"
-#include "app/study_input.h"
 #include "data/input_error.h"
 #include "data/text_file.h"
 #include "reports/draw_figure.h"
 #include "reports/effect_pages.h"
 #include "reports/effect_signature.h"
 #include "sim/effect_catalogue.h"
+#include "workflow/known_runs.h"
+#include "workflow/study_input.h"
 
 namespace pendular::app {
 namespace {
@@ -184,7 +185,7 @@ int effects(const std::vector<std::string>& arguments) {
     std::optional<Study> study;
     if (options.given("study")) {
         study = read_study(study_path);
-        protect_inputs(*study, *common, {});
+        protect_inputs(*study, places_of(*common, {}));
     }
     const EffectCatalogue catalogue = study ? EffectCatalogue(*study) : EffectCatalogue();
     if (!words.empty()) {

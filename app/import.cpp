@@ -5,11 +5,12 @@
 #include "analysis/believable.h"
 #include "app/command.h"
 #include "app/console.h"
+#include "app/open_session.h"
 #include "app/options.h"
-#include "app/study_input.h"
 #include "data/write_tables.h"
-#include "reports/json.h"
 #include "reports/tables.h"
+#include "workflow/json.h"
+#include "workflow/study_input.h"
 
 namespace pendular::app {
 namespace {
@@ -37,7 +38,8 @@ int import(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const auto [study, measurements] = read_input(*common, {"readings.csv", "excluded.csv"});
+    const auto [study, measurements] =
+        read_input(common->study, places_of(*common, {"readings.csv", "excluded.csv"}));
     const auto readings = common->out_folder() / "readings.csv";
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);

@@ -1,19 +1,16 @@
 // `pendular next`: the measurement that would tell most.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "analysis/next_measurement.h"
 #include "app/command.h"
 #include "app/console.h"
-#include "app/study_diagnosis.h"
-#include "data/input_error.h"
+#include "app/open_session.h"
 #include "reports/draw_figure.h"
-#include "reports/json.h"
 #include "reports/next_report.h"
+#include "workflow/json.h"
 
 namespace pendular::app {
 namespace {
@@ -50,14 +47,6 @@ What was measured so goes into study.toml too, and counts in every fit and diagn
   value = "0.42 mN m"
   error = "0.05 mN m")";
 
-double last_time(const std::vector<Reading>& readings) {
-    double last = 0;
-    for (const Reading& reading : readings) {
-        last = std::max(last, reading.condition.time);
-    }
-    return last;
-}
-
 }  // namespace
 
 int next(const std::vector<std::string>& arguments) {
@@ -73,32 +62,9 @@ int next(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const StudyDiagnosis d = diagnosed(*common, checked_seed(seed), "next.json");
-    const Study& study = d.input.study;
-    const Rig rig = study.rig.value_or(rig_of(d.readings));
-    NextMeasurement next{.study = study,
-                         .rivals = rivals_of(d.diagnosis, *d.models),
-                         .points = points_of(rig, study, last_time(d.readings)),
-                         .plans = {},
-                         .sharpenings = {},
-                         .most_repeats = rig.repeats,
-                         .most_readings = rig.readings};
-    const double friction = next.rivals.front().parameters(0);
-    const auto dropped = std::erase_if(next.points, [&](const Point& point) {
-        return !point.direct && !d.models->why_unsupported(friction, point.condition).empty();
-    });
-    if (next.points.empty()) {
-        throw InputError({study.file.string()},
-                         "[rig]: the known runs support none of its conditions; 'pendular "
-                         "campaign' makes runs there");
-    }
-    const Eigen::Vector2d errors = relative_errors(d.readings);
-    if (next.rivals.size() > 1) {
-        next.plans = separating_plans(next.rivals, next.points, errors, rig.repeats);
-        next.series = next_series(next.plans, next.rivals, next.points, errors, rig);
-    } else {
-        next.sharpenings = sharpening_plans(next.rivals.front(), next.points, errors, rig.repeats);
-    }
+    const OpenSession session(console, *common, {"next.json", "figures"}, seed);
+    const StudyDiagnosis d = session->diagnose();
+    const NextMeasurement next = session->next(d);
     auto json = to_json(next);
     json["verdict"] = to_string(d.diagnosis.verdict);
     write_json(common->out_folder() / "next.json", json);
@@ -110,15 +76,15 @@ int next(const std::vector<std::string>& arguments) {
         console.note("the diagnosis is " + std::string(to_string(d.diagnosis.verdict)) +
                      ": what sharpens the parameters does not mend that; see 'pendular diagnose'");
     }
-    if (!study.rig) {
+    if (!session->study().rig) {
         console.note(
             "the study has no [rig]: what its readings span was taken ('pendular next "
             "--help' shows one)");
     }
-    if (dropped > 0) {
+    if (next.unsupported > 0) {
         console.note(
             fmt::format("The known runs do not support {} of {} conditions, which were left out.",
-                        dropped, dropped + next.points.size()));
+                        next.unsupported, next.unsupported + next.points.size()));
     }
     if (const Figure figure = next_figure(next); !figure.panels.empty()) {
         draw(figure, common->out_folder() / "figures");

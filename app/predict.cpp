@@ -18,6 +18,7 @@
 #include "data/text_file.h"
 #include "reports/draw_figure.h"
 #include "reports/prediction_figure.h"
+#include "workflow/known_runs.h"
 
 namespace pendular::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "data/input_error.h"
 #include "data/units.h"
-#include "reports/json.h"
+#include "workflow/json.h"
 
 namespace pendular::app {
 namespace {

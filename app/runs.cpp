@@ -16,10 +16,10 @@
 #include "data/input_error.h"
 #include "data/nearest.h"
 #include "reports/draw_figure.h"
-#include "reports/json.h"
 #include "reports/run_plots.h"
 #include "sim/dem/grain_effects.h"
 #include "sim/store/run_table.h"
+#include "workflow/json.h"
 
 namespace pendular::app {
 namespace {

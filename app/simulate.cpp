@@ -19,12 +19,12 @@
 #include "data/text_file.h"
 #include "reports/draw_figure.h"
 #include "reports/figure.h"
-#include "reports/json.h"
 #include "reports/run_fields.h"
 #include "sim/dem/checkpoint.h"
 #include "sim/dem/run.h"
 #include "sim/dem/series.h"
 #include "sim/dem/snapshot.h"
+#include "workflow/json.h"
 
 namespace pendular::app {
 namespace {

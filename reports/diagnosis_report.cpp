@@ -7,8 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/failure_report.h"
-#include "reports/run_json.h"
 #include "reports/with_error.h"
+#include "workflow/failure_json.h"
+#include "workflow/run_json.h"
 
 namespace pendular {
 namespace {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 namespace pendular {
 namespace {
@@ -55,18 +54,6 @@ std::vector<std::string> checks_table(const Checks& checks) {
     return lines;
 }
 
-nlohmann::ordered_json to_json(const Checks& checks) {
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const Check& check : checks.all) {
-        all.push_back({{"kind", to_string(check.kind)},
-                       {"covariate", check.covariate},
-                       {"of", check.of},
-                       {"statistic", check.statistic},
-                       {"p", check.p}});
-    }
-    return {{"p", checks.p}, {"checks", all}};
-}
-
 std::vector<std::string> failure_table(const WhereItFails& where) {
     std::vector<std::string> lines = checks_table(where.checks);
     for (const Offending& offending : where.offending) {
@@ -74,15 +61,6 @@ std::vector<std::string> failure_table(const WhereItFails& where) {
             fmt::format("  {} stand out (p {})", offending.readings, p_text(offending.p)));
     }
     return lines;
-}
-
-nlohmann::ordered_json to_json(const WhereItFails& where) {
-    nlohmann::ordered_json json = to_json(where.checks);
-    json["offending"] = nlohmann::ordered_json::array();
-    for (const Offending& offending : where.offending) {
-        json["offending"].push_back({{"readings", offending.readings}, {"p", offending.p}});
-    }
-    return json;
 }
 
 }  // namespace pendular

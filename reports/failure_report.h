@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -16,10 +15,8 @@ std::vector<const Check*> significant_checks(const Checks& checks);
 
 /// Where a model fails, one line a check that is significant; before them that of all together.
 std::vector<std::string> checks_table(const Checks& checks);
-nlohmann::ordered_json to_json(const Checks& checks);
 
 /// The same, then the conditions and files that stand out.
 std::vector<std::string> failure_table(const WhereItFails& where);
-nlohmann::ordered_json to_json(const WhereItFails& where);
 
 }  // namespace pendular

@@ -9,9 +9,9 @@
 
 #include "analysis/study_evidence.h"
 #include "reports/figure_text.h"
-#include "reports/run_json.h"
 #include "reports/shown.h"
 #include "reports/with_error.h"
+#include "workflow/run_json.h"
 
 namespace pendular {
 namespace {

@@ -4,21 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/next_measurement.h"
 #include "reports/figure.h"
+#include "workflow/next.h"
 
 namespace pendular {
-
-/// What to measure next, and why, of one study.
-struct NextMeasurement {
-    const Study& study;
-    std::vector<Rival> rivals;  ///< models that stand; one: nothing to tell apart
-    std::vector<Point> points;
-    std::vector<Plan> plans;                  ///< of rivals, the most telling first
-    std::vector<Sharpening> sharpenings;      ///< where there is one model
-    Series series = {};                       ///< to measure; empty: nothing tells them apart
-    int most_repeats = 1, most_readings = 1;  ///< at one point, in all
-};
 
 /// The measurement in one line, then what each rival says of it, or the parameters' errors after
 /// it.

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "reports/json.h"
+#include "workflow/json.h"
 
 namespace pendular {
 namespace {

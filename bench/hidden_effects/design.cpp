@@ -11,10 +11,10 @@
 
 #include "analysis/signature.h"
 #include "analysis/weighted_residuals.h"
-#include "app/stored_runs.h"
 #include "bench/hidden_effects/rig.h"
 #include "calib/study_models.h"
 #include "sim/virtual_recording.h"
+#include "workflow/known_runs.h"
 
 namespace pendular::bench {
 namespace {
@@ -31,7 +31,7 @@ class Design {
     explicit Design(double friction)
         : plan_(rig(friction, 1)), study_(study_of(plan_)), conditions_(conditions_asked(plan_)) {
         const auto known = [&] {
-            return app::known_runs(StudyModels::with_all_effects(study_), truth_fidelity(), nullptr)
+            return known_runs(StudyModels::with_all_effects(study_), truth_fidelity(), nullptr)
                 .value();
         };
         models_ = std::make_unique<StudyModels>(study_, conditions_, truth_fidelity(), known());

@@ -10,16 +10,13 @@
 #include <sstream>
 
 #include "analysis/next_measurement.h"
-#include "analysis/study_evidence.h"
-#include "app/stored_runs.h"
-#include "app/study_diagnosis.h"
 #include "bench/hidden_effects/rig.h"
 #include "bench/hidden_effects/walk.h"
-#include "calib/calibrate_study.h"
-#include "calib/calibration.h"
 #include "data/csv.h"
 #include "data/number.h"
 #include "data/text_file.h"
+#include "workflow/study_diagnosis.h"
+#include "workflow/study_input.h"
 
 namespace pendular::bench {
 namespace {
@@ -49,23 +46,19 @@ class Campaign {
     Campaign& operator=(const Campaign&) = delete;
 
     void diagnose() {
-        input_ = app::read_input(folder_);
-        readings_ = dry_first(input_->measurements);
-        models_.emplace(
-            input_->study, conditions_of(readings_), truth_fidelity(),
-            app::known_runs(StudyModels::with_all_effects(input_->study), truth_fidelity(), nullptr)
-                .value());
-        diagnosis_ = pendular::diagnose(
-            *models_, evidence_of(readings_, input_->measurements.scatter, models_->direct()));
+        input_ = read_input(folder_);
+        found_ =
+            diagnose_study(input_->study, input_->measurements, {.fidelity = truth_fidelity()});
     }
-    const Diagnosis& diagnosis() const { return diagnosis_; }
+    const Diagnosis& diagnosis() const { return found_.diagnosis; }
 
-    std::vector<Rival> rivals() const { return app::rivals_of(diagnosis_, *models_); }
+    std::vector<Rival> rivals() const { return rivals_of(found_.diagnosis, *found_.models); }
     std::vector<Point> points() const {
         std::vector<Point> points = points_of(rig_of_laboratory(plan_), input_->study, 100);
         std::erase_if(points, [&](const Point& point) {
             return !point.direct &&
-                   !models_->beyond(diagnosis_.fit.parameters(0), point.condition).empty();
+                   !found_.models->why_unsupported(found_.diagnosis.fit.parameters(0), point.condition)
+                        .empty();
         });
         return points;
     }
@@ -74,7 +67,7 @@ class Campaign {
         rig.readings = most_readings;
         rig.repeats = std::min(rig.repeats, most_readings);
         const auto rivals = this->rivals();
-        const Eigen::Vector2d noise = relative_errors(readings_);
+        const Eigen::Vector2d noise = relative_errors(found_.readings);
         return next_series(separating_plans(rivals, points, noise, rig.repeats), rivals, points,
                            noise, rig);
     }
@@ -143,10 +136,8 @@ class Campaign {
     const Workers& workers_;
     std::filesystem::path folder_;
     int measured_ = 0;
-    std::optional<app::StudyInput> input_;
-    std::vector<Reading> readings_;
-    std::optional<StudyModels> models_;
-    Diagnosis diagnosis_;
+    std::optional<StudyInput> input_;
+    StudyDiagnosis found_;
 };
 
 /// Whether readings tell one rival from all others.

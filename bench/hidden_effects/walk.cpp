@@ -9,17 +9,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/study_evidence.h"
-#include "app/calibration_run.h"
-#include "app/stored_runs.h"
-#include "app/study_change.h"
-#include "app/study_input.h"
 #include "bench/hidden_effects/rig.h"
-#include "calib/calibrate_study.h"
-#include "calib/study_models.h"
 #include "data/replicate_groups.h"
 #include "data/text_file.h"
 #include "sim/seeds.h"
+#include "workflow/session.h"
 
 namespace pendular::bench {
 namespace {
@@ -41,10 +35,8 @@ bool is_truth(const Explanation& explanation, const StudyModels& models, const T
            });
 }
 
-app::Fitted fitted_with(const Study& study, const Measurements& measurements) {
-    CalibrationRequest request{.fidelity = truth_fidelity()};
-    app::choose_rounds(request, app::known_runs(study, request.fidelity, nullptr), false);
-    return app::fitted(study, calibrate_study(study, measurements, request, Workers{}));
+Fitted fitted_with(const Study& study, const Measurements& measurements) {
+    return fitted(study, fit_study(study, measurements, {.fidelity = truth_fidelity()}, {}));
 }
 
 /// RMS scatter [%] of replicates about the means of their conditions.
@@ -74,7 +66,7 @@ std::array<double, 2> noise_of(const std::vector<Reading>& readings, LabResult l
                                const std::filesystem::path& folder) {
     laboratory.plan.instrument.noise = laboratory.plan.instrument.drift = 0;
     write_whole_folder(folder, study_files(laboratory));
-    const std::vector<Reading> exact = app::read_input(folder).measurements.readings;
+    const std::vector<Reading> exact = read_input(folder).measurements.readings;
     std::filesystem::remove_all(folder);
     Eigen::Array2d squares = Eigen::Array2d::Zero();
     for (const Reading& reading : readings) {
@@ -91,13 +83,13 @@ std::array<double, 2> noise_of(const std::vector<Reading>& readings, LabResult l
                              typical_error(laboratory, dem::Observable::solid_fraction))};
 }
 
-Outcome::Added added(const app::StudyInput& input, const std::vector<std::string>& effects) {
-    const app::Fitted before = fitted_with(input.study, input.measurements);
+Outcome::Added added(const StudyInput& input, const std::vector<std::string>& effects) {
+    const Fitted before = fitted_with(input.study, input.measurements);
     Study more = input.study;
     for (const std::string& effect : effects) {
-        more = app::plan_change(more, app::Action::add, effect).study;
+        more = plan_change(more, Action::add, effect).study;
     }
-    const app::Fitted after = effects.empty() ? before : fitted_with(more, input.measurements);
+    const Fitted after = effects.empty() ? before : fitted_with(more, input.measurements);
     const boost::math::chi_squared law(after.rung.dof);
     return {.p = boost::math::cdf(boost::math::complement(law, after.rung.chi2)),
             .rms_before = before.rung.rms_percent,
@@ -107,14 +99,12 @@ Outcome::Added added(const app::StudyInput& input, const std::vector<std::string
             .left_out_after = after.rung.left_out_percent.value()};
 }
 
-void diagnose_into(Outcome& outcome, const Truth& truth, const app::StudyInput& input) {
-    const Study& study = input.study;
-    const std::vector<Reading> readings = dry_first(input.measurements);
-    const StudyModels models(
-        study, conditions_of(readings), truth_fidelity(),
-        app::known_runs(StudyModels::with_all_effects(study), truth_fidelity(), nullptr).value());
-    const Evidence evidence = evidence_of(readings, input.measurements.scatter, models.direct());
-    const Diagnosis d = diagnose(models, evidence);
+void diagnose_into(Outcome& outcome, const Truth& truth, const StudyInput& input) {
+    const StudyDiagnosis found =
+        diagnose_study(input.study, input.measurements, {.fidelity = truth_fidelity()});
+    const StudyModels& models = *found.models;
+    const Evidence& evidence = found.evidence;
+    const Diagnosis& d = found.diagnosis;
     outcome.verdict = to_string(d.verdict);
     outcome.named = d.effects;
     outcome.suspects = d.suspects;
@@ -160,7 +150,7 @@ Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
     const auto begun = std::chrono::steady_clock::now();
     write_whole_folder(folder, recordings_with_noise(laboratory, truth, study));
     Outcome outcome{.truth = truth.name, .study = study};
-    const app::StudyInput input = app::read_input(folder);
+    const StudyInput input = read_input(folder);
     diagnose_into(outcome, truth, input);
     std::vector<std::string> hidden;
     for (const ActiveEffect& active : truth.hidden) {

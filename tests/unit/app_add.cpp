@@ -4,15 +4,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/study_change.h"
 #include "app_support.h"
-#include "reports/json.h"
+#include "reports/change_report.h"
+#include "reports/with_error.h"
 #include "wet_study_support.h"
+#include "workflow/json.h"
+#include "workflow/study_change.h"
 
 namespace app_add_test {
 
 using namespace pendular;
-using namespace pendular::app;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;

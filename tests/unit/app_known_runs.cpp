@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "app/stored_runs.h"
 #include "emulator_support.h"
 #include "sim/fidelity.h"
+#include "workflow/known_runs.h"
 
 namespace pendular::app_known_runs_test {
 
@@ -15,14 +15,14 @@ TEST(KnownRuns, AreTheAtlasAndTheLatestOfTheStore) {
     }
     const Study study{};
     const Fidelity quick = fidelity_named("quick");
-    const auto known = app::known_runs(study, quick, &store);
+    const auto known = known_runs(study, quick, &store);
     ASSERT_TRUE(known);
     const std::size_t shipped = shipped_runs().size();
-    ASSERT_EQ(known->runs.size(), app::most_known);
+    ASSERT_EQ(known->runs.size(), most_known);
     EXPECT_EQ(known->runs[shipped].strain_transient, 1199);
     EXPECT_EQ(known->runs.back().strain_transient,
-              1200 - static_cast<double>(app::most_known - shipped));
-    EXPECT_EQ(app::known_runs(study, quick, nullptr)->runs.size(), shipped);
+              1200 - static_cast<double>(most_known - shipped));
+    EXPECT_EQ(known_runs(study, quick, nullptr)->runs.size(), shipped);
     EXPECT_EQ(known->scales.size(), Emulator::observables().size());
 }
 
@@ -31,7 +31,7 @@ TEST(KnownRuns, CountARunOnceThatIsInBoth) {
     for (const auto& run : shipped_runs()) {
         store.add(run);
     }
-    EXPECT_EQ(app::known_runs(Study{}, fidelity_named("quick"), &store)->runs.size(),
+    EXPECT_EQ(known_runs(Study{}, fidelity_named("quick"), &store)->runs.size(),
               shipped_runs().size());
 }
 

@@ -139,7 +139,7 @@ TEST(Simulate, RefusesBridgesItCannotHold) {
 TEST(Simulate, StopsCleanlyWhenInterrupted) {
     const TemporaryFolder folder;
     const std::string json = (folder.path() / "run.json").string();
-    const std::string command = std::string("timeout -s INT 1 ") + PENDULAR_PROGRAM +
+    const std::string command = std::string("timeout -s INT 3 ") + PENDULAR_PROGRAM +
                                 " simulate --strain 500 --quiet --json " + json + " 2>" +
                                 (folder.path() / "err").string();
     const int status = std::system(command.c_str());

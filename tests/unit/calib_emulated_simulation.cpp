@@ -9,7 +9,7 @@
 #include "calib/calibration.h"
 #include "calib/study_model.h"
 #include "emulator_support.h"
-#include "reports/json.h"
+#include "workflow/json.h"
 
 namespace pendular::calib_emulated_simulation_test {
 

@@ -15,8 +15,8 @@
 #include "reports/comparison_figures.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
-#include "reports/fit_file.h"
-#include "reports/json.h"
+#include "workflow/fit_file.h"
+#include "workflow/json.h"
 #include "reports/tables.h"
 #include "wet_study_support.h"
 

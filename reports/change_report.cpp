@@ -1,38 +1,17 @@
-#include "app/study_change.h"
+#include "reports/change_report.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <utility>
 
-#include "calib/calibrate_study.h"
-#include "data/input_error.h"
-#include "data/study_edit.h"
-#include "data/text_file.h"
-#include "reports/fit_file.h"
-#include "reports/json.h"
-#include "sim/effect_catalogue.h"
+#include "reports/with_error.h"
 
-namespace pendular::app {
+namespace pendular {
 namespace {
 
 constexpr std::array<const char*, 2> observables = {"shear stress", "solid fraction"};
-
-/// @throws InputError where there is no such effect or it does not apply
-void check_added(const Study& study, const std::string& name) {
-    const EffectCatalogue catalogue(study);
-    try {
-        if (const auto why = why_not(catalogue.find(name), study)) {
-            throw InputError({study.file.string()}, *why);
-        }
-    } catch (const std::invalid_argument& error) {
-        throw InputError(error.what());
-    }
-}
 
 std::string number(double value) {
     return std::abs(value) < 1000 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
@@ -129,39 +108,7 @@ std::string advice_on_dropped(const std::string& effect, const Rung& before, con
         effect, number(before.chi2), number(after.chi2), study);
 }
 
-const char* word_for(Action change) {
-    return change == Action::add ? "add" : "drop";
-}
-
 }  // namespace
-
-StudyChange plan_change(const Study& study, Action change, const std::string& effect) {
-    StudyChange plan{change, effect, study, read_text(study.file), {}};
-    auto& listed = plan.study.model.effects;
-    if (change == Action::add) {
-        check_added(study, effect);
-        plan.new_text = with_effect(plan.old_text, study.file.string(), effect);
-        listed.push_back({effect, {study.file.string()}});
-    } else {
-        plan.new_text = without_effect(plan.old_text, study.file.string(), effect);
-        std::erase_if(listed, [&](const ListedEffect& one) { return one.name == effect; });
-    }
-    return plan;
-}
-
-Fitted fitted(const Study& study, Calibration c) {
-    const StudyModel model(study, c);
-    c.prediction = predict_readings(model.model(), c);
-    const auto left_out = left_out_errors(model.model(), c);
-    Comparison comparison = compare(c);
-    Rung rung = rung_of(c, comparison, left_out);
-    const LeftOut counted = left_out.value_or(LeftOut{});
-    return {.calibration = std::move(c),
-            .comparison = std::move(comparison),
-            .rung = std::move(rung),
-            .left_out = counted.conditions,
-            .undetermined = counted.undetermined};
-}
 
 std::string verdict_of(const StudyChange& change, const Rung& before, const Rung& after) {
     return fmt::format(
@@ -205,37 +152,4 @@ std::vector<std::string> advice_on(const StudyChange& change, const Rung& before
     return lines;
 }
 
-nlohmann::ordered_json to_json(const StudyChange& change, const Rung& before, const Rung& after,
-                               bool written) {
-    const auto side = [](const Rung& rung) {
-        auto json = to_json(rung);
-        for (const char* of_the_ladder : {"step", "change", "effect"}) {
-            json.erase(of_the_ladder);
-        }
-        return json;
-    };
-    return {{"change", word_for(change.change)},
-            {"effect", change.effect},
-            {"written", written},
-            {"before", side(before)},
-            {"after", side(after)}};
-}
-
-void carry_out(const StudyChange& change, const Rung& before, const Fitted& after, Ladder& ladder,
-               const std::filesystem::path& out) {
-    const std::filesystem::path& file = change.study.file;
-    if (read_text(file) != change.old_text) {
-        throw InputError({file.string()},
-                         "has changed while the fit was under way; nothing was written: give the "
-                         "same command again");
-    }
-    Rung rung = after.rung;
-    rung.change = word_for(change.change);
-    rung.effect = change.effect;
-    climb(ladder, before, std::move(rung));
-    write_calibration(out, after.calibration, after.comparison, after.belief);
-    write_ladder(out / "ladder.json", ladder);
-    replace_study(file, change.new_text);
-}
-
-}  // namespace pendular::app
+}  // namespace pendular

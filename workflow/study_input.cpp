@@ -1,4 +1,4 @@
-#include "app/study_input.h"
+#include "workflow/study_input.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "data/input_error.h"
 #include "sim/direct_measurement.h"
 
-namespace pendular::app {
+namespace pendular {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,33 +46,32 @@ bool would_replace(const fs::path& output, const fs::path& input) {
 
 }  // namespace
 
-void protect_inputs(const Study& study, const CommonOptions& options,
-                    const std::vector<fs::path>& outputs) {
+void protect_inputs(const Study& study, const OutputPlaces& outputs) {
     for (const fs::path& input : inputs_of(study)) {
-        for (const fs::path& output : outputs) {
-            const fs::path path = options.out_folder() / output;
+        for (const fs::path& output : outputs.files) {
+            const fs::path path = outputs.folder / output;
             if (would_replace(path, input)) {
                 throw InputError(
                     fmt::format("--out {}: this command writes {}, where the study has its input "
                                 "{}; nothing was written: name another folder",
-                                options.out_folder().string(), path.string(), input.string()));
+                                outputs.folder.string(), path.string(), input.string()));
             }
         }
-        if (options.json && *options.json != "-" && would_replace(*options.json, input)) {
+        if (outputs.json && *outputs.json != "-" && would_replace(*outputs.json, input)) {
             throw InputError(
                 fmt::format("--json {}: that is the study's input {}; nothing was written: name "
                             "another file",
-                            *options.json, input.string()));
+                            *outputs.json, input.string()));
         }
     }
-    for (const fs::path& output : outputs) {
-        const fs::path path = options.out_folder() / output;
+    for (const fs::path& output : outputs.files) {
+        const fs::path path = outputs.folder / output;
         if (const auto pattern = pattern_that_reads(path, study)) {
             throw InputError(
                 fmt::format("--out {}: this command writes {}, which 'file = \"{}\"' of the study "
                             "would read as a measurement; nothing was written: name another "
                             "folder, or a narrower pattern",
-                            options.out_folder().string(), path.string(), *pattern));
+                            outputs.folder.string(), path.string(), *pattern));
         }
     }
 }
@@ -95,14 +94,14 @@ StudyInput with_measurements(Study study) {
 
 }  // namespace
 
-StudyInput read_input(const fs::path& study) {
-    return with_measurements(read_study(study));
+StudyInput read_input(const fs::path& file) {
+    return with_measurements(read_study(file));
 }
 
-StudyInput read_input(const CommonOptions& options, const std::vector<fs::path>& outputs) {
-    Study study = read_study(options.study);
-    protect_inputs(study, options, outputs);
+StudyInput read_input(const fs::path& file, const OutputPlaces& outputs) {
+    Study study = read_study(file);
+    protect_inputs(study, outputs);
     return with_measurements(std::move(study));
 }
 
-}  // namespace pendular::app
+}  // namespace pendular

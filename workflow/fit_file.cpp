@@ -1,4 +1,4 @@
-#include "reports/fit_file.h"
+#include "workflow/fit_file.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@
 #include "data/form.h"
 #include "data/input_error.h"
 #include "data/json_text.h"
-#include "reports/fit_runs.h"
-#include "reports/json.h"
-#include "reports/json_parts.h"
-#include "reports/run_json.h"
+#include "workflow/fit_runs.h"
+#include "workflow/json.h"
+#include "workflow/json_parts.h"
+#include "workflow/run_json.h"
 
 namespace pendular {
 namespace {

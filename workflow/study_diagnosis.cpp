@@ -1,4 +1,4 @@
-#include "app/study_diagnosis.h"
+#include "workflow/study_diagnosis.h"
 
 #include <fmt/format.h>
 
@@ -8,15 +8,14 @@
 
 #include "analysis/compare.h"
 #include "analysis/study_evidence.h"
-#include "app/interrupt.h"
-#include "app/stored_runs.h"
 #include "calib/calibrate_study.h"
 #include "calib/calibration.h"
 #include "data/input_error.h"
 #include "data/quantity.h"
 #include "data/replicate_groups.h"
+#include "workflow/known_runs.h"
 
-namespace pendular::app {
+namespace pendular {
 namespace {
 
 std::string name_of(const Explanation& explanation, const StudyModels& models) {
@@ -35,14 +34,15 @@ std::string cause_of(const std::string& quantity) {
 }
 
 /// A measurement that cannot be right comes before any effect.
-void suspect_measurement(StudyDiagnosis& result) {
+void suspect_measurement(StudyDiagnosis& result, const Study& study,
+                         const Measurements& measurements) {
     std::set<std::string> suspects;
     if (result.mistake) {
         suspects.insert(
             fmt::format("the unit of the {} {}", result.mistake->column, result.mistake->files));
     }
-    for (const Doubt& doubt : result.input.measurements.doubts) {
-        if (!doubt.set_aside && result.input.study.import.keep_implausible) {
+    for (const Doubt& doubt : measurements.doubts) {
+        if (!doubt.set_aside && study.import.keep_implausible) {
             suspects.insert(cause_of(doubt.quantity));
         }
     }
@@ -53,9 +53,9 @@ void suspect_measurement(StudyDiagnosis& result) {
     result.diagnosis.suspects.assign(suspects.begin(), suspects.end());
 }
 
-KnownRuns known_for(const Study& study, const CommonOptions& options) {
-    const auto store = open_store(options);
-    auto known = known_runs(StudyModels::with_all_effects(study), options.fidelity, store.get());
+KnownRuns known_for(const Study& study, const SessionOptions& session) {
+    auto known = known_runs(StudyModels::with_all_effects(study), session.fidelity, session.store,
+                            session.listener);
     if (!known) {
         throw InputError({study.file.string()},
                          "neither the atlas nor the store has enough runs that can serve this "
@@ -65,49 +65,53 @@ KnownRuns known_for(const Study& study, const CommonOptions& options) {
     return std::move(*known);
 }
 
-}  // namespace
-
-StudyDiagnosis diagnosed(const CommonOptions& options, std::uint64_t seed,
-                         const std::filesystem::path& output) {
-    StudyDiagnosis result{.input = read_input(options, {output, "figures"})};
-    const Study& study = result.input.study;
-    result.readings = dry_first(result.input.measurements);
-    check_range(result.readings, study, options.fidelity);
-    if (result.readings.empty()) {
+/// @throws InputError for readings that tell nothing of a model
+void check_readings(const std::vector<Reading>& readings, const Study& study,
+                    const Fidelity& fidelity) {
+    check_range(readings, study, fidelity);
+    if (readings.empty()) {
+        const auto folder = study.file.parent_path();
         throw InputError({study.file.string()},
                          fmt::format("there is no reading to diagnose; 'pendular import {}' says "
                                      "what was left out and why",
-                                     options.study.string()));
+                                     folder.empty() ? "." : folder.string()));
     }
-    if (replicate_groups(result.readings).size() < 2) {
+    if (replicate_groups(readings).size() < 2) {
         throw InputError({study.file.string()},
                          "all readings are at one condition, where every effect looks like every "
                          "other: measure at two normal stresses at least");
     }
-    const KnownRuns known = known_for(study, options);
+}
+
+}  // namespace
+
+StudyDiagnosis diagnose_study(const Study& study, const Measurements& measurements,
+                              const SessionOptions& session) {
+    StudyDiagnosis result{.readings = dry_first(measurements)};
+    check_readings(result.readings, study, session.fidelity);
+    const KnownRuns known = known_for(study, session);
     const auto models = [&] {
         return std::make_unique<StudyModels>(study, conditions_of(result.readings),
-                                             options.fidelity, known);
+                                             session.fidelity, known);
     };
     result.models = models();
-    result.evidence =
-        evidence_of(result.readings, result.input.measurements.scatter, result.models->direct());
-    const InterruptGuard guard;
-    DiagnosisOptions own{.seed = seed};
-    own.progress = [&](std::string_view what, std::size_t at, std::size_t of) {
-        if (guard.token().stop_requested()) {
-            throw dem::Interrupted();
-        }
-        if (!options.quiet && at == 0) {
-            fmt::print(stderr, "{}: {}\n", what, of);
-        }
+    result.evidence = evidence_of(result.readings, measurements.scatter, result.models->direct());
+    DiagnosisOptions options{.seed = session.seed};
+    options.progress = [&](std::string_view what, std::size_t at, std::size_t of) {
+        if (session.stop.stop_requested()) throw dem::Interrupted();
+        tell(session.listener,
+             {.kind = Event::Kind::refits, .text = std::string(what), .number = at, .total = of});
     };
-    own.another = models;
-    own.threads = static_cast<std::size_t>(options.threads);
-    result.diagnosis = diagnose(*result.models, result.evidence, own);
-    result.mistake = find_unit_mistake(result.models->with({}), result.readings, study,
-                                       result.diagnosis.fit.parameters);
-    suspect_measurement(result);
+    options.another = models;
+    options.threads = static_cast<std::size_t>(session.threads);
+    result.diagnosis = diagnose(*result.models, result.evidence, options);
+    const FlowModel& model = result.models->with({});
+    const Fit& fit = result.diagnosis.fit;
+    result.mistake = find_unit_mistake(model, result.readings, study, fit.parameters);
+    suspect_measurement(result, study, measurements);
+    const Misfit misfit{result.diagnosis.chi2, result.diagnosis.dof,
+                        freedom_behind(result.readings)};
+    result.belief = belief_in(fit, model.parameters(), misfit, measurements, result.mistake);
     return result;
 }
 
@@ -126,4 +130,4 @@ std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& mode
     return rivals;
 }
 
-}  // namespace pendular::app
+}  // namespace pendular

@@ -1,4 +1,4 @@
-#include "reports/fit_runs.h"
+#include "workflow/fit_runs.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "reports/run_json.h"
 #include "sim/store/run_table.h"
+#include "workflow/run_json.h"
 
 namespace pendular {
 namespace {

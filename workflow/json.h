@@ -6,7 +6,7 @@
 #include "analysis/compare.h"
 #include "analysis/where_it_fails.h"
 #include "calib/calibration.h"
-#include "reports/run_json.h"
+#include "workflow/run_json.h"
 
 namespace pendular {
 

@@ -1,4 +1,4 @@
-#include "reports/run_json.h"
+#include "workflow/run_json.h"
 
 #include <fmt/format.h>
 

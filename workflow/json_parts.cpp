@@ -1,9 +1,9 @@
-#include "reports/json_parts.h"
+#include "workflow/json_parts.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "reports/run_json.h"
+#include "workflow/run_json.h"
 
 namespace pendular {
 namespace {

@@ -1,13 +1,13 @@
-#include "reports/json.h"
+#include "workflow/json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "data/json_text.h"
 #include "data/text_file.h"
-#include "reports/failure_report.h"
-#include "reports/json_parts.h"
-#include "reports/run_json.h"
+#include "workflow/failure_json.h"
+#include "workflow/json_parts.h"
+#include "workflow/run_json.h"
 
 namespace pendular {
 namespace {

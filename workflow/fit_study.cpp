@@ -1,0 +1,68 @@
+#include "workflow/fit_study.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "workflow/known_runs.h"
+
+namespace pendular {
+namespace {
+
+/// With known runs a fit is emulated and fresh runs at the optimum confirm it, or none are made; by
+/// direct simulation one round more confirms it.
+CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOptions& session,
+                               const FitOptions& options) {
+    CalibrationRequest request{.fidelity = session.fidelity,
+                               .seed = session.seed,
+                               .profile = options.profile,
+                               .cohesion = options.cohesion,
+                               .known = std::move(known)};
+    if (!request.known) {
+        request.options.fewest_rounds -= !options.confirm;
+        return request;
+    }
+    request.known->orders_more = options.confirm;
+    request.options.fewest_rounds = 2;
+    if (!options.confirm) request.options.fewest_rounds = request.options.most_rounds = 1;
+    return request;
+}
+
+}  // namespace
+
+Calibration fit_study(const Study& study, const Measurements& measurements,
+                      const SessionOptions& session, const FitOptions& options) {
+    CalibrationRequest request = request_for(
+        options.cold ? std::nullopt
+                     : known_runs(study, session.fidelity, session.store, session.listener),
+        session, options);
+    std::string stage = "round 1";
+    request.stage = [&](std::string_view name) { stage = name; };
+    const Workers workers{session.threads, session.stop,
+                          [&](const EnsembleProgress& progress) {
+                              tell(session.listener,
+                                   {.kind = Event::Kind::runs, .text = stage, .runs = progress});
+                          },
+                          session.store, !options.cold};
+    const auto report = [&](int round, const Fit& fit) {
+        tell(session.listener,
+             {.kind = Event::Kind::round, .number = static_cast<std::size_t>(round), .fit = &fit});
+        stage = fmt::format("round {}", round + 1);
+    };
+    try {
+        return calibrate_study(study, measurements, request, workers, report);
+    } catch (const dem::Interrupted&) {
+        throw interrupted_with(session.store);
+    }
+}
+
+dem::Interrupted interrupted_with(const RunStore* store) {
+    if (!store) return dem::Interrupted();
+    return dem::Interrupted(fmt::format(
+        "the runs that were done are in {}; give the same command again to go on from there",
+        store->file().string()));
+}
+
+}  // namespace pendular

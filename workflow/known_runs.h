@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "calib/emulated_simulation.h"
+#include "data/study.h"
+#include "sim/store/run_store.h"
+#include "workflow/listener.h"
+
+namespace pendular {
+
+/// What an emulator knows of the beads of a study: the runs that come with the program and those of
+/// the store that can serve, the latest of them where there are more than `most_known`, which the
+/// listener is told; none where they are too few to begin with.
+/// @throws InputError for an atlas that cannot be read
+std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
+                                    const RunStore* store, const Listener& listener = {});
+
+/// Time grows with the cube of their number: so many take some seconds.
+constexpr std::size_t most_known = 1500;
+
+}  // namespace pendular

@@ -1,0 +1,48 @@
+#include "workflow/next.h"
+
+#include <algorithm>
+
+#include "data/input_error.h"
+
+namespace pendular {
+namespace {
+
+double last_time(const std::vector<Reading>& readings) {
+    double last = 0;
+    for (const Reading& reading : readings)
+        last = std::max(last, reading.condition.time);
+    return last;
+}
+
+}  // namespace
+
+NextMeasurement next_measurement(const Study& study, const StudyDiagnosis& d) {
+    const Rig rig = study.rig.value_or(rig_of(d.readings));
+    const std::vector<Point> points = points_of(rig, study, last_time(d.readings));
+    NextMeasurement next{.study = study,
+                         .rivals = rivals_of(d.diagnosis, *d.models),
+                         .points = points,
+                         .plans = {},
+                         .sharpenings = {},
+                         .most_repeats = rig.repeats,
+                         .most_readings = rig.readings};
+    const double friction = next.rivals.front().parameters(0);
+    next.unsupported = std::erase_if(next.points, [&](const Point& point) {
+        return !point.direct && !d.models->why_unsupported(friction, point.condition).empty();
+    });
+    if (next.points.empty()) {
+        throw InputError({study.file.string()},
+                         "[rig]: the known runs support none of its conditions; 'pendular "
+                         "campaign' makes runs there");
+    }
+    const Eigen::Vector2d errors = relative_errors(d.readings);
+    if (next.rivals.size() > 1) {
+        next.plans = separating_plans(next.rivals, next.points, errors, rig.repeats);
+        next.series = next_series(next.plans, next.rivals, next.points, errors, rig);
+    } else {
+        next.sharpenings = sharpening_plans(next.rivals.front(), next.points, errors, rig.repeats);
+    }
+    return next;
+}
+
+}  // namespace pendular

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "analysis/believable.h"
+#include "analysis/compare.h"
+#include "analysis/where_it_fails.h"
+#include "calib/study_model.h"
+#include "workflow/fit_study.h"
+#include "workflow/next.h"
+#include "workflow/study_change.h"
+#include "workflow/study_diagnosis.h"
+#include "workflow/study_input.h"
+
+namespace pendular {
+
+/// A study's fit beside its readings.
+struct CalibratedStudy {
+    Calibration calibration;
+    Comparison comparison;
+    Belief belief;
+};
+
+/// A study's fit from its results folder, the model made again, and where it fails.
+struct ComparedStudy {
+    Calibration calibration;
+    StudyModel model;
+    Comparison comparison;
+    WhereItFails where;
+    Belief belief;
+};
+
+/// A study at work: reads its files once, and answers whatever is asked of it. What is long tells
+/// the listener of its options how far it has come; nothing is printed. Files are written by
+/// `calibrate`, `add` and `drop` alone, to the results folder and, last, to study.toml.
+class Session {
+  public:
+    /// Reads a study and all its recordings; what cannot be used is refused before any work.
+    /// @throws InputError for what is wrong in its files, its effects included, and where results
+    ///         would replace or become an input
+    Session(const std::filesystem::path& study, SessionOptions options, OutputPlaces outputs = {});
+
+    const Study& study() const { return input_.study; }
+    const Measurements& measurements() const { return input_.measurements; }
+    const SessionOptions& options() const { return options_; }
+
+    /// Fits the study's parameters, and writes fit.json to the results folder.
+    /// @throws InputError where there is nothing to fit; dem::Interrupted with how to go on
+    CalibratedStudy calibrate(const FitOptions& fit = {}) const;
+    /// Puts the fit of the results folder beside the readings. `cohesion`: how lines are drawn, if
+    /// not as they were.
+    /// @throws InputError where there is no fit, or it is another study's
+    ComparedStudy compare(const std::optional<CohesionOptions>& cohesion = {}) const;
+    /// Says which physical effect is missing from the study's model, if any.
+    /// @throws InputError for what cannot be diagnosed; dem::Interrupted
+    StudyDiagnosis diagnose() const;
+    /// Says what to measure next; the session and the diagnosis must live as long as the result.
+    /// @throws InputError where the known runs support nothing that the rig can do
+    NextMeasurement next(const StudyDiagnosis& diagnosis) const;
+    /// Takes an effect into the study's file, and fits it anew; see change_study.
+    ChangedStudy add(const std::string& effect, const FitOptions& fit = {},
+                     bool same_fidelity = true) const;
+    /// Takes an effect out of the study's file, likewise.
+    ChangedStudy drop(const std::string& effect, const FitOptions& fit = {},
+                      bool same_fidelity = true) const;
+
+  private:
+    ChangedStudy change(Action action, const std::string& effect, const FitOptions& fit,
+                        bool same_fidelity) const;
+
+    SessionOptions options_;
+    std::filesystem::path folder_;  ///< for results
+    StudyInput input_;
+};
+
+}  // namespace pendular

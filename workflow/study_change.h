@@ -1,0 +1,79 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/believable.h"
+#include "analysis/ladder.h"
+#include "data/study.h"
+#include "workflow/fit_study.h"
+
+namespace pendular {
+
+enum class Action { add, drop };
+
+/// A change of the effects that a study lists, which was checked but not made.
+struct StudyChange {
+    Action change = Action::add;
+    std::string effect;
+    Study study;           ///< as it will be
+    std::string old_text;  ///< of its file
+    std::string new_text;
+};
+
+/// Checks a change of the effects that a study lists.
+/// @throws InputError where there is no such effect (with the nearest one), it does not apply to
+///         the study, is listed already, or is not listed
+StudyChange plan_change(const Study& study, Action change, const std::string& effect);
+
+/// A calibration beside its readings.
+struct Fitted {
+    Calibration calibration;
+    Comparison comparison;
+    Rung rung;
+    Belief belief = {};            ///< of a study after a change
+    std::size_t left_out = 0;      ///< conditions left out, one after the other
+    std::size_t undetermined = 0;  ///< those without which a parameter was not determined
+};
+Fitted fitted(const Study& study, Calibration calibration);
+
+/// What --json gives.
+nlohmann::ordered_json to_json(const StudyChange& change, const Rung& before, const Rung& after,
+                               bool written);
+
+/// Writes fit.json and the ladder, with the change on top, to the folder, and then the study's
+/// file.
+/// @throws InputError where the study's file has changed since it was read; nothing is written
+/// @throws std::runtime_error where something cannot be written; the study then is as it was
+void carry_out(const StudyChange& change, const Rung& before, const Fitted& after, Ladder& ladder,
+               const std::filesystem::path& folder);
+
+/// A study before and after a change.
+struct ChangedStudy {
+    StudyChange change;
+    Fitted before, after;
+    Ladder ladder;         ///< of the study, with the change on top where it was made
+    bool written = false;  ///< false: the fit after the change did not converge
+};
+
+/// How a change is fitted.
+struct ChangeOptions {
+    FitOptions fit = {};           ///< of the study after the change
+    bool same_fidelity = true;     ///< as that of the study's earlier fit
+    std::filesystem::path folder;  ///< for results, with those of earlier commands
+};
+
+/// Fits a study as it is (or takes its earlier fit, where that can be compared with) and after the
+/// change; then writes fit.json and ladder.json to the folder and, last, the study's file. Nothing
+/// is written where the fit after the change does not converge.
+/// @throws InputError for an effect that cannot be added or dropped, a ladder that cannot be read,
+///         and where the study's file has changed since it was read
+/// @throws std::runtime_error where something cannot be written; the study then is as it was
+/// @throws dem::Interrupted with how to go on
+ChangedStudy change_study(const Study& study, const Measurements& measurements, Action change,
+                          const std::string& effect, SessionOptions session,
+                          const ChangeOptions& options);
+
+}  // namespace pendular

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "analysis/believable.h"
+#include "analysis/diagnosis.h"
+#include "analysis/next_measurement.h"
+#include "analysis/unit_mistakes.h"
+#include "calib/study_models.h"
+#include "workflow/fit_study.h"
+
+namespace pendular {
+
+/// A diagnosis with everything it was made from.
+struct StudyDiagnosis {
+    std::vector<Reading> readings;  ///< dry first
+    std::unique_ptr<StudyModels> models;
+    Evidence evidence;
+    Diagnosis diagnosis;
+    std::optional<UnitMistake> mistake = {};  ///< that would mend the misfit
+    Belief belief = {};                       ///< in the fit of the model as it is
+};
+
+/// Diagnoses a study from the atlas and all stored runs. Nothing is simulated.
+/// @throws InputError for what cannot be diagnosed; dem::Interrupted
+StudyDiagnosis diagnose_study(const Study& study, const Measurements& measurements,
+                              const SessionOptions& session);
+
+/// The models that stand, to be told apart; where none does, the one as it is.
+std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models);
+
+}  // namespace pendular
