@@ -1,8 +1,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,15 +49,5 @@ void climb(Ladder& ladder, Rung before, Rung after);
 /// Whether chi2 fell from one rung to another by no more than chance makes of as many parameters
 /// and readings with the errors they have, at 5 %.
 bool fell_by_chance(const Rung& from, const Rung& to);
-
-nlohmann::ordered_json to_json(const Rung& rung);
-
-/// The ladder in a file; empty where there is none.
-/// @throws InputError where it is cut off or something else, with what to do
-Ladder read_ladder(const std::filesystem::path& file);
-
-/// Writes it whole or not at all.
-/// @throws std::runtime_error where it cannot be written
-void write_ladder(const std::filesystem::path& file, const Ladder& ladder);
 
 }  // namespace pendular

@@ -15,6 +15,7 @@
 #include "reports/diagnosis_report.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
+#include "workflow/diagnosis_json.h"
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
 
@@ -62,13 +63,9 @@ int diagnose(const std::vector<std::string>& arguments) {
     const Belief& belief = d.belief;
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModels& models = *d.models;
-    const Checks checks =
-        check_fit(diagnosis.residuals(d.evidence),
-                  entries_of(d.readings, models.with({}).parameters(), models.direct().size()),
-                  covariates_of(d.readings, models.direct().size()),
-                  NullDraws(d.evidence.measured, d.evidence.errors, checked_seed(seed),
-                            DiagnosisOptions{}.draws));
+    const Checks checks = checks_of(d, session->options().seed);
     auto json = to_json(diagnosis, models, d.evidence, checks);
+    json["line"] = verdict_line(diagnosis, models, checks);
     add_belief(json, belief);
     write_json(common->out_folder() / "diagnosis.json", json);
     console.line(verdict_line(diagnosis, models, checks) + caution(d, measurements));

@@ -11,6 +11,7 @@
 #include "reports/draw_figure.h"
 #include "reports/next_report.h"
 #include "workflow/json.h"
+#include "workflow/next_json.h"
 
 namespace pendular::app {
 namespace {

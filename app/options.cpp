@@ -13,6 +13,7 @@
 #include "data/input_error.h"
 #include "data/nearest.h"
 #include "sim/store/run_store.h"
+#include "workflow/study_input.h"
 
 namespace pendular::app {
 namespace {
@@ -25,13 +26,6 @@ std::vector<std::string> option_names(const po::options_description& options) {
         names.push_back("--" + option->long_name());
     }
     return names;
-}
-
-std::filesystem::path study_folder(const std::filesystem::path& study) {
-    if (std::filesystem::is_directory(study)) {
-        return study;
-    }
-    return study.has_parent_path() ? study.parent_path() : std::filesystem::path(".");
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -22,9 +21,5 @@ std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const Model
 /// What to do next; `study` as the user names it.
 std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace& space,
                                    const std::string& study);
-
-/// What `diagnose` prints and `out/diagnosis.json` holds.
-nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& space,
-                               const Evidence& evidence, const Checks& checks);
 
 }  // namespace pendular

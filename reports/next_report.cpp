@@ -5,22 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "analysis/study_evidence.h"
 #include "reports/figure_text.h"
 #include "reports/shown.h"
 #include "reports/with_error.h"
-#include "workflow/run_json.h"
 
 namespace pendular {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-double mass_of(const Condition& c, const Study& study) {
-    return *c.bead_volume * study.grains.density;
-}
 
 /// "300 Pa, I 0.03 (1.2 1/s), dry, 60 g of beads".
 std::string where(const Condition& c, const Study& study) {
@@ -55,10 +47,6 @@ std::string to_measure(const Point& point, int count, const Study& study) {
         where(point, study));
 }
 
-Eigen::VectorXd error_of(const Forecast& forecast) {
-    return (forecast.from_parameters + forecast.from_simulation).diagonal().cwiseSqrt();
-}
-
 std::vector<std::string> pair_names(const NextMeasurement& next, bool separated) {
     std::vector<std::string> names;
     const auto& known = next.series.separated;
@@ -75,17 +63,6 @@ std::vector<std::string> pair_names(const NextMeasurement& next, bool separated)
 
 std::string joined(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, "; "));
-}
-
-/// The plan to show: the first, or, where nothing tells the rivals apart, the most telling one.
-const Plan& shown_plan(const NextMeasurement& next) {
-    return next.series.steps.empty()
-               ? *std::ranges::max_element(next.plans, {}, &Plan::noncentrality)
-               : next.plans.front();
-}
-
-const Plan& plan_at(const NextMeasurement& next, std::size_t point) {
-    return *std::ranges::find(next.plans, point, &Plan::point);
 }
 
 /// What each rival says of a point.
@@ -167,72 +144,6 @@ std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     return lines;
 }
 
-Json point_json(const Point& point, const Study& study) {
-    if (point.direct) {
-        return {{"direct", point.direct->parameter},
-                {"unit", point.direct->unit},
-                {"stderr", point.direct->standard_error}};
-    }
-    const Condition& c = point.condition;
-    Json json = {{"normal_stress", c.normal_stress},
-                 {"inertial_number", c.inertial_number},
-                 {"shear_rate", shear_rate_at(c.inertial_number, c.normal_stress, study.grains)},
-                 {"liquid_content", c.liquid_content}};
-    if (c.bead_volume) {
-        json["bead_mass"] = mass_of(c, study);
-    }
-    json["time"] = c.time;
-    json["wait"] = point.wait;
-    return json;
-}
-
-Json forecast_json(const std::string& name, const Forecast& forecast) {
-    const Eigen::VectorXd error = error_of(forecast);
-    if (error.size() == 1) {
-        return {{"rival", name}, {"direct", uncertain(forecast.value(0), error(0))}};
-    }
-    return {{"rival", name},
-            {"shear_stress", uncertain(forecast.value(0), error(0))},
-            {"solid_fraction", uncertain(forecast.value(1), error(1))}};
-}
-
-Json plan_json(const NextMeasurement& next, const Plan& plan) {
-    Json json = {{"point", point_json(next.points[plan.point], next.study)},
-                 {"repeats", plan.repeats},
-                 {"cost", plan.cost},
-                 {"criterion", plan.separation},
-                 {"separated", Json::array()},
-                 {"forecasts", Json::array()}};
-    for (const auto& [i, j] : plan.separated) {
-        json["separated"].push_back({next.rivals[i].name, next.rivals[j].name});
-    }
-    for (std::size_t k = 0; k < next.rivals.size(); ++k) {
-        json["forecasts"].push_back(forecast_json(next.rivals[k].name, plan.forecasts[k]));
-    }
-    return json;
-}
-
-Json series_json(const NextMeasurement& next) {
-    Json json = {{"readings", next.series.readings()},
-                 {"cost", next.series.cost},
-                 {"separated", Json::array()},
-                 {"steps", Json::array()}};
-    for (const auto& [i, j] : next.series.separated) {
-        json["separated"].push_back({next.rivals[i].name, next.rivals[j].name});
-    }
-    for (const Series::Step& step : next.series.steps) {
-        Json one = {{"point", point_json(next.points[step.point], next.study)},
-                    {"readings", step.readings},
-                    {"forecasts", Json::array()}};
-        const Plan& plan = plan_at(next, step.point);
-        for (std::size_t k = 0; k < next.rivals.size(); ++k) {
-            one["forecasts"].push_back(forecast_json(next.rivals[k].name, plan.forecasts[k]));
-        }
-        json["steps"].push_back(std::move(one));
-    }
-    return json;
-}
-
 /// Whether two conditions differ in the normal stress alone.
 bool beside(const Condition& a, const Condition& b, const Study& study, bool same_rate) {
     const auto rate = [&](const Condition& c) {
@@ -248,36 +159,6 @@ bool beside(const Condition& a, const Condition& b, const Study& study, bool sam
 
 std::vector<std::string> next_lines(const NextMeasurement& next) {
     return next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
-}
-
-Json to_json(const NextMeasurement& next) {
-    Json json = {{"rivals", Json::array()}};
-    for (const Rival& rival : next.rivals) {
-        json["rivals"].push_back(rival.name);
-    }
-    if (!next.plans.empty()) {
-        constexpr std::size_t others = 5;
-        json["separable"] = !next.series.steps.empty();
-        json["series"] = series_json(next);
-        json.update(plan_json(next, shown_plan(next)));
-        json["others"] = Json::array();
-        for (std::size_t k = 1; k < std::min(next.plans.size(), others); ++k) {
-            json["others"].push_back(plan_json(next, next.plans[k]));
-        }
-        return json;
-    }
-    const Sharpening& best = next.sharpenings.front();
-    json["point"] = point_json(next.points[best.point], next.study);
-    json["repeats"] = next.most_repeats;
-    json["standard_errors"] = Json::object();
-    const auto& parameters = next.rivals.front().model->parameters();
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-        const auto i = static_cast<Eigen::Index>(k);
-        json["standard_errors"][parameters[k].name] = {
-            {"before", std::sqrt(next.rivals.front().covariance(i, i))},
-            {"after", best.standard_errors(i)}};
-    }
-    return json;
 }
 
 Figure next_figure(const NextMeasurement& next) {

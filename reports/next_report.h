@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,6 @@ namespace pendular {
 /// The measurement in one line, then what each rival says of it, or the parameters' errors after
 /// it.
 std::vector<std::string> next_lines(const NextMeasurement& next);
-
-/// What `next` prints and `out/next.json` holds.
-nlohmann::ordered_json to_json(const NextMeasurement& next);
 
 /// What the rivals say along the normal stress, through the point to measure.
 Figure next_figure(const NextMeasurement& next);

@@ -45,4 +45,22 @@ NextMeasurement next_measurement(const Study& study, const StudyDiagnosis& d) {
     return next;
 }
 
+const Plan& shown_plan(const NextMeasurement& next) {
+    return next.series.steps.empty()
+               ? *std::ranges::max_element(next.plans, {}, &Plan::noncentrality)
+               : next.plans.front();
+}
+
+const Plan& plan_at(const NextMeasurement& next, std::size_t point) {
+    return *std::ranges::find(next.plans, point, &Plan::point);
+}
+
+double mass_of(const Condition& c, const Study& study) {
+    return *c.bead_volume * study.grains.density;
+}
+
+Eigen::VectorXd error_of(const Forecast& forecast) {
+    return (forecast.from_parameters + forecast.from_simulation).diagonal().cwiseSqrt();
+}
+
 }  // namespace pendular

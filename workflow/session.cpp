@@ -10,7 +10,7 @@ namespace pendular {
 
 Session::Session(const std::filesystem::path& study, SessionOptions options, OutputPlaces outputs)
     : options_(std::move(options)),
-      folder_(outputs.folder.empty() ? study / "out" : outputs.folder),
+      folder_(outputs.folder.empty() ? study_folder(study) / "out" : outputs.folder),
       input_(read_input(study, {folder_, std::move(outputs.files), std::move(outputs.json)})) {}
 
 CalibratedStudy Session::calibrate(const FitOptions& fit) const {

@@ -36,7 +36,8 @@ struct ComparedStudy {
 /// `calibrate`, `add` and `drop` alone, to the results folder and, last, to study.toml.
 class Session {
   public:
-    /// Reads a study and all its recordings; what cannot be used is refused before any work.
+    /// Reads a study, named by its folder or its study.toml, and all its recordings; what cannot be
+    /// used is refused before any work. Results go to the folder of `outputs`, else to STUDY/out.
     /// @throws InputError for what is wrong in its files, its effects included, and where results
     ///         would replace or become an input
     Session(const std::filesystem::path& study, SessionOptions options, OutputPlaces outputs = {});

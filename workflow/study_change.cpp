@@ -16,6 +16,7 @@
 #include "workflow/belief.h"
 #include "workflow/fit_file.h"
 #include "workflow/known_runs.h"
+#include "workflow/ladder_file.h"
 
 namespace pendular {
 namespace {

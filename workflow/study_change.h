@@ -37,9 +37,10 @@ struct Fitted {
     std::size_t left_out = 0;      ///< conditions left out, one after the other
     std::size_t undetermined = 0;  ///< those without which a parameter was not determined
 };
+/// Predicts all readings of a calibration, compares them and leaves out each condition in turn.
 Fitted fitted(const Study& study, Calibration calibration);
 
-/// What --json gives.
+/// A change with the errors before and after, as `add` and `drop` give it with --json.
 nlohmann::ordered_json to_json(const StudyChange& change, const Rung& before, const Rung& after,
                                bool written);
 

@@ -115,6 +115,15 @@ StudyDiagnosis diagnose_study(const Study& study, const Measurements& measuremen
     return result;
 }
 
+Checks checks_of(const StudyDiagnosis& d, std::uint64_t seed) {
+    const std::size_t direct = d.models->direct().size();
+    return check_fit(
+        d.diagnosis.residuals(d.evidence),
+        entries_of(d.readings, d.models->with({}).parameters(), direct),
+        covariates_of(d.readings, direct),
+        NullDraws(d.evidence.measured, d.evidence.errors, seed, DiagnosisOptions{}.draws));
+}
+
 std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models) {
     std::vector<Rival> rivals;
     for (const Explanation& each : diagnosis.confidence_set) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "analysis/believable.h"
+#include "analysis/checks.h"
 #include "analysis/diagnosis.h"
 #include "analysis/next_measurement.h"
 #include "analysis/unit_mistakes.h"
@@ -27,6 +29,10 @@ struct StudyDiagnosis {
 /// @throws InputError for what cannot be diagnosed; dem::Interrupted
 StudyDiagnosis diagnose_study(const Study& study, const Measurements& measurements,
                               const SessionOptions& session);
+
+/// Where the model as it is fails that its parameters could not take over; `seed` of the random
+/// errors that set the limits.
+Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
 /// The models that stand, to be told apart; where none does, the one as it is.
 std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models);

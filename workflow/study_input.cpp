@@ -104,4 +104,11 @@ StudyInput read_input(const fs::path& file, const OutputPlaces& outputs) {
     return with_measurements(std::move(study));
 }
 
+std::filesystem::path study_folder(const std::filesystem::path& study) {
+    if (std::filesystem::is_directory(study)) {
+        return study;
+    }
+    return study.has_parent_path() ? study.parent_path() : std::filesystem::path(".");
+}
+
 }  // namespace pendular

@@ -18,6 +18,9 @@ struct StudyInput {
 /// @throws InputError for what is wrong in its files, its effects included
 StudyInput read_input(const std::filesystem::path& file);
 
+/// The folder of a study that is named by it or by its study.toml.
+std::filesystem::path study_folder(const std::filesystem::path& study);
+
 /// Where a command writes.
 struct OutputPlaces {
     std::filesystem::path folder;              ///< for results, as --out names it

@@ -15,6 +15,7 @@
 #include "reports/ladder_figure.h"
 #include "reports/layout.h"
 #include "tests/unit/known_flow.h"
+#include "workflow/ladder_file.h"
 
 namespace analysis_ladder_test {
 

@@ -16,6 +16,7 @@
 #include "reports/next_report.h"
 #include "tests/unit/data_support.h"
 #include "tests/unit/known_flow.h"
+#include "workflow/next_json.h"
 
 namespace pendular::analysis_next_test {
 

@@ -9,6 +9,7 @@
 #include "reports/with_error.h"
 #include "wet_study_support.h"
 #include "workflow/json.h"
+#include "workflow/ladder_file.h"
 #include "workflow/study_change.h"
 
 namespace app_add_test {

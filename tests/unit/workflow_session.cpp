@@ -57,7 +57,7 @@ TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
         EXPECT_TRUE(added.after.belief.believable());
         EXPECT_EQ(added.ladder.size(), 2u);
     }
-    const Session after = session();
+    const Session after(study_ / "study.toml", options());
     EXPECT_EQ(after.study().model.effects.size(), 1u);
     const StudyDiagnosis diagnosis = after.diagnose();
     EXPECT_FALSE(after.next(diagnosis).sharpenings.empty());

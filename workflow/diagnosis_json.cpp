@@ -1,0 +1,126 @@
+#include "workflow/diagnosis_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "workflow/failure_json.h"
+#include "workflow/run_json.h"
+
+namespace pendular {
+namespace {
+
+nlohmann::ordered_json to_json(const Finding& finding, const ModelSpace& space) {
+    const Candidate& candidate = space.candidates()[finding.candidate];
+    const EffectParameter& p = candidate.parameters.front();
+    nlohmann::ordered_json json = {
+        {"effect", candidate.name},
+        {"parameter", p.name},
+        {"unit", p.unit},
+        {"predicted_drop", finding.test.predicted_drop},
+        {"estimate", uncertain(finding.value, finding.standard_error)},
+        {"absorbed", finding.test.absorbed},
+        {"power", finding.power},
+        {"p", finding.p},
+        {"decision", finding.decision},
+        {"refit_drop", nullptr},
+        {"identifiable", finding.identifiable},
+        {"detectable", nullptr},
+        {"noncentrality_that_matters", finding.test.information},
+    };
+    if (finding.refit_drop) {
+        json["refit_drop"] = *finding.refit_drop;
+    }
+    if (std::isfinite(finding.detectable) && finding.test.seen()) {
+        json["detectable"] = finding.detectable;
+    }
+    return json;
+}
+
+nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace& space,
+                               const Evidence& evidence) {
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+    const auto& all = space.with(explanation.chosen).parameters();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        parameters[all[k].name] =
+            uncertain(explanation.fit.parameters(i), explanation.fit.standard_error(i));
+    }
+    nlohmann::ordered_json json = {{"effects", names_of(explanation, space)},
+                                   {"parameters", parameters},
+                                   {"chi2", explanation.chi2},
+                                   {"dof", explanation.fit.dof},
+                                   {"lack_of_fit_p", explanation.lack_of_fit_p},
+                                   {"further_p", explanation.further_p},
+                                   {"accepted", explanation.accepted}};
+    if (explanation.suspect) {
+        json["suspect"] = evidence.suspects[*explanation.suspect].name;
+    }
+    return json;
+}
+
+/// Of each effect that the verdict points at with each other.
+nlohmann::ordered_json cosines_of(const Diagnosis& d) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (Eigen::Index i = 0; i < d.cosines.rows(); ++i) {
+        for (Eigen::Index k = 0; k < d.cosines.cols(); ++k) {
+            if (i != k) {
+                json[d.effects[static_cast<std::size_t>(i)]]
+                    [d.effects[static_cast<std::size_t>(k)]] = d.cosines(i, k);
+            }
+        }
+    }
+    return json;
+}
+
+}  // namespace
+
+std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space) {
+    std::vector<std::string> names;
+    for (const std::size_t k : explanation.chosen) {
+        names.push_back(space.candidates()[k].name);
+    }
+    return names;
+}
+
+nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
+                               const Evidence& evidence, const Checks& checks) {
+    nlohmann::ordered_json sets = nlohmann::ordered_json::array(),
+                           scan = nlohmann::ordered_json::array(),
+                           tried = nlohmann::ordered_json::array(),
+                           suspects = nlohmann::ordered_json::array();
+    for (const Explanation& each : d.confidence_set) {
+        if (!each.suspect) sets.push_back(names_of(each, space));
+    }
+    for (const Finding& finding : d.scan) {
+        scan.push_back(to_json(finding, space));
+    }
+    for (const Explanation& each : d.tried) {
+        tried.push_back(to_json(each, space, evidence));
+    }
+    for (std::size_t k = 0; k < d.suspect_p.size(); ++k) {
+        suspects.push_back({{"name", evidence.suspects[k].name}, {"p", d.suspect_p[k]}});
+    }
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+    const auto& all = space.with({}).parameters();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        parameters[all[k].name] = uncertain(d.fit.parameters(i), d.fit.standard_error(i));
+    }
+    return {{"verdict", to_string(d.verdict)},
+            {"effects", d.effects},
+            {"suspects", d.suspects},
+            {"confidence_set", sets},
+            {"cosines", cosines_of(d)},
+            {"chi2", d.chi2},
+            {"dof", d.dof},
+            {"lack_of_fit_p", d.lack_of_fit_p},
+            {"further_p", d.further_p},
+            {"errors_assumed", d.errors_assumed},
+            {"parameters", parameters},
+            {"where", to_json(checks)},
+            {"scan", scan},
+            {"refits", tried},
+            {"suspect_tests", suspects}};
+}
+
+}  // namespace pendular

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/checks.h"
+#include "analysis/diagnosis.h"
+
+namespace pendular {
+
+/// The candidates that an explanation has in the model.
+std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space);
+
+/// What `diagnose` prints and `out/diagnosis.json` holds.
+nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& space,
+                               const Evidence& evidence, const Checks& checks);
+
+}  // namespace pendular

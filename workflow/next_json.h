@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "workflow/next.h"
+
+namespace pendular {
+
+/// What `next` prints and `out/next.json` holds.
+nlohmann::ordered_json to_json(const NextMeasurement& next);
+
+}  // namespace pendular
