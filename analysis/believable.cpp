@@ -21,6 +21,17 @@ bool out_of_range(const Fit& fit, const std::vector<Parameter>& parameters, std:
     return fit.at_bound[k] && (friction || !lower || p.lower != 0);
 }
 
+/// Places that doubts set aside: each reading, or a row for each group of rows.
+std::size_t readings_set_aside(const Measurements& measurements) {
+    std::set<std::pair<std::string, int>> rows;
+    for (const Doubt& doubt : measurements.doubts) {
+        if (!doubt.set_aside) continue;
+        for (const Position& origin : doubt.origins)
+            rows.emplace(origin.file, origin.line);
+    }
+    return rows.size();
+}
+
 }  // namespace
 
 Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Misfit& misfit,
@@ -53,14 +64,8 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
     return belief;
 }
 
-std::size_t readings_set_aside(const Measurements& measurements) {
-    std::set<std::pair<std::string, int>> rows;
-    for (const Doubt& doubt : measurements.doubts) {
-        if (!doubt.set_aside) continue;
-        for (const Position& origin : doubt.origins)
-            rows.emplace(origin.file, origin.line);
-    }
-    return rows.size();
+std::size_t doubts_that_set_aside(const Measurements& measurements) {
+    return static_cast<std::size_t>(std::ranges::count_if(measurements.doubts, &Doubt::set_aside));
 }
 
 std::string error_basis(const Measurements& measurements) {

@@ -31,8 +31,8 @@ constexpr double incredible_p = 1e-6;
 Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Misfit& misfit,
                  const Measurements& measurements, const std::optional<UnitMistake>& mistake);
 
-/// Number of readings that import set aside because they were doubted.
-std::size_t readings_set_aside(const Measurements& measurements);
+/// Number of doubts for which import set readings, or rows of recordings, aside.
+std::size_t doubts_that_set_aside(const Measurements& measurements);
 
 /// What the errors of the readings rest on, as in "errors from 22 repeated readings"; for the first
 /// line of an answer.

@@ -119,7 +119,8 @@ int change_study(Action what, const std::vector<std::string>& arguments) {
     }
     Console console(*common);
     const auto figures = common->out_folder() / "figures";
-    const OpenSession session(console, *common, {"fit.json", "ladder.json", "figures"}, own.seed);
+    const OpenSession session(console, *common,
+                              {"fit.json", "fit_runs.csv", "ladder.json", "figures"}, own.seed);
     const auto change = what == Action::add ? &Session::add : &Session::drop;
     const ChangedStudy changed =
         (session.operator->()->*change)(own.effect, own.fit, !own.fidelity_given);

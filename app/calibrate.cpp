@@ -118,7 +118,7 @@ int calibrate(const std::vector<std::string>& arguments) {
     Console console(*common);
     check(fit.cohesion);
     fit.confirm = !no_confirm;
-    const OpenSession session(console, *common, {"fit.json", "figures"}, seed);
+    const OpenSession session(console, *common, {"fit.json", "fit_runs.csv", "figures"}, seed);
     const Measurements& measurements = session->measurements();
     const CalibratedStudy result = session->calibrate(fit);
     const auto& [c, comparison, belief] = result;

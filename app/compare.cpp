@@ -33,8 +33,8 @@ std::string with_effects(const ModelChoice& model) {
     return names.empty() ? "" : names + ": ";
 }
 
-/// "; but not 42 predicted readings (p = 1e-9)": where what was fitted is described and what was
-/// only predicted is not.
+/// "; the 12 readings that were only predicted are not described (p = 1e-9)": where what was fitted
+/// is described and what was only predicted is not.
 std::string verdict_on_predicted(const Calibration& c, const Comparison& comparison) {
     if (c.fitted == c.readings.size() || comparison.predicted.p() >= incredible_p) return "";
     return fmt::format("; the {} readings that were only predicted are not described (p = {:.2g})",
@@ -65,15 +65,16 @@ int compare(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const OpenSession session(console, *common, {"compare.json", "figures"});
+    const Session session(common->study, {.fidelity = common->fidelity},
+                          places_of(*common, {"compare.json", "figures"}));
     const auto out = common->out_folder();
     std::optional<CohesionOptions> drawn;
     if (options.given("lowest-reduced-pressure")) {
         check(cohesion);
         drawn = cohesion;
     }
-    const Measurements& measurements = session->measurements();
-    const ComparedStudy compared = session->compare(drawn);
+    const Measurements& measurements = session.measurements();
+    const ComparedStudy compared = session.compare(drawn);
     const auto& [c, model, comparison, where, belief] = compared;
     auto json = to_json(comparison, c.cohesion_lines, where);
     add_belief(json, belief);

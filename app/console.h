@@ -15,6 +15,10 @@ namespace pendular::app {
 class Console {
   public:
     explicit Console(const CommonOptions& options) : options_(options) {}
+    /// Ends a progress line, so that what is said of an error begins a line of its own.
+    ~Console() { end_progress(); }
+    Console(const Console&) = delete;
+    Console& operator=(const Console&) = delete;
 
     void line(const std::string& text);
     /// Something the user should know, marked as a note.

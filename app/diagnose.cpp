@@ -32,9 +32,9 @@ effect explains). Simulates nothing: predictions are emulated from the atlas and
 
 /// What speaks against relying on a verdict, as a sentence; empty where nothing does.
 std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
-    if (const std::size_t aside = readings_set_aside(measurements); aside > 0) {
-        return fmt::format(" {} of {} readings were set aside as doubtful and have no part in it.",
-                           aside, aside + measurements.readings.size());
+    if (const std::size_t doubts = doubts_that_set_aside(measurements); doubts > 0) {
+        return fmt::format(" Readings that were set aside for {} doubt{} have no part in it.",
+                           doubts, doubts == 1 ? "" : "s");
     }
     const bool said = d.diagnosis.verdict == Verdict::suspect_measurement;
     return measurements.doubts.empty() || said

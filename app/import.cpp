@@ -15,10 +15,12 @@
 namespace pendular::app {
 namespace {
 
-/// ", 8 more set aside as doubtful"; empty where none is.
+/// " (readings or rows were set aside for 2 doubts)"; empty where none was.
 std::string set_aside_text(const Measurements& measurements) {
-    const std::size_t count = readings_set_aside(measurements);
-    return count == 0 ? "" : fmt::format(" ({} more set aside as doubtful)", count);
+    const std::size_t count = doubts_that_set_aside(measurements);
+    return count == 0 ? ""
+                      : fmt::format(" (readings or rows were set aside for {} doubt{})", count,
+                                    count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -38,8 +40,9 @@ int import(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const auto [study, measurements] =
-        read_input(common->study, places_of(*common, {"readings.csv", "excluded.csv"}));
+    const Measurements measurements =
+        read_input(common->study, places_of(*common, {"readings.csv", "excluded.csv"}))
+            .measurements;
     const auto readings = common->out_folder() / "readings.csv";
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);

@@ -13,20 +13,9 @@ namespace {
 /// Shows on standard error what a session tells; no progress with --quiet.
 Listener shown_on(Console& console, bool quiet) {
     return [&console, quiet](const Event& event) {
-        switch (event.kind) {
-            case Event::Kind::note:
-                fmt::print(stderr, "note: {}\n", event.text);
-                return;
-            case Event::Kind::runs:
-                console.progress(event.text, event.runs);
-                return;
-            case Event::Kind::round:
-                console.end_progress();
-                break;
-            case Event::Kind::stage:
-            case Event::Kind::refits:
-                break;
-        }
+        if (event.kind == Event::Kind::runs) return console.progress(event.text, event.runs);
+        console.end_progress();
+        if (event.kind == Event::Kind::note) fmt::print(stderr, "note: {}\n", event.text);
         if (quiet) return;
         if (event.kind == Event::Kind::stage) fmt::print(stderr, "{}\n", event.text);
         if (event.kind == Event::Kind::refits && event.number == 0)
@@ -46,14 +35,20 @@ OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem
 
 OpenSession::OpenSession(Console& console, const CommonOptions& options,
                          std::vector<std::filesystem::path> files, std::int64_t seed)
+    : OpenSession(console, options, read_input(options.study, places_of(options, std::move(files))),
+                  checked_seed(seed)) {}
+
+// The store comes after the input: what is refused leaves no store behind.
+OpenSession::OpenSession(Console& console, const CommonOptions& options, StudyInput input,
+                         std::uint64_t seed)
     : store_(open_store(options)),
-      session_(options.study,
+      session_(std::move(input),
                {.fidelity = options.fidelity,
-                .seed = checked_seed(seed),
+                .seed = seed,
                 .threads = options.threads,
                 .store = store_.get(),
                 .stop = guard_.token(),
                 .listener = shown_on(console, options.quiet)},
-               places_of(options, std::move(files))) {}
+               options.out_folder()) {}
 
 }  // namespace pendular::app

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <stop_token>
 #include <vector>
 
 #include "app/console.h"
@@ -31,6 +30,9 @@ class OpenSession {
     const Session* operator->() const { return &session_; }
 
   private:
+    OpenSession(Console& console, const CommonOptions& options, StudyInput input,
+                std::uint64_t seed);
+
     InterruptGuard guard_;
     std::unique_ptr<RunStore> store_;
     Session session_;

@@ -30,24 +30,31 @@ bool begins(const Steps& file, const Steps& longer) {
                               });
 }
 
+/// Whether something was left out of a file after its last step.
+bool goes_on(const Steps& file, const Measurements& measurements) {
+    const Position& last = file.back()->origin;
+    return std::ranges::any_of(measurements.excluded, [&](const Excluded& rows) {
+        return rows.origin.file == last.file && rows.origin.line > last.line;
+    });
+}
+
 std::string name_of(const Steps& steps) {
     return std::filesystem::path(steps.front()->origin.file).filename().string();
 }
 
 }  // namespace
 
-std::vector<std::string> notes_on_cut_files(const Study& study,
-                                            const std::vector<Reading>& readings) {
+std::vector<std::string> notes_on_cut_files(const Study& study, const Measurements& measurements) {
     std::vector<std::string> notes;
     for (const Source& source : study.sources) {
         if (source.kind != Source::Kind::recording) continue;
         std::vector<Steps> files;
         for (const auto& file : source.files)
-            files.push_back(steps_of(file, readings));
+            files.push_back(steps_of(file, measurements.readings));
         for (const Steps& file : files) {
             const auto longer = std::ranges::find_if(
                 files, [&](const Steps& other) { return begins(file, other); });
-            if (longer == files.end()) continue;
+            if (longer == files.end() || goes_on(file, measurements)) continue;
             notes.push_back(fmt::format(
                 "{} ends after step {}, {} goes on to step {} from the same beginning. If the "
                 "measurement was not stopped there, the file was cut off: export it again.",

@@ -86,7 +86,7 @@ Measurements read_measurements(const Study& study) {
             append(all, read_file(file, source, study, before));
     count_readings_once(all);
     doubt_impossible_readings(all, study);
-    append(all.notes, notes_on_cut_files(study, all.readings));
+    append(all.notes, notes_on_cut_files(study, all));
     pool_replicates(all, study.scatter);
     if (const auto note = grain_weight_note(study, all.readings)) all.notes.push_back(*note);
     return all;

@@ -119,8 +119,8 @@ class Pooling {
 };
 
 void Pooling::find_load_exponents() {
-    // Both observables have one cause for it, so they are judged together: by chance the evidence
-    // of the two is as large in 5 of 100 studies.
+    // Both observables have one cause for it, so they are judged together: chance makes the
+    // evidence of the two as large in at most 5 of 100 studies.
     constexpr double enough = 5.99;
     std::array<LoadExponent, 2> found;
     for (const Eigen::Index o : {0, 1}) {

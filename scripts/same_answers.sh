@@ -89,8 +89,9 @@ keep() {
     fresh_runs
 }
 
-case "${1:-}" in
-keep) [ $# -eq 3 ] && keep "$2" "$3" || usage ;;
-compare) [ $# -eq 3 ] && python3 "$here/scripts/compare_answers.py" "$2" "$3" || exit 1 ;;
+[ $# -eq 3 ] || usage
+case "$1" in
+keep) keep "$2" "$3" ;;
+compare) python3 "$here/scripts/compare_answers.py" "$2" "$3" ;;
 *) usage ;;
 esac

@@ -3,15 +3,30 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "data/input_error.h"
+#include "data/text_file.h"
 #include "workflow/belief.h"
 #include "workflow/fit_file.h"
 
 namespace pendular {
 
+namespace {
+
+/// The places that a session writes to, where its user names none.
+OutputPlaces with_own_files(const std::filesystem::path& study, OutputPlaces places) {
+    if (places.folder.empty()) places.folder = study_folder(study) / "out";
+    if (places.files.empty()) places.files = {"fit.json", "fit_runs.csv", "ladder.json"};
+    return places;
+}
+
+}  // namespace
+
 Session::Session(const std::filesystem::path& study, SessionOptions options, OutputPlaces outputs)
-    : options_(std::move(options)),
-      folder_(outputs.folder.empty() ? study_folder(study) / "out" : outputs.folder),
-      input_(read_input(study, {folder_, std::move(outputs.files), std::move(outputs.json)})) {}
+    : Session(read_input(study, with_own_files(study, outputs)), std::move(options),
+              with_own_files(study, outputs).folder) {}
+
+Session::Session(StudyInput input, SessionOptions options, std::filesystem::path folder)
+    : options_(std::move(options)), folder_(std::move(folder)), input_(std::move(input)) {}
 
 CalibratedStudy Session::calibrate(const FitOptions& fit) const {
     CalibratedStudy result{.calibration = fit_study(study(), measurements(), options_, fit),
@@ -61,6 +76,11 @@ ChangedStudy Session::drop(const std::string& effect, const FitOptions& fit,
 
 ChangedStudy Session::change(Action action, const std::string& effect, const FitOptions& fit,
                              bool same_fidelity) const {
+    if (read_text(study().file) != input_.text) {
+        throw InputError({study().file.string()},
+                         "has changed since it was read; nothing was written: give the same "
+                         "command again, or open another session");
+    }
     return change_study(study(), measurements(), action, effect, options_,
                         {.fit = fit, .same_fidelity = same_fidelity, .folder = folder_});
 }

@@ -40,7 +40,10 @@ class Session {
     /// used is refused before any work. Results go to the folder of `outputs`, else to STUDY/out.
     /// @throws InputError for what is wrong in its files, its effects included, and where results
     ///         would replace or become an input
-    Session(const std::filesystem::path& study, SessionOptions options, OutputPlaces outputs = {});
+    explicit Session(const std::filesystem::path& study, SessionOptions options = {},
+                     OutputPlaces outputs = {});
+    /// The same of a study that was read, with results in `folder`.
+    Session(StudyInput input, SessionOptions options, std::filesystem::path folder);
 
     const Study& study() const { return input_.study; }
     const Measurements& measurements() const { return input_.measurements; }
@@ -59,7 +62,10 @@ class Session {
     /// Says what to measure next; the session and the diagnosis must live as long as the result.
     /// @throws InputError where the known runs support nothing that the rig can do
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
-    /// Takes an effect into the study's file, and fits it anew; see change_study.
+    NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
+    /// Takes an effect into the study's file, and fits it anew; see change_study. The session then
+    /// is of the study as it was: open another one.
+    /// @throws InputError, besides those, where study.toml has changed since it was read
     ChangedStudy add(const std::string& effect, const FitOptions& fit = {},
                      bool same_fidelity = true) const;
     /// Takes an effect out of the study's file, likewise.

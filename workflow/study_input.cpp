@@ -6,6 +6,7 @@
 
 #include "data/files.h"
 #include "data/input_error.h"
+#include "data/text_file.h"
 #include "sim/direct_measurement.h"
 
 namespace pendular {
@@ -89,7 +90,8 @@ StudyInput with_measurements(Study study) {
         }
     }
     Measurements measurements = read_measurements(study);
-    return {std::move(study), std::move(measurements)};
+    std::string text = read_text(study.file);
+    return {std::move(study), std::move(measurements), std::move(text)};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace pendular {
 struct StudyInput {
     Study study;
     Measurements measurements;
+    std::string text = {};  ///< of study.toml, as it was read
 };
 
 /// @throws InputError for what is wrong in its files, its effects included

@@ -29,7 +29,9 @@ class Sessions : public testing::Test {
                     texts_.push_back(event.text);
                 }};
     }
-    Session session(OutputPlaces outputs = {}) { return {study_, options(), std::move(outputs)}; }
+    Session session(OutputPlaces outputs = {}) {
+        return Session(study_, options(), std::move(outputs));
+    }
 
     TemporaryFolder folder_;
     const fs::path study_ = folder_.path() / "study";
@@ -56,6 +58,8 @@ TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
         EXPECT_LT(added.after.rung.chi2_per_dof(), 0.1 * added.before.rung.chi2_per_dof());
         EXPECT_TRUE(added.after.belief.believable());
         EXPECT_EQ(added.ladder.size(), 2u);
+        // The session is of the study as it was.
+        EXPECT_THAT(input_error([&] { before.add("lid-slip"); }), HasSubstr("has changed"));
     }
     const Session after(study_ / "study.toml", options());
     EXPECT_EQ(after.study().model.effects.size(), 1u);
