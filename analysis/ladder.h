@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/compare.h"
 #include "analysis/left_out.h"
+#include "analysis/misfit/compare.h"
 
 namespace pendular {
 

@@ -5,47 +5,22 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/compare.h"
-#include "data/replicate_groups.h"
+#include "analysis/misfit/compare.h"
+#include "data/recordings/replicate_groups.h"
 
 namespace pendular {
 namespace {
 
-/// A model as that of some conditions and all direct measurements; it learns nothing more.
-class AtConditions : public Model {
-  public:
-    AtConditions(const FlowModel& model, std::vector<Condition> conditions)
-        : model_(model), conditions_(std::move(conditions)) {}
-
-    const std::vector<Parameter>& parameters() const override { return model_.parameters(); }
-    Prediction predict(const Eigen::VectorXd& parameters) const override {
-        return model_.with_direct(parameters, model_.predict_conditions(parameters, conditions_));
-    }
-    Prediction predict_mean(const Eigen::VectorXd& parameters) const override {
-        return model_.with_direct(parameters,
-                                  model_.predict_mean_conditions(parameters, conditions_));
-    }
-    Eigen::VectorXd values(const Eigen::VectorXd& parameters) const override {
-        return model_.with_direct(parameters, model_.values_of_conditions(parameters, conditions_));
-    }
-    void improve(const Eigen::VectorXd&, double) override {}
-    Supported supported() const override { return model_.supported(); }
-
-  private:
-    const FlowModel& model_;
-    std::vector<Condition> conditions_;
-};
-
 /// Squares of the relative errors of predictions.
 class Squares {
   public:
-    void add(const FlowModel& model, const Eigen::VectorXd& parameters,
+    void add(const Predictor& model, const Eigen::VectorXd& parameters,
              const std::vector<Reading>& readings) {
         if (readings.empty()) {
             return;
         }
         const Prediction predicted =
-            model.predict_mean_conditions(parameters, conditions_of(readings));
+            model.predict(parameters, conditions_of(readings), Ask::slopes);
         for (std::size_t k = 0; k < readings.size(); ++k) {
             const Eigen::Vector2d value =
                 predicted.value.segment<2>(2 * static_cast<Eigen::Index>(k));
@@ -90,7 +65,8 @@ bool determined(const Fit& fit, const Measured& measured) {
 
 }  // namespace
 
-std::optional<LeftOut> left_out_errors(const FlowModel& model, const Calibration& c) {
+std::optional<LeftOut> left_out_errors(const std::shared_ptr<const Predictor>& model,
+                                       const Calibration& c) {
     const auto end_of_fitted = c.readings.begin() + static_cast<std::ptrdiff_t>(c.fitted);
     const std::vector<Reading> fitted(c.readings.begin(), end_of_fitted);
     const auto groups = replicate_groups(fitted);
@@ -101,17 +77,17 @@ std::optional<LeftOut> left_out_errors(const FlowModel& model, const Calibration
     Squares squares;
     for (const auto& group : groups) {
         const Split parts = split(fitted, group);
-        const AtConditions rest(model, conditions_of(parts.others));
+        const ModelOfReadings rest(model, conditions_of(parts.others), c.direct);
         const Measured measured = stack(parts.others, c.direct);
         Fit refit = fit(rest, measured, c.fit.parameters);
         if (!determined(refit, measured)) {
             // From the optimum an undetermined parameter would keep what it owes to this condition.
-            refit = fit(rest, measured, start_of(model));
+            refit = fit(rest, measured, start_of(rest));
             ++result.undetermined;
         }
-        squares.add(model, refit.parameters, parts.left_out);
+        squares.add(*model, refit.parameters, parts.left_out);
     }
-    squares.add(model, c.fit.parameters, {end_of_fitted, c.readings.end()});
+    squares.add(*model, c.fit.parameters, {end_of_fitted, c.readings.end()});
     result.rms_percent = squares.rms_percent();
     return result;
 }

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 
-#include "calib/calibration.h"
+#include "calib/fit/calibration.h"
+#include "calib/model/predictor.h"
 
 namespace pendular {
 
@@ -21,6 +23,7 @@ struct LeftOut {
 /// predicted by the finished model fitted to the others, from the optimum and without new runs.
 /// Readings that the calibration only predicts count as they are predicted, so that the error of
 /// every fit of a study is over the same readings. Empty where less than two conditions are fitted.
-std::optional<LeftOut> left_out_errors(const FlowModel& model, const Calibration& calibration);
+std::optional<LeftOut> left_out_errors(const std::shared_ptr<const Predictor>& model,
+                                       const Calibration& calibration);
 
 }  // namespace pendular

@@ -60,7 +60,7 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
     options.add_switch("confirm", &own.fit.confirm,
                        "fresh runs at the new optimum, until they and the emulator agree");
     options.add_switch("cold", &own.fit.cold,
-                       "by direct simulation alone, from neither the atlas nor earlier runs");
+                       "from neither the atlas nor earlier runs: simulate all that the fit needs");
     auto common = options.parse(arguments);
     if (!common) {
         return std::nullopt;
@@ -104,7 +104,7 @@ int refuse_fit(Console& console, const StudyChange& change, const Fitted& after)
     console.line(fmt::format("{} not {}: the fit {} it did not converge ({}); {} is as it was",
                              change.effect, change.change == Action::add ? "added" : "dropped",
                              change.change == Action::add ? "with" : "without",
-                             after.calibration.fit.message, change.study.file.string()));
+                             after.calibration.fit.message, change.study.study().file.string()));
     for (const auto& note : after.calibration.notes) {
         console.note(note);
     }

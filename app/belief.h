@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "analysis/believable.h"
+#include "analysis/misfit/believable.h"
 #include "app/console.h"
 
 namespace pendular::app {

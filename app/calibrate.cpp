@@ -4,14 +4,14 @@
 #include <optional>
 #include <string>
 
-#include "analysis/compare.h"
+#include "analysis/misfit/compare.h"
 #include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
 #include "app/options.h"
-#include "calib/calibrate_study.h"
-#include "calib/calibration.h"
+#include "calib/fit/calibrate_study.h"
+#include "calib/fit/calibration.h"
 #include "reports/tables.h"
 #include "workflow/fit_file.h"
 #include "workflow/json_parts.h"
@@ -21,10 +21,6 @@ namespace {
 
 /// What simulations a calibration rests on.
 std::string basis_of(const Calibration& c) {
-    if (!c.scales) {
-        return fmt::format("{} simulations at {} fidelity in {} rounds", c.runs.size(),
-                           c.fidelity.name, c.rounds);
-    }
     std::size_t ordered = 0;
     std::string why;
     for (const Order& order : c.orders) {
@@ -105,7 +101,7 @@ int calibrate(const std::vector<std::string>& arguments) {
         "fewer)");
     options.add_switch(
         "cold", &fit.cold,
-        "by direct simulation alone, from neither the atlas nor earlier runs; those of this fit "
+        "from neither the atlas nor earlier runs: simulate all that the fit needs; those of it "
         "are kept in the store all the same");
     options.add("lowest-reduced-pressure", &fit.cohesion.lowest_reduced_pressure,
                 "cohesion lines go through points from this P* on [1] (default 2.3)");

@@ -12,9 +12,9 @@
 #include "app/options.h"
 #include "app/stored_runs.h"
 #include "data/input_error.h"
-#include "sim/campaign.h"
-#include "sim/mpi_ensemble.h"
-#include "sim/store/run_table.h"
+#include "sim/runs/campaign.h"
+#include "sim/runs/mpi_ensemble.h"
+#include "sim/runs/store/run_table.h"
 #include "workflow/fit_study.h"
 
 namespace pendular::app {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/ensemble.h"
-#include "sim/fidelity.h"
+#include "sim/runs/ensemble.h"
+#include "sim/runs/fidelity.h"
 
 namespace pendular::app {
 

@@ -3,15 +3,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "analysis/compare.h"
-#include "analysis/where_it_fails.h"
+#include "analysis/diagnosis/where_it_fails.h"
+#include "analysis/misfit/compare.h"
 #include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
 #include "app/options.h"
-#include "calib/calibrate_study.h"
-#include "calib/calibration.h"
+#include "calib/fit/calibrate_study.h"
+#include "calib/fit/calibration.h"
 #include "reports/comparison_figures.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "data/json_text.h"
+#include "data/files/json_text.h"
 #include "workflow/json.h"
 
 namespace pendular::app {

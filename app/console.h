@@ -6,7 +6,7 @@
 
 #include "app/options.h"
 #include "reports/with_error.h"
-#include "sim/ensemble.h"
+#include "sim/runs/ensemble.h"
 
 namespace pendular::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/study_evidence.h"
+#include "analysis/diagnosis/study_evidence.h"
 #include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "data/input_error.h"
-#include "data/number.h"
-#include "data/units.h"
+#include "data/quantities/number.h"
+#include "data/quantities/units.h"
 
 namespace pendular::app {
 namespace {
@@ -109,7 +109,7 @@ std::vector<ActiveEffect> EffectOptions::effects() const {
                 given = true;
             }
         }
-        if (given && (effect.on_with_liquid || !active.is_neutral())) {
+        if (given && (effect.given_by_liquid || !active.is_neutral())) {
             result.push_back(std::move(active));
         }
     }

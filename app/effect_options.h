@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/options.h"
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular::app {
 
@@ -24,7 +24,7 @@ class EffectOptions {
                   const std::string& meaning, const WhyNot& why_not = {});
 
     /// The effects that were given values other than neutral, by name; after parsing. What is on
-    /// without being asked for (`on_with_liquid`) counts at neutral too.
+    /// without being asked for (`given_by_liquid`) counts at neutral too.
     /// @throws InputError for what is no number, of the wrong dimension or beyond the bounds
     std::vector<ActiveEffect> effects() const;
 

@@ -9,12 +9,12 @@
 #include "app/console.h"
 #include "app/open_session.h"
 #include "app/options.h"
+#include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "data/text_file.h"
 #include "reports/draw_figure.h"
 #include "reports/effect_pages.h"
 #include "reports/effect_signature.h"
-#include "sim/effect_catalogue.h"
+#include "sim/catalogue/effect_catalogue.h"
 #include "workflow/known_runs.h"
 #include "workflow/study_input.h"
 
@@ -107,9 +107,8 @@ class Signatures {
         : folder_(std::move(folder)), study_(signature_study(catalogue.all())) {
         // The atlas alone, so that the manual is the same everywhere.
         if (auto known = known_runs(study_, fidelity, nullptr)) {
-            known->orders_more = false;
-            simulation_.emplace(study_, signature_conditions(study_), fidelity, 1, Workers{},
-                                std::move(*known));
+            simulation_ = std::make_shared<EmulatedSimulation>(
+                study_, fidelity, Emulator(known->runs, std::move(known->scales)));
         }
     }
 
@@ -120,7 +119,7 @@ class Signatures {
             return "";
         }
         try {
-            draw(signature_figure(effect, study_, *simulation_), folder_ / "figures");
+            draw(signature_figure(effect, study_, simulation_), folder_ / "figures");
         } catch (const std::logic_error& error) {  // no run has it, or no cell can show it
             why_none_ = error.what();
             return "";
@@ -135,7 +134,7 @@ class Signatures {
   private:
     std::filesystem::path folder_;
     Study study_;
-    std::optional<EmulatedSimulation> simulation_;
+    std::shared_ptr<const EmulatedSimulation> simulation_;
     std::string why_none_;
 };
 

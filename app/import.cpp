@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/believable.h"
+#include "analysis/misfit/believable.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/open_session.h"
 #include "app/options.h"
-#include "data/write_tables.h"
+#include "data/files/write_tables.h"
 #include "reports/tables.h"
 #include "workflow/json.h"
 #include "workflow/study_input.h"

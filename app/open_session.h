@@ -8,7 +8,7 @@
 #include "app/console.h"
 #include "app/interrupt.h"
 #include "app/options.h"
-#include "sim/store/run_store.h"
+#include "sim/runs/store/run_store.h"
 #include "workflow/session.h"
 
 namespace pendular::app {

@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "data/input_error.h"
-#include "data/nearest.h"
-#include "sim/store/run_store.h"
+#include "data/quantities/nearest.h"
+#include "sim/runs/store/run_store.h"
 #include "workflow/study_input.h"
 
 namespace pendular::app {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/fidelity.h"
+#include "sim/runs/fidelity.h"
 
 namespace pendular::app {
 

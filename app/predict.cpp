@@ -2,143 +2,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "app/command.h"
 #include "app/console.h"
 #include "app/interrupt.h"
 #include "app/options.h"
-#include "app/requested_state.h"
 #include "app/stored_runs.h"
+#include "calib/emulator/emulated_observables.h"
+#include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "data/nearest.h"
-#include "data/number.h"
-#include "data/text_file.h"
 #include "reports/draw_figure.h"
 #include "reports/prediction_figure.h"
-#include "workflow/known_runs.h"
+#include "reports/with_error.h"
+#include "sim/runs/ensemble.h"
+#include "workflow/state_prediction_json.h"
 
 namespace pendular::app {
 namespace {
-
-using nlohmann::ordered_json;
-
-/// What a curve varies, and how.
-struct Along {
-    std::string name;
-    double from = 0, to = 0;
-    int points = 60;
-    bool logarithmic = false;
-
-    double at(int k) const {
-        const double part = static_cast<double>(k) / (points - 1);
-        return logarithmic ? from * std::pow(to / from, part) : from + (to - from) * part;
-    }
-    void set(RequestedState& requested, double value) const {
-        if (name == "friction") {
-            requested.friction = value;
-        } else if (name == "inertial_number") {
-            requested.inertial_number = value;
-        } else if (name == "reduced_pressure") {
-            requested.reduced_pressure = value;
-        } else if (name == "bridge_volume") {
-            requested.bridge_volume = value;
-        } else {
-            requested.liquid_content = value;
-        }
-    }
-};
-
-/// "reduced-pressure=0.5:10".
-/// @throws InputError for any other text
-Along along_from(const std::string& text, int points) {
-    const std::vector<std::string> names = {"friction", "inertial-number", "reduced-pressure",
-                                            "bridge-volume", "liquid-content"};
-    const auto equals = std::min(text.find('='), text.size());
-    const auto colon = std::min(text.find(':', equals), text.size());
-    const std::string name = text.substr(0, equals);
-    const auto number = [&](std::size_t begin, std::size_t end) {
-        return begin < text.size() ? parse_number(text.substr(begin, end - begin)) : std::nullopt;
-    };
-    const auto from = number(equals + 1, colon), to = number(colon + 1, text.size());
-    if (std::ranges::find(names, name) == names.end()) {
-        throw InputError(fmt::format("--along {}: nothing to vary is called '{}'; {}", text, name,
-                                     did_you_mean(name, names)));
-    }
-    if (!from || !to || !(*from < *to) || points < 2) {
-        throw InputError(fmt::format(
-            "--along {}: two numbers are needed, the lesser first, as in {}=0.5:10", text, name));
-    }
-    Along along{.name = name, .from = *from, .to = *to, .points = points};
-    along.logarithmic = name != "friction" && *from > 0;
-    std::ranges::replace(along.name, '-', '_');
-    return along;
-}
-
-ordered_json uncertain(const Estimate& estimate) {
-    return {{"value", estimate.value}, {"stderr", estimate.standard_error}};
-}
-
-ordered_json state_json(const FlowState& state,
-                        const std::vector<EmulatedObservable>& observables) {
-    ordered_json json = {{"friction", state.friction},
-                         {"inertial_number", state.inertial_number},
-                         {"reduced_pressure", nullptr},
-                         {"bridge_volume", nullptr}};
-    if (!state.dry()) {
-        json["reduced_pressure"] = 1 / state.inverse_pressure;
-        json["bridge_volume"] = state.bridge_volume;
-    }
-    constexpr const char* inputs[] = {"friction", "log_inertial_number", "inverse_reduced_pressure",
-                                      "bridge_volume"};
-    for (const auto& one : observables) {
-        const std::string name(dem::observable_names[static_cast<std::size_t>(one.which)]);
-        json[name] = uncertain(one.value);
-        for (std::size_t k = 0; k < one.slopes.size(); ++k) {
-            json[name]["by"][inputs[k]] = uncertain(one.slopes[k]);
-        }
-    }
-    return json;
-}
-
-/// What a prediction rests on and how it is answered.
-struct PredictionTask {
-    const Emulator& emulator;
-    const KnownRange& known;
-    const CommonOptions& common;
-    double stiffness_number;
-    Console& console;
-};
 
 /// The name of the observable with its value and standard error.
 std::string observable_line(dem::Observable which, double value, double standard_error) {
     return fmt::format("{:<32} {:>22}", dem::observable_names[static_cast<std::size_t>(which)],
                        with_error(value, standard_error));
-}
-
-/// Solid fractions of very soft grains, to which the correction leads, may leave what packings
-/// have.
-/// @throws InputError for them
-void demand_physical(const std::vector<EmulatedObservable>& observables, double stiffness_number) {
-    for (const auto& one : observables) {
-        if (one.which == dem::Observable::solid_fraction &&
-            !(one.value.value >= KnownRange::lowest_fraction &&
-              one.value.value <= KnownRange::highest_fraction)) {
-            throw InputError(
-                fmt::format("--stiffness-number {:g}: the solid fraction would be {:.3g}, which is "
-                            "not between {} and {}; give a larger stiffness number",
-                            stiffness_number, one.value.value, KnownRange::lowest_fraction,
-                            KnownRange::highest_fraction));
-        }
-    }
-}
-
-std::vector<EmulatedObservable> predicted_at(const FlowState& state, const PredictionTask& p) {
-    auto observables = emulated_at(p.emulator, state, p.stiffness_number, observables_of(state));
-    demand_physical(observables, p.stiffness_number);
-    return observables;
 }
 
 /// Notes what makes a simulated answer another than the requested one.
@@ -164,71 +52,46 @@ void note_differences(const RequestedState& requested, const dem::RunResult& run
     }
 }
 
-/// Answers by a simulation of the state, which is kept in the store.
-/// @throws InputError for a state that cannot be simulated
-void simulate_one(const RequestedState& requested, const FlowState& state, const PredictionTask& p,
-                  RunStore* store) {
-    const dem::RunParameters wanted =
-        run_of(with_known_coordination(requested, state, p.emulator, p.known), p.common.fidelity,
-               p.stiffness_number);
-    if (const std::string why = why_impossible(wanted); !why.empty()) {
-        throw InputError("--simulate: " + why);
-    }
+/// Simulates the state at the fidelity, and keeps the run in the store.
+void simulate_one(const RequestedState& requested, const StatePredictor& predictor,
+                  const CommonOptions& common, RunStore* store, Console& console) {
+    const dem::RunParameters wanted = predictor.run_for(requested);
     const InterruptGuard guard;
     const Workers workers{
-        .threads = p.common.threads,
+        .threads = common.threads,
         .stop = guard.token(),
-        .report = [&](const EnsembleProgress& at) { p.console.progress("simulating", at); },
+        .report = [&](const EnsembleProgress& at) { console.progress("simulating", at); },
         .store = store};
     const dem::RunResult run = run_all({wanted}, workers).front();
-    p.console.end_progress();
+    console.end_progress();
     if (!run.failure.empty()) {
         throw std::runtime_error("the simulation failed: " + run.failure);
     }
-    ordered_json json = state_json(Emulator::state_of(wanted), {});
-    for (const dem::Observable which : observables_of(state)) {
-        const Mean& mean = run[which];
-        p.console.line(observable_line(which, mean.value, mean.standard_error));
-        json[std::string(dem::observable_names[static_cast<std::size_t>(which)])] =
-            uncertain({mean.value, mean.standard_error});
+    for (const dem::Observable which : observables_of(emulated::state_of(wanted))) {
+        console.line(observable_line(which, run[which].value, run[which].standard_error));
     }
-    p.console.line(
-        fmt::format("Simulated at {} fidelity, since the known runs do not support a prediction: "
-                    "{} grains, averaged strain {:.3g}, stiffness number {:.4g}.{}",
-                    p.common.fidelity.name, wanted.beads, run.strain_averaged, p.stiffness_number,
-                    store ? " The run is in " + store->file().string() + "." : ""));
-    note_differences(requested, run, p.console);
-    json["stiffness_number"] = p.stiffness_number;
-    json["simulated"] = true;
-    p.console.json(json);
+    console.line(fmt::format(
+        "Simulated at {} fidelity, since the known runs do not support a prediction: "
+        "{} grains, averaged strain {:.3g}, stiffness number {:.4g}.{}",
+        common.fidelity.name, wanted.beads, run.strain_averaged, predictor.stiffness_number(),
+        store ? " The run is in " + store->file().string() + "." : ""));
+    note_differences(requested, run, console);
+    console.json(simulated_state_json(wanted, run));
 }
 
-void predict_one(const RequestedState& requested, const PredictionTask& p, bool simulate,
-                 RunStore* store) {
-    const FlowState state = requested.state(p.emulator, p.known);
-    if (const std::string why = p.known.why_unsupported(state); !why.empty()) {
-        if (simulate) {
-            return simulate_one(requested, state, p, store);
-        }
-        throw InputError(unsupported_text(requested, state, why, p.emulator, p.known,
-                                          p.common.fidelity, p.stiffness_number));
+void predict_one(const RequestedState& requested, const StatePredictor& predictor, bool simulates,
+                 Console& console) {
+    const StatePrediction prediction = predictor.at(requested);
+    for (const auto& one : prediction.observables) {
+        console.line(observable_line(one.which, one.value.value, one.value.standard_error));
     }
-    const auto observables = predicted_at(state, p);
-    for (const auto& one : observables) {
-        p.console.line(observable_line(one.which, one.value.value, one.value.standard_error));
-    }
-    p.console.line(
+    console.line(
         fmt::format("Predicted from {} runs{}; the solid fraction is that at stiffness number "
                     "{:.4g}.",
-                    p.emulator.runs().size(),
-                    simulate ? ", which support this state, so that nothing was simulated" : "",
-                    p.stiffness_number));
-    ordered_json json = state_json(state, observables);
-    json["stiffness_number"] = p.stiffness_number;
-    json["beyond"] = p.emulator.beyond(state);
-    json["runs"] = p.emulator.runs().size();
-    json["simulated"] = false;
-    p.console.json(json);
+                    prediction.runs,
+                    simulates ? ", which support this state, so that nothing was simulated" : "",
+                    prediction.stiffness_number));
+    console.json(to_json(prediction));
 }
 
 /// A variable in words: "inertial number".
@@ -238,52 +101,28 @@ std::string spoken(std::string name) {
 }
 
 /// Says which part of a curve the known runs support.
-void note_left_out(const Along& along, const PredictionCurve& curve, const std::string& why,
-                   Console& console) {
-    const std::size_t left_out = static_cast<std::size_t>(along.points) - curve.at.size();
-    if (left_out > 0) {
+void note_left_out(const PredictionCurve& curve, int points, Console& console) {
+    if (curve.left_out > 0) {
         console.note(fmt::format(
             "{} of {} states are left out, since the known runs do not support them ({}). Kept is "
             "{} {:.4g} to {:.4g}. 'pendular simulate' or 'pendular campaign' makes runs beyond.",
-            left_out, along.points, why, spoken(along.name), curve.at.front(), curve.at.back()));
+            curve.left_out, points, curve.why_left_out, spoken(curve.variable), curve.at.front(),
+            curve.at.back()));
     }
 }
 
-void predict_along(RequestedState requested, const Along& along, const PredictionTask& p) {
-    PredictionCurve curve{.variable = along.name, .stiffness_number = p.stiffness_number};
-    ordered_json json = {{"along", along.name}, {"states", ordered_json::array()}};
-    std::string why;  // the first state is left out, and which that is
-    std::optional<RequestedState> left_out;
-    for (int k = 0; k < along.points; ++k) {
-        along.set(requested, along.at(k));
-        const FlowState state = requested.state(p.emulator, p.known);
-        if (const std::string unsupported = p.known.why_unsupported(state); !unsupported.empty()) {
-            if (!left_out) {
-                left_out = requested, why = unsupported;
-            }
-            continue;
-        }
-        curve.at.push_back(along.at(k));
-        curve.states.push_back(state);
-        curve.observables.push_back(predicted_at(state, p));
-        json["states"].push_back(state_json(state, curve.observables.back()));
-    }
-    if (curve.at.size() < 2) {
-        throw InputError(fmt::format(
-            "--along: {} of {} states can be predicted, a curve needs 2; {}", curve.at.size(),
-            along.points,
-            unsupported_text(*left_out, left_out->state(p.emulator, p.known), why, p.emulator,
-                             p.known, p.common.fidelity, p.stiffness_number)));
-    }
-    const std::filesystem::path folder = p.common.out.value_or(".");
+void predict_along(const RequestedState& requested, const VariedQuantity& varied,
+                   const StatePredictor& predictor, const CommonOptions& common, Console& console) {
+    const PredictionCurve curve = predictor.along(requested, varied);
+    const std::filesystem::path folder = common.out.value_or(".");
     write_whole(folder / "prediction.csv", prediction_table(curve));
-    draw(prediction_figure(curve, p.emulator), folder / "figures");
-    p.console.line(fmt::format("{} states from {} runs are written to {} and {}.", curve.at.size(),
-                               p.emulator.runs().size(), (folder / "prediction.csv").string(),
-                               (folder / "figures" / "prediction.png").string()));
-    note_left_out(along, curve, why, p.console);
-    json["left_out"] = along.points - static_cast<int>(curve.at.size());
-    p.console.json(json);
+    draw(prediction_figure(curve, predictor.emulator()), folder / "figures");
+    console.line(fmt::format("{} states from {} runs are written to {} and {}.", curve.at.size(),
+                             predictor.emulator().runs().size(),
+                             (folder / "prediction.csv").string(),
+                             (folder / "figures" / "prediction.png").string()));
+    note_left_out(curve, varied.points, console);
+    console.json(to_json(curve));
 }
 
 }  // namespace
@@ -343,9 +182,9 @@ int predict(const std::vector<std::string>& arguments) {
         throw InputError(
             "--simulate answers for one state; with --along, 'pendular campaign' makes the runs");
     }
-    std::optional<Along> line;
+    std::optional<VariedQuantity> line;
     if (!along.empty()) {
-        line = along_from(along, points);
+        line = VariedQuantity::parsed(along, points);
         for (const double end : {line->from, line->to}) {
             RequestedState at = requested;
             line->set(at, end);
@@ -357,25 +196,16 @@ int predict(const std::vector<std::string>& arguments) {
     if (!options.given("stiffness-number")) {
         stiffness_number = common->fidelity.stiffness_number;
     }
-    if (!(stiffness_number >= 100)) {
-        throw InputError(
-            fmt::format("--stiffness-number {}: 100 or more is needed", stiffness_number));
-    }
+    StatePredictor::check_stiffness_number(stiffness_number);
     Console console(*common);
     const auto store = open_store(*common);
-    auto known = known_runs(Study{}, common->fidelity, store.get());
-    if (!known) {
-        throw InputError(
-            "there are too few runs to predict from; name an atlas in PENDULAR_ATLAS, or make runs "
-            "with 'pendular campaign'");
-    }
-    const Emulator emulator(known->runs, std::move(known->scales));
-    const KnownRange range(emulator);
-    const PredictionTask prediction{emulator, range, *common, stiffness_number, console};
+    const StatePredictor predictor(common->fidelity, store.get(), stiffness_number);
     if (line) {
-        predict_along(requested, *line, prediction);
+        predict_along(requested, *line, predictor, *common, console);
+    } else if (simulate && !predictor.supports(requested)) {
+        simulate_one(requested, predictor, *common, store.get(), console);
     } else {
-        predict_one(requested, prediction, simulate, store.get());
+        predict_one(requested, predictor, simulate, console);
     }
     return done;
 }

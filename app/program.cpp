@@ -7,7 +7,7 @@
 
 #include "app/command.h"
 #include "data/input_error.h"
-#include "data/nearest.h"
+#include "data/quantities/nearest.h"
 #include "sim/dem/run.h"
 
 namespace pendular::app {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "data/input_error.h"
-#include "data/units.h"
+#include "data/quantities/units.h"
 #include "workflow/json.h"
 
 namespace pendular::app {

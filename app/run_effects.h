@@ -7,7 +7,7 @@
 #include "app/console.h"
 #include "app/effect_options.h"
 #include "app/options.h"
-#include "sim/single_run.h"
+#include "sim/runs/single_run.h"
 
 namespace pendular::app {
 

@@ -12,13 +12,16 @@
 #include "app/console.h"
 #include "app/options.h"
 #include "app/stored_runs.h"
-#include "calib/emulator.h"
+#include "calib/emulator/emulated_observables.h"
+#include "calib/emulator/emulator.h"
+#include "calib/emulator/emulator_scales.h"
 #include "data/input_error.h"
-#include "data/nearest.h"
+#include "data/quantities/nearest.h"
 #include "reports/draw_figure.h"
 #include "reports/run_plots.h"
 #include "sim/dem/grain_effects.h"
-#include "sim/store/run_table.h"
+#include "sim/runs/run_request.h"
+#include "sim/runs/store/run_table.h"
 #include "workflow/json.h"
 
 namespace pendular::app {
@@ -80,7 +83,7 @@ std::string flags(const dem::RunResult& run) {
 
 /// Its effects after what stands before them, or nothing.
 std::string with_effects(const dem::RunParameters& p, const std::string& before) {
-    return p.effects.empty() ? "" : before + dem::effects_text(p.effects);
+    return p.effects.empty() ? "" : before + effects_text(p.effects);
 }
 
 ordered_json stored_json(const StoredRun& stored) {
@@ -128,7 +131,7 @@ int show(const Request& request, Console& console) {
         const StoredRun stored = store.get(run_number(word));
         json.push_back(stored_json(stored));
         console.line(fmt::format("run {}\n{}", stored.id,
-                                 dem::described(stored.run.parameters, stored.run.threads)));
+                                 described(stored.run.parameters, stored.run.threads)));
         for (std::size_t k = 0; k < dem::observable_count; ++k) {
             const auto which = static_cast<dem::Observable>(k);
             if (stored.run.parameters.wetting || !dem::needs_bridges(which)) {
@@ -264,7 +267,7 @@ int learn(const Request& request, Console& console) {
     demand_words(request, 1, "the file to write, emulator.csv beside its atlas");
     std::vector<dem::RunResult> runs;
     for (const StoredRun& stored : request.selected()) {
-        if (Emulator::usable(stored.run)) {
+        if (emulated::usable(stored.run)) {
             runs.push_back(stored.run);
         }
     }
@@ -272,13 +275,13 @@ int learn(const Request& request, Console& console) {
         throw InputError("there are no steady runs to learn from");
     }
     EmulatorScales scales;
-    for (const dem::Observable which : Emulator::observables()) {
-        if (Emulator::known(runs, which)) {
-            scales[which] = Emulator::learn(runs, which);
+    for (const dem::Observable which : emulated::observables()) {
+        if (PlainEmulator::known(runs, which)) {
+            scales[which] = PlainEmulator::learn(runs, which);
         }
         if (!request.common.quiet) {
             fmt::print(stderr, "learned {} of {} observables\n", scales.size(),
-                       Emulator::observables().size());
+                       emulated::observables().size());
         }
     }
     write_scales(request.words[0], scales);

@@ -14,9 +14,9 @@
 #include "app/options.h"
 #include "app/run_effects.h"
 #include "app/stored_runs.h"
+#include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "data/quantity.h"
-#include "data/text_file.h"
+#include "data/quantities/quantity.h"
 #include "reports/draw_figure.h"
 #include "reports/figure.h"
 #include "reports/run_fields.h"
@@ -24,6 +24,7 @@
 #include "sim/dem/run.h"
 #include "sim/dem/series.h"
 #include "sim/dem/snapshot.h"
+#include "sim/runs/run_request.h"
 #include "workflow/json.h"
 
 namespace pendular::app {
@@ -105,7 +106,7 @@ dem::Precision precision_from(const std::string& text) {
 /// @throws InputError for what cannot be simulated
 void refuse_impossible(const dem::RunParameters& run) {
     try {
-        dem::check(run);
+        check(run);
     } catch (const std::invalid_argument& error) {
         throw InputError(error.what());
     }
@@ -234,7 +235,7 @@ dem::RunResult shear(const dem::RunParameters& run, const dem::StoredSample* sta
             });
     }
     try {
-        return dem::run(run, options);
+        return pendular::simulate(run, options);
     } catch (const std::invalid_argument& error) {
         throw InputError(error.what());
     } catch (const dem::Interrupted&) {
@@ -262,7 +263,7 @@ void carry_out(dem::RunParameters run, const RunEffects& effects, const Extras& 
         }
         start = start_of(run, extras.start, *store);
         if (start) {
-            run.start = dem::fingerprint(dem::described(start->run.parameters, start->run.threads));
+            run.start = fingerprint(described(start->run.parameters, start->run.threads));
         } else {
             console.note(fmt::format(
                 "The run starts from a random sample: {} holds no steady {} run of {} grains with "

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/options.h"
-#include "sim/store/run_store.h"
+#include "sim/runs/store/run_store.h"
 
 namespace pendular::app {
 

@@ -7,12 +7,12 @@
 #include "app/effect_options.h"
 #include "app/interrupt.h"
 #include "app/options.h"
+#include "data/files/json_text.h"
+#include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "data/json_text.h"
-#include "data/text_file.h"
-#include "data/units.h"
+#include "data/quantities/units.h"
 #include "reports/truth.h"
-#include "sim/virtual_lab.h"
+#include "sim/lab/virtual_lab.h"
 
 namespace pendular::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "data/input_error.h"
-#include "data/nearest.h"
+#include "data/quantities/nearest.h"
 
 namespace pendular {
 

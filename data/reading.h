@@ -12,14 +12,6 @@
 
 namespace pendular {
 
-/// Values of the parameters of an effect.
-struct EffectValues {
-    std::string effect;
-    std::vector<double> values;  ///< in the order of its parameters
-
-    bool operator==(const EffectValues&) const = default;
-};
-
 /// What is imposed on a sample: one measured or simulated state of steady shear.
 struct Condition {
     double normal_stress = 0;           ///< s22 [Pa]
@@ -28,11 +20,6 @@ struct Condition {
     std::optional<double> height;       ///< of the cell [m], where known
     std::optional<double> bead_volume;  ///< in the cell [m^3], where known
     double time = 0;                    ///< since the first recording began [s]
-
-    // What effects make of the study's beads and liquid here.
-    std::optional<Liquid> liquid;             ///< none: the study's
-    double friction_difference = 0;           ///< to the friction of the study
-    std::vector<EffectValues> grain_effects;  ///< on grains, in SI units
 
     bool dry() const { return liquid_content == 0; }
     bool operator==(const Condition&) const = default;

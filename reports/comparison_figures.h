@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "analysis/compare.h"
-#include "calib/calibration.h"
-#include "calib/study_model.h"
+#include "analysis/misfit/compare.h"
+#include "calib/fit/calibration.h"
+#include "calib/fit/study_model.h"
 #include "reports/figure.h"
 
 namespace pendular {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analysis/diagnosis.h"
+#include "analysis/diagnosis/diagnosis.h"
 #include "reports/figure.h"
 
 namespace pendular {

@@ -26,8 +26,8 @@ double chi2_per_dof(double chi2, double dof) {
 
 /// "torque-offset (0.41 +- 0.03 mN m)", from the refit; a switch has its name alone.
 std::string with_estimates(const Explanation& explanation, const ModelSpace& space) {
-    const auto& parameters = space.with(explanation.chosen).parameters();
-    auto next = static_cast<Eigen::Index>(space.with({}).parameters().size());
+    const auto parameters = space.with(explanation.chosen)->parameters();
+    auto next = static_cast<Eigen::Index>(space.with({})->parameters().size());
     std::vector<std::string> texts;
     for (const std::size_t k : explanation.chosen) {
         const Candidate& candidate = space.candidates()[k];

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/checks.h"
-#include "analysis/diagnosis.h"
+#include "analysis/diagnosis/diagnosis.h"
+#include "analysis/misfit/checks.h"
 
 namespace pendular {
 

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "data/text_file.h"
+#include "data/files/text_file.h"
 #include "reports/figure_numbers.h"
 #include "reports/figure_text.h"
 #include "reports/layout.h"

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "calib/model/run_design.h"
+#include "calib/model/study_state.h"
 #include "reports/model_curve.h"
 #include "reports/shown.h"
 #include "reports/symbol_code.h"
@@ -16,6 +18,11 @@ namespace {
 const std::string friction_label = "intergranular friction μ";
 const std::string inertial_label = "inertial number I = γ̇ (m/aσ_{22})^{1/2}";
 constexpr int curve_steps = 60;
+
+/// Inertial numbers that span those of the readings, none below the fidelity's lowest.
+std::vector<double> simulated_inertial_numbers(const Calibration& c) {
+    return inertial_numbers_for(conditions_of(c.readings), c.fidelity.lowest_inertial_number);
+}
 
 /// What the dry figures are made from.
 struct DryStudy {
@@ -86,7 +93,7 @@ Curve runs_curve(const DryStudy& study, const Condition& condition, std::size_t 
 
 /// The model of what grains do at a condition, against friction; other parameters as fitted.
 ModelCurve against_friction(const DryStudy& study, const Condition& condition) {
-    const FlowModel& flow = study.model.flow();
+    const Predictor& flow = study.model.flow();
     Eigen::VectorXd parameters = study.model.flow_parameters(study.calibration.fit.parameters);
     const Supported range = study.model.simulation().supported();
     std::vector<double> x;
@@ -98,7 +105,7 @@ ModelCurve against_friction(const DryStudy& study, const Condition& condition) {
     for (int k = 0; k <= curve_steps; ++k) {
         x.push_back(range.lower(0) + (range.upper(0) - range.lower(0)) * k / curve_steps);
         parameters(0) = x.back();
-        const Prediction one = flow.predict_conditions(parameters, {condition});
+        const Prediction one = flow.predict(parameters, {condition});
         all.value.segment<2>(2 * k) = one.value;
         all.covariance.block<2, 2>(2 * k, 2 * k) = one.covariance;
     }
@@ -110,7 +117,7 @@ ModelCurve against_friction(const DryStudy& study, const Condition& condition) {
 Shown corrected_mean(const DryStudy& study, const std::vector<std::size_t>& places,
                      const Condition& condition) {
     const Shown there =
-        shown(study.model.flow().predict_conditions(
+        shown(study.model.flow().predict(
                   study.model.flow_parameters(study.calibration.fit.parameters), {condition}),
               0, condition.normal_stress);
     std::vector<Shown> all;
@@ -137,7 +144,7 @@ Figure calibration_figure(const DryStudy& study) {
                                        corrected.empty() ? "" : ", with " + corrected),
                   .panels = {},
                   .stacked = true};
-    const double slow = study.model.simulation().inertial_numbers().front();
+    const double slow = simulated_inertial_numbers(c).front();
     for (std::size_t o = 0; o < 2; ++o) {
         Panel panel{.x_label = friction_label,
                     .y_label = o == 0 ? stress_ratio_label : solid_fraction_label};
@@ -188,7 +195,7 @@ struct InertialFigure {
 
 InertialFigure inertial_figure_of(const DryStudy& study) {
     const Calibration& c = study.calibration;
-    const auto& levels = study.model.simulation().inertial_numbers();
+    const auto levels = simulated_inertial_numbers(c);
     InertialFigure figure{
         .study = study,
         .series = curve_groups(study.readings, study.model.model(), c, along_inertial_number,
@@ -208,8 +215,8 @@ InertialFigure inertial_figure_of(const DryStudy& study) {
                         std::pow(figure.fastest / figure.low, k / double{curve_steps}));
             conditions.push_back(path.at(x.back()));
         }
-        figure.model.emplace_back(
-            x, study.model.model().predict_conditions(c.fit.parameters, conditions), conditions);
+        figure.model.emplace_back(x, study.model.model().predict(c.fit.parameters, conditions),
+                                  conditions);
     }
     return figure;
 }

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "calib/calibration.h"
-#include "calib/study_model.h"
+#include "calib/fit/calibration.h"
+#include "calib/fit/study_model.h"
 #include "reports/figure.h"
 
 namespace pendular {

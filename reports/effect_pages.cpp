@@ -31,13 +31,13 @@ std::size_t group_index(const Effect& effect) {
     if (effect.of_instrument()) {
         return 0;
     }
-    if (std::holds_alternative<ChangeCondition>(effect.change)) {
+    if (effect.of_condition()) {
         return 1;
     }
     if (effect.of_grains()) {
         return 2;
     }
-    return std::holds_alternative<ChangeClosure>(effect.change) ? 3 : 4;
+    return effect.of_closure() ? 3 : 4;
 }
 
 const char* touched(const Effect& effect) {

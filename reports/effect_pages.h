@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 

@@ -8,12 +8,12 @@
 #include <cmath>
 #include <memory>
 
-#include "calib/effect_model.h"
-#include "calib/rumpf.h"
+#include "calib/model/assemble_model.h"
+#include "calib/model/study_state.h"
 #include "reports/figure_text.h"
 #include "reports/layout.h"
 #include "reports/shown.h"
-#include "sim/lab_plan.h"
+#include "sim/lab/lab_plan.h"
 
 namespace pendular {
 namespace {
@@ -32,7 +32,8 @@ Condition usual(bool dry, const Study& study) {
 
 /// P* that the study's wet beads have at 1 Pa.
 double reduced_pressure_per_pascal(const Study& study) {
-    return 1 / inverse_pressure_of({.normal_stress = 1, .liquid_content = usual_content}, study);
+    const Condition wet{.normal_stress = 1, .liquid_content = usual_content};
+    return 1 / inverse_pressure_of(wet, study);
 }
 
 /// What varies along the curves of a column of panels.
@@ -71,7 +72,7 @@ struct Along {
 };
 
 /// Their heights are those of the beads without the effect.
-Along along(const Column& column, bool dry, const Study& study, const FlowModel& plain) {
+Along along(const Column& column, bool dry, const Study& study, const Predictor& plain) {
     Along all;
     for (int k = 0; k < points; ++k) {
         const double part = static_cast<double>(k) / (points - 1);
@@ -81,7 +82,7 @@ Along along(const Column& column, bool dry, const Study& study, const FlowModel&
         column.set(all.conditions.back(), all.at.back(), study);
     }
     const Eigen::VectorXd flow =
-        plain.predict_mean_conditions(plain_parameters(), all.conditions).value;
+        plain.predict(plain_parameters(), all.conditions, Ask::slopes).value;
     for (std::size_t k = 0; k < all.at.size(); ++k) {
         AnnularCell cell = study.cell.value();
         cell.bead_volume = all.conditions[k].bead_volume.value();
@@ -95,7 +96,7 @@ Along along(const Column& column, bool dry, const Study& study, const FlowModel&
 /// more.
 double shown_size(const Effect& effect, const EffectParameter& p, const Study& study) {
     if (p.is_switch()) return 1;
-    const double from = effect.on_with_liquid ? study.liquid.value().surface_tension : p.neutral;
+    const double from = effect.given_by_liquid ? effect.unlisted_value(study.liquid) : p.neutral;
     return std::clamp(from + p.matters, p.lower, p.upper);
 }
 
@@ -123,12 +124,12 @@ Changes changes_between(const Eigen::VectorXd& without, const Eigen::VectorXd& w
 
 /// With the errors of the emulator, most of which both have in common.
 Changes changes_of_grains(const ActiveEffect& active, const Study& study,
-                          const FlowModel& simulation, const std::vector<Condition>& conditions) {
+                          const Predictor& simulation, const std::vector<Condition>& conditions) {
     std::vector<Condition> both = conditions;
     for (const Condition& condition : conditions) {
         both.push_back(changed_condition(condition, {active}, study.liquid));
     }
-    const Prediction said = simulation.predict_conditions(plain_parameters(), both);
+    const Prediction said = simulation.predict(plain_parameters(), both);
     const Eigen::Index n = said.value.size() / 2;
     const Eigen::VectorXd without = said.value.head(n), with = said.value.tail(n);
     Eigen::VectorXd error(n);
@@ -147,25 +148,19 @@ Changes changes_of_grains(const ActiveEffect& active, const Study& study,
 /// The model that an effect is added to, without it and with it.
 class Models {
   public:
-    Models(const Effect& effect, const Study& study, SimulationModel& simulation)
-        : effect_(effect), study_(study), simulation_(simulation) {
-        FlowModel* inside = &simulation;
-        if (const auto* change = std::get_if<ChangeClosure>(&effect.change)) {
-            const std::vector<double> sizes = shown_sizes(effect, study);
-            without_ = std::make_unique<RumpfModel>(simulation, study);
-            with_ = std::make_unique<RumpfModel>(
-                simulation, study, change->change({}, Values(effect.parameters, sizes)));
-            inside = with_.get();
-        }
-        model_ = std::make_unique<EffectModel>(*inside, study, std::vector{&effect});
+    Models(const Effect& effect, Study study, std::shared_ptr<const EmulatedSimulation> simulation)
+        : effect_(effect), study_(std::move(study)) {
+        if (effect.of_closure()) study_.model.base = effect.base();
+        without_ = assemble_model(study_, simulation, {});
+        model_ = assemble_model(study_, std::move(simulation), {&effect});
     }
 
-    const FlowModel& without() const { return without_ ? *without_ : simulation_; }
+    const Predictor& without() const { return *without_; }
 
     Changes changes(const std::vector<Condition>& conditions) const {
         const std::vector<double> sizes = shown_sizes(effect_, study_);
         if (effect_.of_grains()) {
-            return changes_of_grains({&effect_, sizes}, study_, simulation_, conditions);
+            return changes_of_grains({&effect_, sizes}, study_, *without_, conditions);
         }
         std::vector<double> parameters = {friction};
         for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -173,17 +168,14 @@ class Models {
         }
         const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(
             parameters.data(), static_cast<Eigen::Index>(parameters.size()));
-        return changes_between(
-            without().predict_mean_conditions(plain_parameters(), conditions).value,
-            model_->predict_mean_conditions(at, conditions).value);
+        return changes_between(without().predict(plain_parameters(), conditions, Ask::slopes).value,
+                               model_->predict(at, conditions, Ask::slopes).value);
     }
 
   private:
     const Effect& effect_;
-    const Study& study_;
-    const FlowModel& simulation_;
-    std::unique_ptr<FlowModel> without_, with_;  ///< closures, where the effect is one on them
-    std::unique_ptr<EffectModel> model_;
+    Study study_;  ///< of base `rumpf` where the effect is one on closures
+    std::shared_ptr<const Predictor> without_, model_;
 };
 
 /// The two panels of a column.
@@ -286,7 +278,8 @@ std::vector<Condition> signature_conditions(const Study& study) {
     return {usual(true, study), usual(false, study)};
 }
 
-Figure signature_figure(const Effect& effect, const Study& study, SimulationModel& simulation) {
+Figure signature_figure(const Effect& effect, const Study& study,
+                        const std::shared_ptr<const EmulatedSimulation>& simulation) {
     const Models models(effect, study, simulation);
     std::vector<Pair> all;
     for (const Column& column : columns) {
@@ -329,12 +322,12 @@ std::string signature_caption(const Effect& effect, const Study& study) {
         "fraction below.",
         effect.name, size_text(effect, study), 1e6 * study.grains.diameter, study.grains.density,
         friction, 1e3 * cell.inner_radius, 1e3 * cell.outer_radius);
-    if (effect.on_with_liquid) {
+    if (effect.given_by_liquid) {
         text +=
-            fmt::format(" It changes from {:g} mN/m.", 1e3 * study.liquid.value().surface_tension);
+            fmt::format(" It changes from {:g} mN/m.", 1e3 * effect.unlisted_value(study.liquid));
     }
-    if (std::holds_alternative<ChangeClosure>(effect.change)) {
-        text += " Base `rumpf`.";
+    if (effect.of_closure()) {
+        text += fmt::format(" Base `{}`.", effect.base());
     }
     text += fmt::format(
         " Where they do not vary: {:g} kPa, I = {:g}, liquid content {:g} (wet), {:g} g of beads, "

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "calib/simulation_model.h"
-#include "data/study.h"
+#include "calib/model/emulated_simulation.h"
+#include "data/study/study.h"
 #include "reports/figure.h"
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 
@@ -23,7 +23,8 @@ std::vector<Condition> signature_conditions(const Study& study);
 /// change.
 /// @throws std::invalid_argument where no run behind the simulation has the effect
 /// @throws std::domain_error where no true state is shown so
-Figure signature_figure(const Effect& effect, const Study& study, SimulationModel& simulation);
+Figure signature_figure(const Effect& effect, const Study& study,
+                        const std::shared_ptr<const EmulatedSimulation>& simulation);
 
 /// What stays the same along the curves of those figures, in words.
 std::string signature_caption(const Effect& effect, const Study& study);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/where_it_fails.h"
+#include "analysis/diagnosis/where_it_fails.h"
 
 namespace pendular {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "data/csv.h"
+#include "data/files/csv.h"
 #include "reports/figure_text.h"
 
 namespace pendular {

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <utility>
 
-#include "calib/wet_groups.h"
-#include "data/number.h"
+#include "calib/fit/wet_groups.h"
+#include "data/quantities/number.h"
 #include "reports/figure_text.h"
 
 namespace pendular {
@@ -143,14 +143,14 @@ std::vector<CurveGroup> divided(const CurveGroup& series, Apart apart, const Cal
     return parts;
 }
 
-bool passes(const CurveGroup& series, const FlowModel& model, const Calibration& c,
+bool passes(const CurveGroup& series, const Predictor& model, const Calibration& c,
             const Coordinate& along) {
     const ConditionPath path = series.path(c.readings, along);
     std::vector<Condition> conditions;
     for (const std::size_t k : series.members) {
         conditions.push_back(path.at(along.of(c.readings[k].condition)));
     }
-    const Eigen::VectorXd drawn = model.values_of_conditions(c.fit.parameters, conditions);
+    const Eigen::VectorXd drawn = model.predict(c.fit.parameters, conditions, Ask::values).value;
     for (std::size_t m = 0; m < series.members.size(); ++m) {
         const std::size_t k = series.members[m];
         const Reading& reading = c.readings[k];
@@ -177,7 +177,7 @@ ConditionPath CurveGroup::path(const std::vector<Reading>& readings,
 }
 
 std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
-                                     const FlowModel& model, const Calibration& c,
+                                     const Predictor& model, const Calibration& c,
                                      const Coordinate& along, const std::vector<Apart>& apart) {
     const auto judge = [&](std::vector<CurveGroup>& all) {
         for (CurveGroup& series : all) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "calib/calibration.h"
+#include "calib/fit/calibration.h"
 #include "reports/figure.h"
 #include "reports/shown.h"
 
@@ -51,7 +51,7 @@ struct CurveGroup {
 /// Divides readings by what may set curves apart, one after the other, until a curve through each
 /// part tells what the model predicts of its readings. Stops before there are more than 8 parts.
 std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
-                                     const FlowModel& model, const Calibration& calibration,
+                                     const Predictor& model, const Calibration& calibration,
                                      const Coordinate& along, const std::vector<Apart>& apart);
 
 /// The model along an axis, with its standard errors.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "analysis/study_evidence.h"
+#include "analysis/diagnosis/study_evidence.h"
 #include "reports/figure_text.h"
 #include "reports/shown.h"
 #include "reports/with_error.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/emulator/emulated_observables.h"
 #include "reports/shown.h"
 
 namespace pendular {
@@ -36,7 +37,7 @@ const Variable& variable_named(const std::string& name) {
 /// Whether a run differs from the curve in nothing but the variable.
 bool beside(const dem::RunResult& run, const PredictionCurve& curve, const Variable& variable) {
     constexpr double tolerance = 0.05;
-    const FlowState state = Emulator::state_of(run.parameters), &line = curve.states.front();
+    const FlowState state = emulated::state_of(run.parameters), &line = curve.states.front();
     const auto close = [](double a, double b) {
         return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
     };
@@ -105,7 +106,7 @@ Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator)
         for (const auto& run : emulator.runs()) {
             if (variable.of && beside(run, curve, variable)) {
                 const Mean& mean = run[which];
-                runs.x.push_back(variable.of(Emulator::state_of(run.parameters)));
+                runs.x.push_back(variable.of(emulated::state_of(run.parameters)));
                 runs.y.push_back(mean.value);
                 runs.y_error.push_back(mean.standard_error);
             }

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "analysis/study_evidence.h"
+#include "analysis/diagnosis/study_evidence.h"
 #include "reports/figure_text.h"
 #include "reports/shown.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analysis/compare.h"
+#include "analysis/misfit/compare.h"
 #include "reports/figure.h"
 
 namespace pendular {

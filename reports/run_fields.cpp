@@ -10,6 +10,7 @@
 #include "reports/figure_text.h"
 #include "reports/shown.h"
 #include "sim/dem/grain_effects.h"
+#include "sim/runs/run_request.h"
 
 namespace pendular {
 namespace {
@@ -105,7 +106,7 @@ std::string title(const std::string& what, const dem::RunResult& run) {
                             p.wetting->bridge_volume);
     }
     if (!p.effects.empty()) {
-        text += ", " + plain_text(dem::effects_text(p.effects));
+        text += ", " + plain_text(effects_text(p.effects));
     }
     return text;
 }

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "data/input_error.h"
-#include "data/nearest.h"
-#include "sim/store/run_columns.h"
+#include "data/quantities/nearest.h"
+#include "sim/runs/store/run_columns.h"
 
 namespace pendular {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reports/figure.h"
-#include "sim/store/run_store.h"
+#include "sim/runs/store/run_store.h"
 
 namespace pendular {
 

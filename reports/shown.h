@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "calib/calibration.h"
+#include "calib/fit/calibration.h"
 #include "reports/figure.h"
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "data/number.h"
+#include "data/quantities/number.h"
 #include "reports/with_error.h"
 
 namespace pendular {

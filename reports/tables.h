@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/compare.h"
+#include "analysis/misfit/compare.h"
 #include "data/reading.h"
 
 namespace pendular {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "sim/virtual_lab.h"
+#include "sim/lab/virtual_lab.h"
 
 namespace pendular {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "calib/calibrate_study.h"
-#include "calib/structural_cohesion.h"
-#include "calib/wet_groups.h"
+#include "calib/fit/calibrate_study.h"
+#include "calib/fit/structural_cohesion.h"
+#include "calib/fit/wet_groups.h"
 #include "reports/model_curve.h"
 #include "reports/shown.h"
 #include "reports/symbol_code.h"
@@ -20,7 +20,7 @@ const std::string liquid_content_label = "liquid content Φ_L/Φ_S";
 /// What all wet figures are made from.
 struct WetStudy {
     const StudyModel& study_model;
-    const FlowModel& model;
+    const Predictor& model;
     const Calibration& calibration;
     std::vector<WetGroup> groups;     ///< those of the lowest inertial number
     std::vector<CohesionLine> lines;  ///< likewise
@@ -311,7 +311,7 @@ std::map<double, double> cohesions_by_instrument(const WetStudy& study) {
     const Calibration& c = study.calibration;
     std::map<double, double> added;
     if (std::ranges::none_of(study.study_model.effects(), &Effect::of_instrument)) return added;
-    const Prediction truth = study.study_model.flow().predict_conditions(
+    const Prediction truth = study.study_model.flow().predict(
         study.study_model.flow_parameters(c.fit.parameters), conditions_of(c.readings));
     std::vector<std::string> same_notes;
     for (const CohesionLine& line :

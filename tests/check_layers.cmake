@@ -1,5 +1,6 @@
 # Fails where a folder includes a folder to its right, data <- sim <- calib <- analysis <- workflow
 # <- reports <- app,
+# where the solver, sim/dem, includes anything else of sim,
 # and where units include one another in a circle. A unit is a header with its source file.
 cmake_minimum_required(VERSION 3.25)
 set(layers data sim calib analysis workflow reports app)
@@ -18,6 +19,9 @@ foreach(layer IN LISTS layers)
       string(REGEX REPLACE "/.*$" "" folder ${other})
       if(folder IN_LIST right)
         string(APPEND broken "${file}: ${include}\n")
+      endif()
+      if(file MATCHES "^sim/dem/" AND other MATCHES "^sim/" AND NOT other MATCHES "^sim/dem/")
+        string(APPEND broken "${file}: ${include}, but the solver stands alone\n")
       endif()
       if(NOT other STREQUAL unit)
         list(APPEND needs_${unit} ${other})

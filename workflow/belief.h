@@ -1,12 +1,12 @@
 #pragma once
 
-#include "analysis/believable.h"
-#include "calib/study_model.h"
+#include "analysis/misfit/believable.h"
+#include "calib/fit/study_model.h"
 
 namespace pendular {
 
 /// Judges a calibration, and, where its model is emulated, looks for a column in a wrong unit.
-Belief belief_in(const Study& study, const Measurements& measurements, const Calibration& c,
+Belief belief_in(const ResolvedStudy& study, const Measurements& measurements, const Calibration& c,
                  const Comparison& comparison);
 
 }  // namespace pendular

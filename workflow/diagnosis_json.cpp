@@ -39,7 +39,7 @@ nlohmann::ordered_json to_json(const Finding& finding, const ModelSpace& space) 
 nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace& space,
                                const Evidence& evidence) {
     nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
-    const auto& all = space.with(explanation.chosen).parameters();
+    const auto all = space.with(explanation.chosen)->parameters();
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         parameters[all[k].name] =
@@ -101,7 +101,7 @@ nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
         suspects.push_back({{"name", evidence.suspects[k].name}, {"p", d.suspect_p[k]}});
     }
     nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
-    const auto& all = space.with({}).parameters();
+    const auto all = space.with({})->parameters();
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         parameters[all[k].name] = uncertain(d.fit.parameters(i), d.fit.standard_error(i));

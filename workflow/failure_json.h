@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "analysis/where_it_fails.h"
+#include "analysis/diagnosis/where_it_fails.h"
 
 namespace pendular {
 

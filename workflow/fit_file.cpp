@@ -7,10 +7,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "calib/calibrate_study.h"
+#include "calib/fit/calibrate_study.h"
+#include "data/files/json_text.h"
 #include "data/form.h"
 #include "data/input_error.h"
-#include "data/json_text.h"
 #include "workflow/fit_runs.h"
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
@@ -92,7 +92,6 @@ Json fidelity_json(const Fidelity& f) {
             {"strain", f.strain}};
 }
 
-/// Null for a calibration by direct simulation.
 Json matrix_json(const Eigen::MatrixXd& matrix) {
     Json rows = Json::array();
     for (Eigen::Index r = 0; r < matrix.rows(); ++r) {
@@ -105,14 +104,11 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
 }
 
 Json emulator_json(const Calibration& c) {
-    if (!c.scales) {
-        return nullptr;
-    }
     Json json = {{"runs_ordered", Json::array()}, {"scales", Json::object()}};
     for (const Order& order : c.orders) {
         json["runs_ordered"].push_back({{"runs", order.runs}, {"why", order.why}});
     }
-    for (const auto& [which, scales] : *c.scales) {
+    for (const auto& [which, scales] : c.scales) {
         json["scales"][std::string(dem::observable_names[static_cast<std::size_t>(which)])] =
             scales.as_array();
     }
@@ -120,15 +116,11 @@ Json emulator_json(const Calibration& c) {
 }
 
 void read_emulator(const Json& json, Calibration& c) {
-    if (json.is_null()) {
-        return;
-    }
     for (const auto& order : json.at("runs_ordered")) {
         c.orders.push_back({order.at("runs"), order.at("why")});
     }
-    c.scales.emplace();
     for (const auto& [name, scales] : json.at("scales").items()) {
-        (*c.scales)[dem::observable_named(name)] =
+        c.scales[dem::observable_named(name)] =
             Scales::from_array(scales.get<std::array<double, Scales::count>>());
     }
 }
@@ -171,7 +163,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
     json["fidelity"] = fidelity_json(c.fidelity);
     json["seed"] = c.seed;
     json["rounds"] = c.rounds;
-    json["surface_centre"] = c.surface_centre;
+    json["cold"] = c.cold;
     json["emulator"] = emulator_json(c);
     json["notes"] = c.notes;
     json["runs"] = run_names(c.runs);
@@ -233,16 +225,16 @@ void read_parameters(const Json& json, Calibration& c) {
     c.fit.measurement_part.diagonal() -= c.fit.widening.diagonal();
 }
 
-Calibration parse_calibration(const Json& json, const Study& study,
+Calibration parse_calibration(const Json& json, const ResolvedStudy& resolved,
                               const std::vector<Reading>& readings, const Position& where) {
+    const Study& study = resolved;
     const Json& entries = json.at("predictions");
     const bool same_readings =
         entries.size() == readings.size() &&
         std::ranges::equal(entries, readings,
                            [](const Json& e, const Reading& r) { return made_from(e, r); });
-    const auto direct = direct_measurements(study, EffectCatalogue(study));
-    const Json basis =
-        basis_json(study.grains, study.liquid, study.model, study.written_effects, direct);
+    const Json basis = basis_json(study.grains, study.liquid, study.model, study.written_effects,
+                                  resolved.direct());
     const bool same_basis = std::ranges::all_of(basis.items(), [&](const auto& item) {
         return json.value(item.key(), Json::array()) == item.value();  // none: nothing was measured
     });
@@ -258,8 +250,8 @@ Calibration parse_calibration(const Json& json, const Study& study,
     c.liquid = study.liquid;
     c.model = study.model;
     c.written_effects = study.written_effects;
-    c.direct = direct;
-    c.fitted = fitted_count(study, readings);
+    c.direct = resolved.direct();
+    c.fitted = fitted_count(resolved, readings);
     c.readings = readings;
     const Json& f = json.at("fidelity");
     c.fidelity = {f.at("name"), f.at("beads"), f.at("stiffness_number"),
@@ -267,7 +259,12 @@ Calibration parse_calibration(const Json& json, const Study& study,
     c.seed = json.at("seed");
     c.rounds = json.at("rounds");
     c.cohesion.lowest_reduced_pressure = json.at("cohesion_lines_from");
-    c.surface_centre = json.at("surface_centre");
+    if (json.at("emulator").is_null()) {
+        throw InputError(where,
+                         "an earlier version made this fit without an emulator; run 'pendular "
+                         "calibrate' again");
+    }
+    c.cold = json.value("cold", false);  // not written by earlier versions
     read_emulator(json.at("emulator"), c);
     c.notes = json.at("notes").get<std::vector<std::string>>();
     read_parameters(json, c);
@@ -283,7 +280,7 @@ Calibration parse_calibration(const Json& json, const Study& study,
 
 }  // namespace
 
-Calibration read_calibration(const std::filesystem::path& file, const Study& study,
+Calibration read_calibration(const std::filesystem::path& file, const ResolvedStudy& study,
                              const std::vector<Reading>& readings) {
     std::ifstream stream(file);
     if (!stream) {

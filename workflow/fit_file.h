@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
-#include "analysis/believable.h"
-#include "analysis/compare.h"
-#include "calib/calibration.h"
+#include "analysis/misfit/believable.h"
+#include "analysis/misfit/compare.h"
+#include "calib/fit/calibration.h"
 
 namespace pendular {
 
@@ -24,7 +24,7 @@ nlohmann::ordered_json write_calibration(const std::filesystem::path& folder,
 /// that wrote whole runs into it are read too.
 /// @throws InputError where the file is missing, malformed, of another format, or was made from
 ///         others, and where a run it rests on is nowhere any more
-Calibration read_calibration(const std::filesystem::path& file, const Study& study,
+Calibration read_calibration(const std::filesystem::path& file, const ResolvedStudy& study,
                              const std::vector<Reading>& readings);
 
 }  // namespace pendular

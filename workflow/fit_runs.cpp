@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "sim/store/run_table.h"
+#include "sim/runs/store/run_table.h"
 #include "workflow/run_json.h"
 
 namespace pendular {

@@ -11,20 +11,21 @@
 namespace pendular {
 namespace {
 
-/// With known runs a fit is emulated and fresh runs at the optimum confirm it, or none are made; by
-/// direct simulation one round more confirms it.
+/// With known runs fresh ones at the optimum confirm a fit, or none are made; without any, one
+/// round more confirms it.
 CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOptions& session,
                                const FitOptions& options) {
     CalibrationRequest request{.fidelity = session.fidelity,
                                .seed = session.seed,
                                .profile = options.profile,
-                               .cohesion = options.cohesion,
-                               .known = std::move(known)};
-    if (!request.known) {
+                               .cohesion = options.cohesion};
+    if (!known) {
+        request.known.scales = atlas_scales();
         request.options.fewest_rounds -= !options.confirm;
         return request;
     }
-    request.known->orders_more = options.confirm;
+    request.known = std::move(*known);
+    request.known.orders_more = options.confirm;
     request.options.fewest_rounds = 2;
     if (!options.confirm) request.options.fewest_rounds = request.options.most_rounds = 1;
     return request;
@@ -32,7 +33,11 @@ CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOpti
 
 }  // namespace
 
-Calibration fit_study(const Study& study, const Measurements& measurements,
+bool begins_cold(const Study& study, const SessionOptions& session, const FitOptions& options) {
+    return options.cold || !known_runs(study, session.fidelity, session.store);
+}
+
+Calibration fit_study(const ResolvedStudy& study, const Measurements& measurements,
                       const SessionOptions& session, const FitOptions& options) {
     CalibrationRequest request = request_for(
         options.cold ? std::nullopt

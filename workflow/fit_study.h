@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <stop_token>
 
-#include "calib/calibrate_study.h"
+#include "calib/fit/calibrate_study.h"
 #include "sim/dem/simulation_error.h"
-#include "sim/store/run_store.h"
+#include "sim/runs/store/run_store.h"
 #include "workflow/listener.h"
 
 namespace pendular {
@@ -23,15 +23,18 @@ struct SessionOptions {
 /// What a fit rests on.
 struct FitOptions {
     bool confirm = false;  ///< by fresh runs at the optimum, until prediction and simulation agree
-    bool cold = false;     ///< by direct simulation alone, from neither the atlas nor earlier runs
+    bool cold = false;     ///< from neither the atlas nor earlier runs: all of its own
     bool profile = false;  ///< profile likelihood interval of the friction as well
     CohesionOptions cohesion = {};
 };
 
-/// Calibrates a study: emulated from known runs where there are enough of them, else by direct
-/// simulation.
+/// Whether a fit begins without any known run: it was asked to, or too few can serve the study.
+bool begins_cold(const Study& study, const SessionOptions& session, const FitOptions& options);
+
+/// Calibrates a study, emulated from known runs where there are enough of them, else from a design
+/// of runs of its own.
 /// @throws InputError as calibrate_study; dem::Interrupted with how to go on
-Calibration fit_study(const Study& study, const Measurements& measurements,
+Calibration fit_study(const ResolvedStudy& study, const Measurements& measurements,
                       const SessionOptions& session, const FitOptions& options);
 
 /// What is said where work that keeps its runs is interrupted; `store` may be null.

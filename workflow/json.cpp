@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "data/json_text.h"
-#include "data/text_file.h"
+#include "data/files/json_text.h"
+#include "data/files/text_file.h"
 #include "workflow/failure_json.h"
 #include "workflow/json_parts.h"
 #include "workflow/run_json.h"

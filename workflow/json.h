@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
-#include "analysis/compare.h"
-#include "analysis/where_it_fails.h"
-#include "calib/calibration.h"
+#include "analysis/diagnosis/where_it_fails.h"
+#include "analysis/misfit/compare.h"
+#include "calib/fit/calibration.h"
 #include "workflow/run_json.h"
 
 namespace pendular {
@@ -17,8 +17,8 @@ nlohmann::ordered_json to_json(const Measurements& measurements);
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 
-/// Writes an object, `"format"` first (data/json_text.h), through a temporary file and a rename, so
-/// that an earlier file survives a full disk.
+/// Writes an object, `"format"` first (data/files/json_text.h), through a temporary file and a
+/// rename, so that an earlier file survives a full disk.
 /// @throws std::runtime_error where it cannot be written
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
 

@@ -4,10 +4,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "analysis/believable.h"
-#include "analysis/compare.h"
-#include "calib/cohesion_lines.h"
-#include "sim/direct_measurement.h"
+#include "analysis/misfit/believable.h"
+#include "analysis/misfit/compare.h"
+#include "calib/fit/cohesion_lines.h"
+#include "sim/catalogue/direct_measurement.h"
 
 namespace pendular {
 

@@ -10,9 +10,17 @@
 #include <utility>
 #include <vector>
 
-#include "sim/store/run_table.h"
+#include "calib/emulator/emulator_scales.h"
+#include "sim/runs/run_request.h"
+#include "sim/runs/store/run_table.h"
 
 namespace pendular {
+
+EmulatorScales atlas_scales() {
+    const std::filesystem::path atlas = atlas_file();
+    const auto file = atlas.parent_path() / scales_name;
+    return !atlas.empty() && std::filesystem::exists(file) ? read_scales(file) : EmulatorScales{};
+}
 
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
                                     const RunStore* store, const Listener& listener) {
@@ -22,10 +30,7 @@ std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity
     KnownRuns known;
     if (!atlas.empty()) {
         stored = read_runs(atlas);
-        const auto scales = atlas.parent_path() / scales_name;
-        if (std::filesystem::exists(scales)) {
-            known.scales = read_scales(scales);
-        }
+        known.scales = atlas_scales();
     }
     if (store) {
         auto own = store->select();
@@ -35,11 +40,11 @@ std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity
     std::vector<dem::RunResult> runs;
     for (StoredRun& each : stored) {
         if (each.physics_version == dem::physics_version &&
-            there.insert(dem::described(each.run.parameters, each.run.threads)).second) {
+            there.insert(described(each.run.parameters, each.run.threads)).second) {
             runs.push_back(std::move(each.run));
         }
     }
-    known.runs = EmulatedSimulation::serving(study, fidelity, runs);
+    known.runs = runs_serving(study, fidelity, runs);
     if (known.runs.size() > most_known) {
         tell(listener, {.text = fmt::format(
                             "of {} runs that could serve the emulator knows {}, the atlas and "

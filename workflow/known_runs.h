@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "calib/emulated_simulation.h"
-#include "data/study.h"
-#include "sim/store/run_store.h"
+#include "calib/emulator/known_runs.h"
+#include "data/study/study.h"
+#include "sim/runs/store/run_store.h"
 #include "workflow/listener.h"
 
 namespace pendular {
@@ -16,6 +16,9 @@ namespace pendular {
 /// @throws InputError for an atlas that cannot be read
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
                                     const RunStore* store, const Listener& listener = {});
+
+/// Scales of the emulator that come with the atlas; none where there is no atlas.
+EmulatorScales atlas_scales();
 
 /// Time grows with the cube of their number: so many take some seconds.
 constexpr std::size_t most_known = 1500;

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "data/files/json_text.h"
+#include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "data/json_text.h"
-#include "data/text_file.h"
 
 namespace pendular {
 namespace {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "calib/fit.h"
-#include "sim/ensemble.h"
+#include "calib/fit/fit.h"
+#include "sim/runs/ensemble.h"
 
 namespace pendular {
 

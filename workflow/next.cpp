@@ -16,9 +16,10 @@ double last_time(const std::vector<Reading>& readings) {
 
 }  // namespace
 
-NextMeasurement next_measurement(const Study& study, const StudyDiagnosis& d) {
+NextMeasurement next_measurement(const ResolvedStudy& resolved, const StudyDiagnosis& d) {
+    const Study& study = resolved;
     const Rig rig = study.rig.value_or(rig_of(d.readings));
-    const std::vector<Point> points = points_of(rig, study, last_time(d.readings));
+    const std::vector<Point> points = points_of(rig, resolved, last_time(d.readings));
     NextMeasurement next{.study = study,
                          .rivals = rivals_of(d.diagnosis, *d.models),
                          .points = points,

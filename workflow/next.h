@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/next_measurement.h"
+#include "analysis/design/next_measurement.h"
 #include "workflow/study_diagnosis.h"
 
 namespace pendular {
@@ -36,6 +36,6 @@ Eigen::VectorXd error_of(const Forecast& forecast);
 /// models apart that a diagnosis leaves, or sharpens the parameters of the only one. The diagnosis
 /// and the study must live as long as the result.
 /// @throws InputError where the known runs support none of the rig's conditions
-NextMeasurement next_measurement(const Study& study, const StudyDiagnosis& diagnosis);
+NextMeasurement next_measurement(const ResolvedStudy& study, const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analysis/study_evidence.h"
+#include "analysis/diagnosis/study_evidence.h"
 #include "workflow/run_json.h"
 
 namespace pendular {

@@ -3,8 +3,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
+#include "sim/catalogue/effect.h"
 #include "sim/dem/run.h"
-#include "sim/effect.h"
 
 namespace pendular {
 

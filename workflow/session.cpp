@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "data/text_file.h"
 #include "workflow/belief.h"
 #include "workflow/fit_file.h"
 
@@ -29,39 +29,49 @@ Session::Session(StudyInput input, SessionOptions options, std::filesystem::path
     : options_(std::move(options)), folder_(std::move(folder)), input_(std::move(input)) {}
 
 CalibratedStudy Session::calibrate(const FitOptions& fit) const {
-    CalibratedStudy result{.calibration = fit_study(study(), measurements(), options_, fit),
+    CalibratedStudy result{.calibration = fit_study(input_.study, measurements(), options_, fit),
                            .comparison = {},
                            .belief = {}};
     result.comparison = pendular::compare(result.calibration);
-    result.belief = belief_in(study(), measurements(), result.calibration, result.comparison);
+    result.belief = belief_in(input_.study, measurements(), result.calibration, result.comparison);
     write_calibration(folder_, result.calibration, result.comparison, result.belief);
     return result;
 }
 
 ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) const {
-    Calibration c = read_calibration(folder_ / "fit.json", study(), dry_first(measurements()));
-    StudyModel model(study(), c);
+    Calibration c = read_calibration(folder_ / "fit.json", input_.study, dry_first(measurements()));
+    StudyModel model(input_.study, c);
     c.prediction = predict_readings(model.model(), c);
     Comparison comparison = pendular::compare(c);
     if (cohesion) c.cohesion = *cohesion;
     draw_cohesion_lines(c);
     // Without the errors of the fitted parameters, which the checks take out themselves.
-    const Prediction at_fit =
-        model.model().predict_conditions(c.fit.parameters, conditions_of(c.readings));
     WhereItFails where =
         where_it_fails(c.readings, measurements().scatter,
-                       model.model().with_direct(c.fit.parameters, at_fit), c.parameters, c.direct);
-    Belief belief = belief_in(study(), measurements(), c, comparison);
+                       model.at(c.readings).predict(c.fit.parameters), c.parameters, c.direct);
+    Belief belief = belief_in(input_.study, measurements(), c, comparison);
     return {std::move(c), std::move(model), std::move(comparison), std::move(where),
             std::move(belief)};
 }
 
+Prediction Session::predict(const std::vector<Condition>& conditions) const {
+    const Calibration c =
+        read_calibration(folder_ / "fit.json", input_.study, dry_first(measurements()));
+    std::vector<Reading> wanted;
+    for (const Condition& condition : conditions) {
+        wanted.push_back(
+            {.origin = {"condition " + std::to_string(wanted.size() + 1)}, .condition = condition});
+    }
+    check_range(wanted, study(), c.fidelity);
+    return predict_unseen(StudyModel(input_.study, c).model(), c, conditions);
+}
+
 StudyDiagnosis Session::diagnose() const {
-    return diagnose_study(study(), measurements(), options_);
+    return diagnose_study(input_.study, measurements(), options_);
 }
 
 NextMeasurement Session::next(const StudyDiagnosis& diagnosis) const {
-    return next_measurement(study(), diagnosis);
+    return next_measurement(input_.study, diagnosis);
 }
 
 ChangedStudy Session::add(const std::string& effect, const FitOptions& fit,
@@ -81,7 +91,7 @@ ChangedStudy Session::change(Action action, const std::string& effect, const Fit
                          "has changed since it was read; nothing was written: give the same "
                          "command again, or open another session");
     }
-    return change_study(study(), measurements(), action, effect, options_,
+    return change_study(input_.study, measurements(), action, effect, options_,
                         {.fit = fit, .same_fidelity = same_fidelity, .folder = folder_});
 }
 

@@ -2,11 +2,12 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
-#include "analysis/believable.h"
-#include "analysis/compare.h"
-#include "analysis/where_it_fails.h"
-#include "calib/study_model.h"
+#include "analysis/diagnosis/where_it_fails.h"
+#include "analysis/misfit/believable.h"
+#include "analysis/misfit/compare.h"
+#include "calib/fit/study_model.h"
 #include "workflow/fit_study.h"
 #include "workflow/next.h"
 #include "workflow/study_change.h"
@@ -56,6 +57,10 @@ class Session {
     /// not as they were.
     /// @throws InputError where there is no fit, or it is another study's
     ComparedStudy compare(const std::optional<CohesionOptions>& cohesion = {}) const;
+    /// Predicts what the study's instrument shows at conditions, by the fit of the results folder:
+    /// shear stresses [Pa] and solid fractions [1], with the errors of the fit and of simulation.
+    /// @throws InputError as `compare`, and where a condition cannot be simulated
+    Prediction predict(const std::vector<Condition>& conditions) const;
     /// Says which physical effect is missing from the study's model, if any.
     /// @throws InputError for what cannot be diagnosed; dem::Interrupted
     StudyDiagnosis diagnose() const;

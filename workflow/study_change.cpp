@@ -8,11 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "calib/calibrate_study.h"
+#include "calib/fit/calibrate_study.h"
+#include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "data/study_edit.h"
-#include "data/text_file.h"
-#include "sim/effect_catalogue.h"
+#include "data/study/study_edit.h"
 #include "workflow/belief.h"
 #include "workflow/fit_file.h"
 #include "workflow/known_runs.h"
@@ -22,11 +21,10 @@ namespace pendular {
 namespace {
 
 /// @throws InputError where there is no such effect or it does not apply
-void check_added(const Study& study, const std::string& name) {
-    const EffectCatalogue catalogue(study);
+void check_added(const ResolvedStudy& study, const std::string& name) {
     try {
-        if (const auto why = why_not(catalogue.find(name), study)) {
-            throw InputError({study.file.string()}, *why);
+        if (const auto why = why_not(study.catalogue().find(name), study)) {
+            throw InputError({study.study().file.string()}, *why);
         }
     } catch (const std::invalid_argument& error) {
         throw InputError(error.what());
@@ -39,24 +37,27 @@ const char* word_for(Action change) {
 
 }  // namespace
 
-StudyChange plan_change(const Study& study, Action change, const std::string& effect) {
-    StudyChange plan{change, effect, study, read_text(study.file), {}};
-    auto& listed = plan.study.model.effects;
+StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect) {
+    Study changed = study;
+    const std::string file = changed.file.string();
+    std::string old_text = read_text(changed.file), new_text;
+    auto& listed = changed.model.effects;
     if (change == Action::add) {
         check_added(study, effect);
-        plan.new_text = with_effect(plan.old_text, study.file.string(), effect);
-        listed.push_back({effect, {study.file.string()}});
+        new_text = with_effect(old_text, file, effect);
+        listed.push_back({effect, {file}});
     } else {
-        plan.new_text = without_effect(plan.old_text, study.file.string(), effect);
+        new_text = without_effect(old_text, file, effect);
         std::erase_if(listed, [&](const ListedEffect& one) { return one.name == effect; });
     }
-    return plan;
+    ResolvedStudy after = study.changed_to(std::move(changed));
+    return {change, effect, std::move(after), std::move(old_text), std::move(new_text)};
 }
 
-Fitted fitted(const Study& study, Calibration c) {
+Fitted fitted(const ResolvedStudy& study, Calibration c) {
     const StudyModel model(study, c);
     c.prediction = predict_readings(model.model(), c);
-    const auto left_out = left_out_errors(model.model(), c);
+    const auto left_out = left_out_errors(model.predictor(), c);
     Comparison comparison = compare(c);
     Rung rung = rung_of(c, comparison, left_out);
     const LeftOut counted = left_out.value_or(LeftOut{});
@@ -85,7 +86,7 @@ nlohmann::ordered_json to_json(const StudyChange& change, const Rung& before, co
 
 void carry_out(const StudyChange& change, const Rung& before, const Fitted& after, Ladder& ladder,
                const std::filesystem::path& out) {
-    const std::filesystem::path& file = change.study.file;
+    const std::filesystem::path& file = change.study.study().file;
     if (read_text(file) != change.old_text) {
         throw InputError({file.string()},
                          "has changed while the fit was under way; nothing was written: give the "
@@ -103,7 +104,8 @@ void carry_out(const StudyChange& change, const Rung& before, const Fitted& afte
 namespace {
 
 /// The study's fit from an earlier command, where it is still the study's and converged.
-std::optional<Calibration> earlier_fit(const std::filesystem::path& file, const Study& study,
+std::optional<Calibration> earlier_fit(const std::filesystem::path& file,
+                                       const ResolvedStudy& study,
                                        const Measurements& measurements) {
     try {
         Calibration c = read_calibration(file, study, dry_first(measurements));
@@ -114,25 +116,19 @@ std::optional<Calibration> earlier_fit(const std::filesystem::path& file, const 
 }
 
 /// @throws dem::Interrupted where that was asked for meanwhile
-Fitted fitted(const Study& study, Calibration c, const SessionOptions& session) {
+Fitted fitted(const ResolvedStudy& study, Calibration c, const SessionOptions& session) {
     Fitted result = fitted(study, std::move(c));
     if (session.stop.stop_requested()) throw interrupted_with(session.store);
     return result;
 }
 
-/// Whether known runs would serve the fit of a study.
-bool emulated(const Study& study, const SessionOptions& session, bool cold) {
-    return !cold && known_runs(study, session.fidelity, session.store).has_value();
-}
-
 }  // namespace
 
-ChangedStudy change_study(const Study& study, const Measurements& measurements, Action what,
+ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements, Action what,
                           const std::string& effect, SessionOptions session,
                           const ChangeOptions& options) {
-    ChangedStudy result;
-    result.change = plan_change(study, what, effect);
-    result.ladder = read_ladder(options.folder / "ladder.json");  // refused before any work
+    StudyChange change = plan_change(study, what, effect);
+    Ladder ladder = read_ladder(options.folder / "ladder.json");  // refused before any work
     FitOptions fit = options.fit;
     auto earlier = earlier_fit(options.folder / "fit.json", study, measurements);
     const bool comparable =
@@ -141,27 +137,26 @@ ChangedStudy change_study(const Study& study, const Measurements& measurements, 
         session.fidelity = earlier->fidelity;
         fit.cohesion = earlier->cohesion;
     }
-    if (comparable && earlier->scales.has_value() == emulated(study, session, fit.cold)) {
-        result.before = fitted(study, std::move(*earlier), session);
+    Fitted before;
+    if (comparable && earlier->cold == begins_cold(study, session, fit)) {
+        before = fitted(study, std::move(*earlier), session);
     } else {
         tell(session.listener, {.kind = Event::Kind::stage, .text = "fitting the study as it is"});
         FitOptions unconfirmed = fit;
         unconfirmed.confirm = false;
-        result.before =
-            fitted(study, fit_study(study, measurements, session, unconfirmed), session);
+        before = fitted(study, fit_study(study, measurements, session, unconfirmed), session);
     }
     tell(session.listener,
          {.kind = Event::Kind::stage,
           .text = fmt::format("fitting {} {}", what == Action::add ? "with" : "without", effect)});
-    const Study& changed = result.change.study;
-    result.after = fitted(changed, fit_study(changed, measurements, session, fit), session);
-    result.after.belief =
-        belief_in(changed, measurements, result.after.calibration, result.after.comparison);
-    result.written = result.after.calibration.fit.converged;
-    if (result.written) {
-        carry_out(result.change, result.before.rung, result.after, result.ladder, options.folder);
+    const ResolvedStudy& changed = change.study;
+    Fitted after = fitted(changed, fit_study(changed, measurements, session, fit), session);
+    after.belief = belief_in(changed, measurements, after.calibration, after.comparison);
+    const bool written = after.calibration.fit.converged;
+    if (written) {
+        carry_out(change, before.rung, after, ladder, options.folder);
     }
-    return result;
+    return {std::move(change), std::move(before), std::move(after), std::move(ladder), written};
 }
 
 }  // namespace pendular

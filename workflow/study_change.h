@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/believable.h"
 #include "analysis/ladder.h"
-#include "data/study.h"
+#include "analysis/misfit/believable.h"
+#include "sim/catalogue/resolved_study.h"
 #include "workflow/fit_study.h"
 
 namespace pendular {
@@ -18,7 +18,7 @@ enum class Action { add, drop };
 struct StudyChange {
     Action change = Action::add;
     std::string effect;
-    Study study;           ///< as it will be
+    ResolvedStudy study;   ///< as it will be
     std::string old_text;  ///< of its file
     std::string new_text;
 };
@@ -26,7 +26,7 @@ struct StudyChange {
 /// Checks a change of the effects that a study lists.
 /// @throws InputError where there is no such effect (with the nearest one), it does not apply to
 ///         the study, is listed already, or is not listed
-StudyChange plan_change(const Study& study, Action change, const std::string& effect);
+StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect);
 
 /// A calibration beside its readings.
 struct Fitted {
@@ -38,7 +38,7 @@ struct Fitted {
     std::size_t undetermined = 0;  ///< those without which a parameter was not determined
 };
 /// Predicts all readings of a calibration, compares them and leaves out each condition in turn.
-Fitted fitted(const Study& study, Calibration calibration);
+Fitted fitted(const ResolvedStudy& study, Calibration calibration);
 
 /// A change with the errors before and after, as `add` and `drop` give it with --json.
 nlohmann::ordered_json to_json(const StudyChange& change, const Rung& before, const Rung& after,
@@ -73,8 +73,8 @@ struct ChangeOptions {
 ///         and where the study's file has changed since it was read
 /// @throws std::runtime_error where something cannot be written; the study then is as it was
 /// @throws dem::Interrupted with how to go on
-ChangedStudy change_study(const Study& study, const Measurements& measurements, Action change,
-                          const std::string& effect, SessionOptions session,
+ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements,
+                          Action change, const std::string& effect, SessionOptions session,
                           const ChangeOptions& options);
 
 }  // namespace pendular

@@ -6,13 +6,13 @@
 #include <string>
 #include <string_view>
 
-#include "analysis/compare.h"
-#include "analysis/study_evidence.h"
-#include "calib/calibrate_study.h"
-#include "calib/calibration.h"
+#include "analysis/diagnosis/study_evidence.h"
+#include "analysis/misfit/compare.h"
+#include "calib/fit/calibrate_study.h"
+#include "calib/fit/calibration.h"
 #include "data/input_error.h"
-#include "data/quantity.h"
-#include "data/replicate_groups.h"
+#include "data/quantities/quantity.h"
+#include "data/recordings/replicate_groups.h"
 #include "workflow/known_runs.h"
 
 namespace pendular {
@@ -53,11 +53,11 @@ void suspect_measurement(StudyDiagnosis& result, const Study& study,
     result.diagnosis.suspects.assign(suspects.begin(), suspects.end());
 }
 
-KnownRuns known_for(const Study& study, const SessionOptions& session) {
+KnownRuns known_for(const ResolvedStudy& study, const SessionOptions& session) {
     auto known = known_runs(StudyModels::with_all_effects(study), session.fidelity, session.store,
                             session.listener);
     if (!known) {
-        throw InputError({study.file.string()},
+        throw InputError({study.study().file.string()},
                          "neither the atlas nor the store has enough runs that can serve this "
                          "study; set PENDULAR_ATLAS to the atlas, or make runs with 'pendular "
                          "calibrate'");
@@ -85,16 +85,12 @@ void check_readings(const std::vector<Reading>& readings, const Study& study,
 
 }  // namespace
 
-StudyDiagnosis diagnose_study(const Study& study, const Measurements& measurements,
+StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session) {
     StudyDiagnosis result{.readings = dry_first(measurements)};
     check_readings(result.readings, study, session.fidelity);
-    const KnownRuns known = known_for(study, session);
-    const auto models = [&] {
-        return std::make_unique<StudyModels>(study, conditions_of(result.readings),
-                                             session.fidelity, known);
-    };
-    result.models = models();
+    result.models = std::make_unique<StudyModels>(study, conditions_of(result.readings),
+                                                  session.fidelity, known_for(study, session));
     result.evidence = evidence_of(result.readings, measurements.scatter, result.models->direct());
     DiagnosisOptions options{.seed = session.seed};
     options.progress = [&](std::string_view what, std::size_t at, std::size_t of) {
@@ -102,16 +98,15 @@ StudyDiagnosis diagnose_study(const Study& study, const Measurements& measuremen
         tell(session.listener,
              {.kind = Event::Kind::refits, .text = std::string(what), .number = at, .total = of});
     };
-    options.another = models;
     options.threads = static_cast<std::size_t>(session.threads);
     result.diagnosis = diagnose(*result.models, result.evidence, options);
-    const FlowModel& model = result.models->with({});
+    const std::shared_ptr<const Predictor> model = result.models->predictor({});
     const Fit& fit = result.diagnosis.fit;
-    result.mistake = find_unit_mistake(model, result.readings, study, fit.parameters);
+    result.mistake = find_unit_mistake(*model, result.readings, study, fit.parameters);
     suspect_measurement(result, study, measurements);
     const Misfit misfit{result.diagnosis.chi2, result.diagnosis.dof,
                         freedom_behind(result.readings)};
-    result.belief = belief_in(fit, model.parameters(), misfit, measurements, result.mistake);
+    result.belief = belief_in(fit, model->parameters(), misfit, measurements, result.mistake);
     return result;
 }
 
@@ -119,7 +114,7 @@ Checks checks_of(const StudyDiagnosis& d, std::uint64_t seed) {
     const std::size_t direct = d.models->direct().size();
     return check_fit(
         d.diagnosis.residuals(d.evidence),
-        entries_of(d.readings, d.models->with({}).parameters(), direct),
+        entries_of(d.readings, d.models->with({})->parameters(), direct),
         covariates_of(d.readings, direct),
         NullDraws(d.evidence.measured, d.evidence.errors, seed, DiagnosisOptions{}.draws));
 }
@@ -128,12 +123,12 @@ std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& mode
     std::vector<Rival> rivals;
     for (const Explanation& each : diagnosis.confidence_set) {
         if (!each.suspect) {
-            rivals.push_back({name_of(each, models), &models.with(each.chosen), each.fit.parameters,
-                              each.fit.covariance});
+            rivals.push_back({name_of(each, models), models.predictor(each.chosen),
+                              each.fit.parameters, each.fit.covariance});
         }
     }
     if (rivals.empty()) {
-        rivals.push_back({"the model as it is", &models.with({}), diagnosis.fit.parameters,
+        rivals.push_back({"the model as it is", models.predictor({}), diagnosis.fit.parameters,
                           diagnosis.fit.covariance});
     }
     return rivals;

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/believable.h"
-#include "analysis/checks.h"
-#include "analysis/diagnosis.h"
-#include "analysis/next_measurement.h"
-#include "analysis/unit_mistakes.h"
-#include "calib/study_models.h"
+#include "analysis/design/next_measurement.h"
+#include "analysis/diagnosis/diagnosis.h"
+#include "analysis/misfit/believable.h"
+#include "analysis/misfit/checks.h"
+#include "analysis/misfit/unit_mistakes.h"
+#include "calib/model/study_models.h"
 #include "workflow/fit_study.h"
 
 namespace pendular {
@@ -27,7 +27,7 @@ struct StudyDiagnosis {
 
 /// Diagnoses a study from the atlas and all stored runs. Nothing is simulated.
 /// @throws InputError for what cannot be diagnosed; dem::Interrupted
-StudyDiagnosis diagnose_study(const Study& study, const Measurements& measurements,
+StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session);
 
 /// Where the model as it is fails that its parameters could not take over; `seed` of the random

@@ -4,10 +4,10 @@
 
 #include <optional>
 
-#include "data/files.h"
+#include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "data/text_file.h"
-#include "sim/direct_measurement.h"
+#include "data/recordings/measurements.h"
+#include "data/study/files.h"
 
 namespace pendular {
 namespace {
@@ -80,18 +80,17 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs) {
 namespace {
 
 /// What cannot be used is refused before any work.
-StudyInput with_measurements(Study study) {
-    const EffectCatalogue catalogue(study);
-    catalogue.active(study);
-    direct_measurements(study, catalogue);
+StudyInput with_measurements(const Study& read) {
+    ResolvedStudy resolved(read);
+    const Study& study = resolved;
     if (study.rig) {
         for (const StatedDirect& stated : study.rig->direct) {
-            direct_measurement(stated, study, catalogue);
+            direct_measurement(stated, study, resolved.catalogue());
         }
     }
     Measurements measurements = read_measurements(study);
     std::string text = read_text(study.file);
-    return {std::move(study), std::move(measurements), std::move(text)};
+    return {std::move(resolved), std::move(measurements), std::move(text)};
 }
 
 }  // namespace
@@ -103,7 +102,7 @@ StudyInput read_input(const fs::path& file) {
 StudyInput read_input(const fs::path& file, const OutputPlaces& outputs) {
     Study study = read_study(file);
     protect_inputs(study, outputs);
-    return with_measurements(std::move(study));
+    return with_measurements(study);
 }
 
 std::filesystem::path study_folder(const std::filesystem::path& study) {

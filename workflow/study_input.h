@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "data/study.h"
+#include "data/recordings/measurements.h"
+#include "sim/catalogue/resolved_study.h"
 
 namespace pendular {
 
 /// A study with everything measured in it.
 struct StudyInput {
-    Study study;
+    ResolvedStudy study;
     Measurements measurements;
     std::string text = {};  ///< of study.toml, as it was read
 };

@@ -9,11 +9,11 @@
 #include <optional>
 #include <tuple>
 
-#include "analysis/signature.h"
-#include "analysis/weighted_residuals.h"
+#include "analysis/diagnosis/signature.h"
+#include "analysis/misfit/weighted_residuals.h"
 #include "bench/hidden_effects/rig.h"
-#include "calib/study_models.h"
-#include "sim/virtual_recording.h"
+#include "calib/model/study_models.h"
+#include "sim/lab/virtual_recording.h"
 #include "workflow/known_runs.h"
 
 namespace pendular::bench {
@@ -30,17 +30,13 @@ class Design {
   public:
     explicit Design(double friction)
         : plan_(rig(friction, 1)), study_(study_of(plan_)), conditions_(conditions_asked(plan_)) {
-        const auto known = [&] {
-            return known_runs(StudyModels::with_all_effects(study_), truth_fidelity(), nullptr)
-                .value();
-        };
-        models_ = std::make_unique<StudyModels>(study_, conditions_, truth_fidelity(), known());
-        KnownRuns runs = known();
-        runs.orders_more = false;
-        simulation_ = std::make_unique<EmulatedSimulation>(study_, conditions_, truth_fidelity(), 1,
-                                                           Workers{}, std::move(runs));
+        KnownRuns known =
+            known_runs(StudyModels::with_all_effects(study_), truth_fidelity(), nullptr).value();
+        models_ = std::make_unique<StudyModels>(study_, conditions_, truth_fidelity(), known);
+        simulation_ = std::make_shared<EmulatedSimulation>(
+            study_, truth_fidelity(), Emulator(known.runs, std::move(known.scales)));
         const Eigen::VectorXd parameters = Eigen::VectorXd::Constant(1, friction);
-        const Prediction prediction = models_->with({}).predict(parameters);
+        const Prediction prediction = models_->with({})->predict(parameters);
         Measured measured{.value = prediction.value, .covariance = {}};
         Eigen::VectorXd errors = prediction.value;
         for (Eigen::Index k = 0; k < errors.size(); k += 2) {
@@ -68,13 +64,13 @@ class Design {
 
     /// What an effect of this size changes, in standard errors, the friction refitted.
     Eigen::VectorXd change(const Effect& effect, const std::vector<double>& values) const {
-        EffectModel model(*simulation_, study_, {&effect});
-        model.predict_for(conditions_);
+        const auto model = assemble_model(study_, simulation_, {&effect});
         std::vector<double> parameters = {plan_.friction};
         if (!effect.is_switch()) parameters.insert(parameters.end(), values.begin(), values.end());
         const Eigen::VectorXd all = Eigen::Map<Eigen::VectorXd>(
             parameters.data(), static_cast<Eigen::Index>(parameters.size()));
-        return residuals_->project(residuals_->whiten(model.values(all) - base_));
+        return residuals_->project(
+            residuals_->whiten(model->predict(all, conditions_, Ask::values).value - base_));
     }
 
     /// What the best pair of the catalogue's effects leaves of a change.
@@ -113,7 +109,7 @@ class Design {
     Study study_;
     std::vector<Condition> conditions_;
     std::unique_ptr<StudyModels> models_;
-    std::unique_ptr<EmulatedSimulation> simulation_;
+    std::shared_ptr<const EmulatedSimulation> simulation_;
     std::unique_ptr<WeightedResiduals> residuals_;
     std::vector<Eigen::MatrixXd> signatures_;
     std::vector<bool> one_sided_;

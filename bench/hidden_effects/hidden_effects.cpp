@@ -17,8 +17,8 @@
 #include "bench/hidden_effects/resolve.h"
 #include "bench/hidden_effects/rig.h"
 #include "bench/hidden_effects/walk.h"
-#include "sim/store/run_store.h"
-#include "sim/store/run_table.h"
+#include "sim/runs/store/run_store.h"
+#include "sim/runs/store/run_table.h"
 
 namespace pendular::bench {
 namespace {

@@ -6,10 +6,10 @@
 #include <sstream>
 
 #include "bench/hidden_effects/walk.h"
-#include "data/csv.h"
+#include "data/files/csv.h"
+#include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "data/number.h"
-#include "data/text_file.h"
+#include "data/quantities/number.h"
 
 namespace pendular::bench {
 namespace {

@@ -87,7 +87,7 @@ Effect merged_menisci() {
                             .neutral = 0,
                             .matters = 0.1,
                             .meaning = "share of the capillary force that is gone"}},
-            .change = ChangeCondition{[](Condition condition, const Values& v) {
+            .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
                 if (condition.liquid_content > merge_above) {
                     condition.liquid->surface_tension *= 1 - v["loss"];
                 }

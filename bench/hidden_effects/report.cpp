@@ -10,12 +10,12 @@
 #include <map>
 #include <set>
 
-#include "data/csv.h"
-#include "data/robust.h"
-#include "data/text_file.h"
+#include "data/files/csv.h"
+#include "data/files/text_file.h"
+#include "data/recordings/robust.h"
 #include "reports/draw_figure.h"
 #include "reports/figure.h"
-#include "sim/virtual_recording.h"
+#include "sim/lab/virtual_recording.h"
 
 namespace pendular::bench {
 namespace {

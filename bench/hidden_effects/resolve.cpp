@@ -9,12 +9,12 @@
 #include <random>
 #include <sstream>
 
-#include "analysis/next_measurement.h"
+#include "analysis/design/next_measurement.h"
 #include "bench/hidden_effects/rig.h"
 #include "bench/hidden_effects/walk.h"
-#include "data/csv.h"
-#include "data/number.h"
-#include "data/text_file.h"
+#include "data/files/csv.h"
+#include "data/files/text_file.h"
+#include "data/quantities/number.h"
 #include "workflow/study_diagnosis.h"
 #include "workflow/study_input.h"
 
@@ -57,7 +57,8 @@ class Campaign {
         std::vector<Point> points = points_of(rig_of_laboratory(plan_), input_->study, 100);
         std::erase_if(points, [&](const Point& point) {
             return !point.direct &&
-                   !found_.models->why_unsupported(found_.diagnosis.fit.parameters(0), point.condition)
+                   !found_.models
+                        ->why_unsupported(found_.diagnosis.fit.parameters(0), point.condition)
                         .empty();
         });
         return points;

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "data/study.h"
-#include "sim/lab_plan.h"
+#include "data/study/study.h"
+#include "sim/lab/lab_plan.h"
 
 namespace pendular::bench {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular::bench {
 

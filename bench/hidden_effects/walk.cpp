@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "bench/hidden_effects/rig.h"
-#include "data/replicate_groups.h"
-#include "data/text_file.h"
-#include "sim/seeds.h"
+#include "data/files/text_file.h"
+#include "data/recordings/replicate_groups.h"
+#include "sim/runs/seeds.h"
 #include "workflow/session.h"
 
 namespace pendular::bench {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/hidden_effects/truth.h"
-#include "sim/virtual_lab.h"
+#include "sim/lab/virtual_lab.h"
 
 namespace pendular::bench {
 

@@ -4,9 +4,9 @@
 #include <random>
 #include <span>
 
+#include "data/effect_parameter.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/contact_law.h"
-#include "sim/effect_values.h"
 
 namespace pendular::dem {
 

@@ -13,8 +13,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "data/files/text_file.h"
 #include "data/input_error.h"
-#include "data/text_file.h"
 
 namespace pendular::dem {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "data/time_series.h"
+#include "data/recordings/time_series.h"
 #include "sim/dem/beads.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"

@@ -2,28 +2,30 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <span>
+#include <variant>
 #include <vector>
 
-#include "data/reading.h"
+#include "data/effect_parameter.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/change_pairs.h"
 #include "sim/dem/contact_law.h"
 
-namespace pendular {
-struct Effect;
-}
-
 namespace pendular::dem {
 
-/// The effects on grains that are on in a run, as the solver wants them. Those at their neutral
-/// value are not among them.
+/// An effect on grains that is on in a run. What it changes and the names of its parameters outlive
+/// the run.
+struct GrainEffect {
+    std::variant<const ChangePairs*, const ChangeSample*> change;
+    std::span<const EffectParameter> parameters;
+    std::vector<double> values;  ///< of the parameters [units of the run]
+};
+
+/// The effects on grains that are on in a run, as the solver calls them.
 class GrainEffects {
   public:
     GrainEffects() = default;
-    /// @throws std::invalid_argument for an effect that is unknown or not one on grains, for values
-    ///         beyond its bounds, and where one needs bridges and there are none
-    GrainEffects(const std::vector<EffectValues>& effects, bool wet);
+    explicit GrainEffects(const std::vector<GrainEffect>& on);
 
     /// Whether the force loop must call anyone.
     bool hooked() const { return hooked_; }
@@ -52,13 +54,13 @@ class GrainEffects {
   private:
     struct OnPairs {
         const ChangePairs* change;
-        const std::vector<EffectParameter>* parameters;
+        std::span<const EffectParameter> parameters;
         std::vector<double> values;
         std::size_t first_word;
     };
     struct OnSample {
         const ChangeSample* change;
-        const std::vector<EffectParameter>* parameters;
+        std::span<const EffectParameter> parameters;
         std::vector<double> values;
     };
     void stage(ChangePairs::Stage ChangePairs::*which, const PairBatch& batch,
@@ -69,10 +71,5 @@ class GrainEffects {
     std::size_t memory_ = 0;
     bool hooked_ = false, bridges_without_contact_ = false, changes_bridges_ = false;
 };
-
-/// The effects of a run, as in "rolling-resistance.coefficient=0.1 willett-bridges.on=1", and back.
-/// @throws std::invalid_argument for any other text
-std::string effects_text(const std::vector<EffectValues>& effects);
-std::vector<EffectValues> effects_from(const std::string& text);
 
 }  // namespace pendular::dem

@@ -66,9 +66,9 @@ constexpr std::pair<Observable, double Structure::*> of_structure[] = {
     {Observable::capillary_shear_stress_contact, &Structure::capillary_shear_stress_contact},
     {Observable::capillary_shear_stress_distant, &Structure::capillary_shear_stress_distant}};
 
-void average_fields(const Series& series, std::size_t from, RunResult& result) {
+void average_fields(const Series& series, std::size_t from, double rupture_distance,
+                    RunResult& result) {
     const auto& p = result.parameters;
-    const double rupture_distance = p.wetting ? bridges_of(p).rupture_distance : 0;
     for (std::size_t k = 0; k < field_count; ++k) {
         if (p.wetting || !fields[k].needs_bridges) {
             const Bins1d bins = bins_of(fields[k].coordinate, p.beads, rupture_distance);
@@ -132,9 +132,9 @@ bool precise(const RunResult& result) {
     });
 }
 
-void average(const Series& series, std::size_t from, RunResult& result) {
+void average(const Series& series, std::size_t from, double rupture_distance, RunResult& result) {
     average_observables(series, from, result);
-    average_fields(series, from, result);
+    average_fields(series, from, rupture_distance, result);
     result.precise = precise(result);
     result.crystallised = crystallised(series, from);
     result.strain_transient = series.strain(0, from);
@@ -181,13 +181,13 @@ double first_look(const RunParameters& p) {
                         : (p.wetting ? first_warm_wet_look_strain : first_warm_look_strain);
 }
 
-ShearCell new_sample(const RunParameters& p, const RunOptions& options) {
+ShearCell new_sample(const RunParameters& p, const GrainEffects& effects,
+                     const RunOptions& options) {
     const Material material{.modulus = std::pow(p.stiffness_number, 1.5),
                             .poisson_ratio = p.poisson_ratio,
                             .friction = p.friction,
                             .damping = p.damping};
     const BridgeLaw bridges = p.wetting ? BridgeLaw(*p.wetting) : BridgeLaw();
-    const GrainEffects effects(p.effects, p.wetting.has_value());
     if (p.start == 0) {
         return ShearCell(p.beads, material, p.inertial_number, p.seed, bridges, options.threads,
                          effects);
@@ -202,7 +202,7 @@ ShearCell new_sample(const RunParameters& p, const RunOptions& options) {
 /// One run from its random gas, or from its checkpoint, to its averages.
 class Run {
   public:
-    Run(const RunParameters& parameters, const RunOptions& options)
+    Run(const RunParameters& parameters, const GrainEffects& effects, const RunOptions& options)
         : parameters_(parameters),
           options_(options),
           wet_(parameters.wetting.has_value()),
@@ -211,12 +211,11 @@ class Run {
                       ? wanted_
                       : std::min(wanted_, blocks_in(shortest_precise_strain))),
           first_look_(blocks_in(first_look(parameters))),
-          state_{.sample = new_sample(parameters, options), .transient = first_look_} {}
+          state_{.sample = new_sample(parameters, effects, options), .transient = first_look_} {}
 
     RunResult carry_out() {
         if (options_.checkpoint) {
-            if (const auto saved =
-                    options_.checkpoint->read(described(parameters_, options_.threads))) {
+            if (const auto saved = options_.checkpoint->read(options_.description)) {
                 resume(*saved);
             }
         }
@@ -336,7 +335,7 @@ class Run {
 
     void save() {
         const double before = std::exchange(state_.seconds, seconds());
-        options_.checkpoint->write(described(parameters_, options_.threads), archived(state_));
+        options_.checkpoint->write(options_.description, archived(state_));
         state_.seconds = before;
     }
 
@@ -367,7 +366,8 @@ RunResult Run::result(bool steady) const {
     const ShearCell& sample = state_.sample;
     result.trace = state_.series.trace();
     result.final_state = StoredSample(sample);
-    average(state_.series, steady ? state_.transient : state_.series.size() - wanted_, result);
+    average(state_.series, steady ? state_.transient : state_.series.size() - wanted_,
+            wet_ ? sample.bridges().rupture_distance : 0, result);
     result.steps = sample.steps();
     result.time_step = (sample.strain() - state_.begin) / parameters_.inertial_number /
                        static_cast<double>(sample.steps() - state_.first_step);
@@ -384,13 +384,14 @@ RunResult Run::result(bool steady) const {
 
 }  // namespace
 
-RunResult run(const RunParameters& parameters, const RunOptions& options) {
-    check(parameters);
+RunResult run(const RunParameters& parameters, const GrainEffects& effects,
+              const RunOptions& options) {
+    check(parameters, effects);
     if (options.threads < 1 || options.threads > most_threads) {
         throw std::invalid_argument(
             fmt::format("{} threads: a run takes 1 to {}", options.threads, most_threads));
     }
-    return Run(parameters, options).carry_out();
+    return Run(parameters, effects, options).carry_out();
 }
 
 }  // namespace pendular::dem

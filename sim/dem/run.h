@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "data/reading.h"
-#include "data/time_series.h"
+#include "data/effect_parameter.h"
+#include "data/recordings/time_series.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/fields.h"
 #include "sim/dem/simulation_error.h"
@@ -21,6 +21,7 @@
 namespace pendular::dem {
 
 class Checkpoint;
+class GrainEffects;
 
 /// Fastest shear that is still a dense flow, to which the height servo can hold the stress.
 constexpr double largest_inertial_number = 0.5;
@@ -127,7 +128,8 @@ struct RunParameters {
     std::uint64_t start = 0;
     /// Standard errors at which averaging may stop before `strain` is reached; none: it goes on.
     std::vector<Precision> precision = {};
-    /// Effects on grains that are on, their values in the units of the run; by name.
+    /// Effects on grains that are on, by name, their values in the units of the run: a record,
+    /// which the solver leaves to those who resolve names.
     std::vector<EffectValues> effects = {};
 };
 
@@ -162,22 +164,12 @@ struct RunResult {
     }
 };
 
-/// Refuses what cannot be simulated, before any work.
+/// Refuses what cannot be simulated with these effects, before any work.
 /// @throws std::invalid_argument for parameters out of range, naming the parameter
-void check(const RunParameters& parameters);
-
-/// The law of the bridges of a wet run, as its effects change it.
-BridgeLaw bridges_of(const RunParameters& parameters);
+void check(const RunParameters& parameters, const GrainEffects& effects);
 
 /// Changes only when runs of the same parameters come out different beyond rounding.
 constexpr int physics_version = 1;
-
-/// What determines a run, a line "name = value" each, numbers as short as tells them apart. Its
-/// threads are part of it: rounding differs.
-std::string described(const RunParameters& parameters, int threads = 1);
-
-/// FNV-1a of a text; of `described` it tells runs apart.
-std::uint64_t fingerprint(std::string_view text);
 
 /// Called about once per strain of 0.02 with the strain done and the strain expected in all.
 using Progress = std::function<void(double done, double expected)>;
@@ -195,6 +187,8 @@ struct RunOptions {
     const StoredSample* start = nullptr;  ///< needed where RunParameters::start is not 0
     Checkpoint* checkpoint = nullptr;  ///< resumed from where it holds this run, written as it is
                                        ///< due and when the run is stopped
+    /// Tells this run from all others, for the checkpoint: "name = value" lines.
+    std::string description = {};
 };
 constexpr int most_threads = 1024;
 
@@ -206,12 +200,13 @@ constexpr double crystal_solid_fraction = 0.645;
 constexpr double localised_above = 0.05;
 
 /// Shears a random sample of monosized beads until its averages are known over `strain`, after a
-/// transient that is detected, not assumed.
+/// transient that is detected, not assumed. `effects` are those that `parameters` names.
 /// @throws std::invalid_argument for what `check` refuses, and for a start of another size
 /// @throws SimulationError where the state stops being finite or never reaches its stress
 /// @throws Interrupted when a stop is requested
 /// @throws InputError for a checkpoint of another run or one that is no longer whole
-RunResult run(const RunParameters& parameters, const RunOptions& options = {});
+RunResult run(const RunParameters& parameters, const GrainEffects& effects,
+              const RunOptions& options = {});
 
 /// Solid fraction that rigid beads would have, from the overlaps of a run [1]:
 ///     Phi (rigid) = Phi - 1.23 x 3 Phi <overlap>/a

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "data/form.h"
-#include "data/number.h"
+#include "data/quantities/number.h"
 #include "sim/dem/grain_effects.h"
 #include "sim/dem/run.h"
 #include "sim/dem/shear_cell.h"
@@ -33,7 +33,7 @@ void check(const Wetting& w, double rupture_distance, double edge) {
 
 }  // namespace
 
-void check(const RunParameters& p) {
+void check(const RunParameters& p, const GrainEffects& effects) {
     demand(p.friction >= 0 && p.friction <= 2,
            fmt::format("friction {} is not between 0 and 2", p.friction));
     demand(p.inertial_number >= 1e-5 && p.inertial_number <= largest_inertial_number,
@@ -62,16 +62,11 @@ void check(const RunParameters& p) {
                fmt::format("precision of {}: it needs liquid bridges", name));
     }
     if (p.wetting) {
-        check(*p.wetting, bridges_of(p).rupture_distance, ShearCell::edge(p.beads));
-    } else {
-        GrainEffects(p.effects, false);
+        check(*p.wetting, effects.changed(BridgeLaw(*p.wetting)).rupture_distance,
+              ShearCell::edge(p.beads));
     }
-    demand(p.start == 0 || GrainEffects(p.effects, p.wetting.has_value()).diameters(2, 1).empty(),
+    demand(p.start == 0 || effects.diameters(2, 1).empty(),
            "a run cannot start from the state of another where its beads are to be of other sizes");
-}
-
-BridgeLaw bridges_of(const RunParameters& p) {
-    return GrainEffects(p.effects, true).changed(BridgeLaw(p.wetting.value()));
 }
 
 Observable observable_named(std::string_view name) {
@@ -110,36 +105,6 @@ bool needs_bridges(Observable which) {
         default:
             return false;
     }
-}
-
-std::string described(const RunParameters& p, int threads) {
-    std::string text = fmt::format(
-        "friction = {}\ninertial number = {}\nstiffness number = {}\nPoisson ratio = {}\n"
-        "damping = {}\n",
-        p.friction, p.inertial_number, p.stiffness_number, p.poisson_ratio, p.damping);
-    const Wetting wetting = p.wetting.value_or(Wetting{});
-    text += fmt::format("reduced pressure = {}\nbridge volume = {}\nbridge force = {}\n",
-                        p.wetting ? fmt::format("{}", wetting.reduced_pressure) : "none (dry)",
-                        wetting.bridge_volume, to_string(wetting.bridge_force));
-    for (const Precision& wanted : p.precision) {
-        text += fmt::format("precision of {} = {}\n",
-                            observable_names[static_cast<std::size_t>(wanted.which)],
-                            wanted.standard_error);
-    }
-    if (!p.effects.empty()) {
-        text += fmt::format("effects = {}\n", effects_text(p.effects));
-    }
-    text += fmt::format("beads = {}\nstrain = {}\nseed = {}\nthreads = {}\n", p.beads, p.strain,
-                        p.seed, threads);
-    return p.start == 0 ? text : text + fmt::format("start = {:x}\n", p.start);
-}
-
-std::uint64_t fingerprint(std::string_view text) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char c : text) {
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    }
-    return hash;
 }
 
 }  // namespace pendular::dem

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "data/time_series.h"
+#include "data/recordings/time_series.h"
 
 namespace pendular::dem {
 namespace {

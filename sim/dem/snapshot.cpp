@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "data/text_file.h"
+#include "data/files/text_file.h"
 #include "sim/dem/separations.h"
 #include "sim/dem/series.h"
 

@@ -1,4 +1,4 @@
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 
@@ -15,13 +15,13 @@ Effect capillary_bridges() {
                             .neutral = 0,
                             .matters = 1e-3,
                             .meaning = "surface tension of the liquid"}},
-            .change = ChangeCondition{[](Condition condition, const Values& v) {
+            .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
                 condition.liquid->surface_tension = v["surface_tension"];
                 if (v["surface_tension"] == 0) condition.liquid_content = 0;
                 return condition;
             }},
             .touches = Touches::wet,
-            .on_with_liquid = true,
+            .given_by_liquid = &Liquid::surface_tension,
             .acts_through = {"1/reduced_pressure", "liquid_content"},
             .directly = "a tensiometer",
             .references = {"Badetti, Fall, Chevoir and Roux, Shear strength of wet granular "

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 namespace {
@@ -24,6 +24,7 @@ Effect capillary_coulomb() {
             .parameters = {on_switch("the limit includes the capillary force")},
             .change = dem::ChangePairs{.limit = net_limit},
             .touches = Touches::wet,
+            .fades_with_capillarity = true,
             .acts_through = {"reduced_pressure", "liquid_content"},
             .references = {
                 "Badetti et al. (2018), section 2.2, for the limit on the elastic force",

@@ -1,24 +1,22 @@
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 
 /// Forces of bridges have a shear stress of their own, of the opposite sign: Rumpf's cohesion
 /// leaves it out.
 Effect capillary_shear_stress() {
-    return {.summary = "base rumpf: the shear stress of capillary forces counts",
-            .equation =
-                "mu* = mu*_0 + (mu*_0 Phi_S Z*/pi - a^2 s12cap/F0)/P*      eq:strength2 in place "
-                "of eq:strength3",
-            .parameters = {on_switch("0: eq:strength3, 1: eq:strength2")},
-            .change = ChangeClosure{[](closures::Terms terms, const Values& v) {
-                terms.capillary_shear_stress |= v["on"] != 0;
-                return terms;
-            }},
-            .touches = Touches::wet,
-            .acts_through = {"1/reduced_pressure", "liquid_content"},
-            .references = {
-                "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
-                "macroscopic cohesion and effective stress (2018), eq:strength2 and eq:strength3"}};
+    return {
+        .summary = "base rumpf: the shear stress of capillary forces counts",
+        .equation =
+            "mu* = mu*_0 + (mu*_0 Phi_S Z*/pi - a^2 s12cap/F0)/P*      eq:strength2 in place "
+            "of eq:strength3",
+        .parameters = {on_switch("0: eq:strength3, 1: eq:strength2")},
+        .change = ChangeClosure{.base = "rumpf", .term = &closures::Terms::capillary_shear_stress},
+        .touches = Touches::wet,
+        .acts_through = {"1/reduced_pressure", "liquid_content"},
+        .references = {
+            "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
+            "macroscopic cohesion and effective stress (2018), eq:strength2 and eq:strength3"}};
 }
 
 }  // namespace pendular

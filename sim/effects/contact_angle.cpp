@@ -1,4 +1,4 @@
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ Effect contact_angle() {
                             .matters = 10 * degree,
                             .meaning = "added to the study's contact angle",
                             .amplitude = [](double angle) { return 1 - std::cos(angle); }}},
-            .change = ChangeCondition{[](Condition condition, const Values& v) {
+            .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
                 double& angle = condition.liquid->contact_angle;
                 if (v["angle"] != 0) angle = std::clamp(angle + v["angle"], 0.0, 89 * degree);
                 return condition;

@@ -1,4 +1,4 @@
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 
@@ -12,6 +12,7 @@ Effect reversible_bridges() {
             .parameters = {on_switch("bridges form without contact")},
             .change = dem::ChangePairs{.bridges_without_contact = true},
             .touches = Touches::wet,
+            .fades_with_capillarity = true,
             .acts_through = {"liquid_content", "reduced_pressure"},
             .references = {
                 "Kohonen, Geromichalos, Scheel, Schier, Herminghaus, Physica A 339 (2004) 7: "

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 namespace {

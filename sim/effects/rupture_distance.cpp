@@ -1,4 +1,4 @@
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 
@@ -21,6 +21,7 @@ Effect rupture_distance() {
                                                return law;
                                            }},
             .touches = Touches::wet,
+            .fades_with_capillarity = true,
             .acts_through = {"liquid_content", "reduced_pressure"},
             .references = {
                 "Lian, Thornton, Adams, J. Colloid Interface Sci. 161 (1993) 138: rupture at (1 + "

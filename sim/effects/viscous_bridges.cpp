@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 
@@ -14,7 +14,7 @@ Effect wet_friction() {
                             .neutral = 0,
                             .matters = 0.01,
                             .meaning = "friction coefficient of wet beads less that of dry ones"}},
-            .change = ChangeCondition{[](Condition condition, const Values& v) {
+            .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
                 condition.friction_difference += v["difference"];
                 return condition;
             }},

@@ -1,7 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 namespace {
@@ -58,6 +58,7 @@ Effect willett_bridges() {
             .parameters = {on_switch("Willett's force in place of Maugis'")},
             .change = dem::ChangePairs{.bridge = willett},
             .touches = Touches::wet,
+            .fades_with_capillarity = true,
             .acts_through = {"liquid_content", "reduced_pressure"},
             .references = {"Willett, Adams, Johnson, Seville, Langmuir 16 (2000) 9396"}};
 }

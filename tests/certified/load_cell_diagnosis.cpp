@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "analysis/diagnosis.h"
+#include "analysis/diagnosis/diagnosis.h"
 #include "strd.h"
-#include "tests/unit/linear_space.h"
+#include "tests/support/linear_space.h"
 
 namespace load_cell_diagnosis_test {
 

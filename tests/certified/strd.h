@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "calib/fit.h"
-#include "data/csv.h"
+#include "calib/fit/fit.h"
+#include "data/files/csv.h"
 
 /// Statistical Reference Datasets of NIST, https://www.itl.nist.gov/div898/strd, and models that
 /// are a formula with exact derivatives.
@@ -50,8 +50,8 @@ class FormulaModel : public pendular::Model {
     explicit FormulaModel(const DataSet& set) : set_(set) {}
 
     const std::vector<pendular::Parameter>& parameters() const override { return set_.parameters; }
-    pendular::Prediction predict(const Eigen::VectorXd& parameters) const override;
-    void improve(const Eigen::VectorXd&, double) override {}
+    pendular::Prediction predict(const Eigen::VectorXd& parameters,
+                                 pendular::Ask what) const override;
     pendular::Supported supported() const override;
 
     mutable int evaluations = 0;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/unit/app_support.h"
+#include "tests/support/app_support.h"
 
 namespace tutorial_test {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/unit/app_support.h"
+#include "tests/support/app_support.h"
 
 namespace walk_test {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "data/study.h"
+#include "data/study/study.h"
 #include "sim/dem/shear_cell.h"
 
 namespace bridge_chains_test {

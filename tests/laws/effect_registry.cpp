@@ -1,11 +1,12 @@
 // What every effect must say of itself. The names of the tests are the laws.
 #include <cmath>
 #include <filesystem>
+#include <variant>
 
-#include "data/quantity.h"
-#include "data/units.h"
+#include "data/quantities/quantity.h"
+#include "data/quantities/units.h"
 #include "registered_effects.h"
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 namespace effect_registry_test {
 
@@ -33,6 +34,13 @@ TEST_P(EffectRegistry, ActsThroughKnownQuantities) {
         if (covariate.starts_with("1/")) covariate = covariate.substr(2);
         EXPECT_TRUE(find_quantity(covariate)) << covariate;
     }
+}
+
+TEST_P(EffectRegistry, FadesWithCapillarityWhereItChangesBridgesAndNothingElse) {
+    const auto* pairs = std::get_if<dem::ChangePairs>(&effect().change);
+    const bool on_bridges =
+        pairs != nullptr && effect().touches == Touches::wet && pairs->add == nullptr;
+    EXPECT_EQ(effect().fades_with_capillarity, on_bridges);
 }
 
 TEST_P(EffectRegistry, HasParametersWithUnits) {

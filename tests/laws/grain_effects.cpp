@@ -6,9 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "sim/catalogue/effect.h"
 #include "sim/dem/grain_effects.h"
 #include "sim/dem/shear_cell.h"
-#include "sim/effect.h"
+#include "sim/runs/run_request.h"
 
 namespace grain_effects_test {
 
@@ -33,7 +34,7 @@ struct State {
 
     explicit State(const std::vector<EffectValues>& on, bool wet, unsigned seed = 1)
         : beads(400),
-          effects(on, wet),
+          effects(grain_effects(on, wet)),
           bridges(wet ? effects.changed(BridgeLaw(wetting)) : BridgeLaw()) {
         beads.diameters = effects.diameters(beads.size(), seed);
         std::mt19937_64 random(seed);
@@ -126,7 +127,7 @@ TEST(HookedForces, WithoutEffectsAreThoseOfThePlainLoopBitwise) {
 TEST_P(OfEveryGrainEffect, VanishesAtItsNeutralValue) {
     const Effect& effect = *GetParam();
     // Dropped, so that the loop has no hook at all.
-    const GrainEffects neutral({{effect.name, effect.neutral()}}, wet(effect));
+    const GrainEffects neutral = grain_effects({{effect.name, effect.neutral()}}, wet(effect));
     EXPECT_FALSE(neutral.hooked());
     EXPECT_TRUE(neutral.diameters(100, 1).empty());
     EXPECT_EQ(neutral.memory(), 0u);
@@ -256,7 +257,7 @@ TEST_P(OfEveryGrainEffect, IsFiniteAtTheCornersOfItsBounds) {
 
 TEST_P(OfEveryGrainEffect, LosesNoContactThroughNewLists) {
     const Effect& effect = *GetParam();
-    const GrainEffects effects(on(effect), wet(effect));
+    const GrainEffects effects = grain_effects(on(effect), wet(effect));
     const BridgeLaw bridges = wet(effect) ? BridgeLaw(wetting) : BridgeLaw();
     ShearCell kept(200, material, 0.05, 3, bridges, 1, effects);
     ASSERT_TRUE(kept.compress());

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "registered_effects.h"
-#include "sim/instrument.h"
+#include "sim/catalogue/instrument.h"
 
 namespace instrument_effects_test {
 
@@ -69,14 +69,15 @@ class InstrumentEffects : public EveryEffect {
 };
 
 /// A wet and a dry condition, with the liquid filled in where it is wet.
-std::vector<Condition> conditions() {
-    Condition wet{.normal_stress = 600, .inertial_number = 0.01, .liquid_content = 0.02};
+std::vector<EffectiveCondition> conditions() {
+    EffectiveCondition wet =
+        Condition{.normal_stress = 600, .inertial_number = 0.01, .liquid_content = 0.02};
     wet.liquid = Liquid{.surface_tension = 20.6e-3, .contact_angle = 0.3, .viscosity = 0.05};
     wet.friction_difference = 0.01;
-    return {wet, {.normal_stress = 600, .inertial_number = 0.01}};
+    return {wet, Condition{.normal_stress = 600, .inertial_number = 0.01}};
 }
 
-bool same(const Condition& a, const Condition& b) {
+bool same(const EffectiveCondition& a, const EffectiveCondition& b) {
     return a.normal_stress == b.normal_stress && a.inertial_number == b.inertial_number &&
            a.liquid_content == b.liquid_content && a.height == b.height &&
            a.bead_volume == b.bead_volume && a.time == b.time &&
@@ -89,10 +90,11 @@ bool same(const Condition& a, const Condition& b) {
 
 class ConditionEffects : public EveryEffect {
   protected:
-    Condition changed(const Condition& condition, const std::vector<double>& values) const {
+    EffectiveCondition changed(const EffectiveCondition& condition,
+                               const std::vector<double>& values) const {
         return changed_condition(condition, {{&effect(), values}}, std::nullopt);
     }
-    bool touches(const Condition& condition) const {
+    bool touches(const EffectiveCondition& condition) const {
         return !touching({{&effect(), effect().neutral()}}, condition.dry()).empty();
     }
 };
@@ -172,11 +174,11 @@ TEST(Instrument, AllItsEffectsTogetherInvert) {
 }
 
 TEST_P(ConditionEffects, VanishesAtItsNeutralValue) {
-    for (const Condition& condition : conditions()) {
-        Condition without = condition;
+    for (const EffectiveCondition& condition : conditions()) {
+        EffectiveCondition without = condition;
         // Where an effect is on without being listed, gone means gone with the forces of the
         // liquid.
-        if (effect().on_with_liquid) {
+        if (effect().given_by_liquid) {
             without.liquid_content = 0;
             if (without.liquid) without.liquid->surface_tension = 0;
         }
@@ -185,7 +187,7 @@ TEST_P(ConditionEffects, VanishesAtItsNeutralValue) {
 }
 
 TEST_P(ConditionEffects, ChangesSomethingAtTheSizeThatMatters) {
-    for (const Condition& condition : conditions()) {
+    for (const EffectiveCondition& condition : conditions()) {
         if (!touches(condition)) continue;
         for (const auto& values : values_that_matter(effect())) {
             EXPECT_FALSE(same(changed(condition, values), condition));
@@ -194,7 +196,7 @@ TEST_P(ConditionEffects, ChangesSomethingAtTheSizeThatMatters) {
 }
 
 TEST_P(ConditionEffects, LeavesBeadsAloneThatItDoesNotTouch) {
-    for (const Condition& condition : conditions()) {
+    for (const EffectiveCondition& condition : conditions()) {
         if (touches(condition)) continue;
         for (const auto& corner : corners(effect())) {
             EXPECT_TRUE(same(changed(condition, corner), condition));
@@ -204,9 +206,9 @@ TEST_P(ConditionEffects, LeavesBeadsAloneThatItDoesNotTouch) {
 
 TEST_P(ConditionEffects, IsFiniteAtTheCornersOfItsBounds) {
     const Grains grains{.diameter = 5e-4, .density = 1050};
-    for (const Condition& condition : conditions()) {
+    for (const EffectiveCondition& condition : conditions()) {
         for (const auto& corner : corners(effect())) {
-            const Condition c = changed(condition, corner);
+            const EffectiveCondition c = changed(condition, corner);
             EXPECT_TRUE(std::isfinite(c.friction_difference));
             EXPECT_GE(c.liquid_content, 0);
             if (c.dry()) continue;
@@ -224,7 +226,7 @@ INSTANTIATE_TEST_SUITE_P(Effects, InstrumentEffects,
                          test_name);
 INSTANTIATE_TEST_SUITE_P(Effects, ConditionEffects,
                          testing::ValuesIn(names_of_effects([](const Effect& effect) {
-                             return std::holds_alternative<ChangeCondition>(effect.change);
+                             return effect.of_condition();
                          })),
                          test_name);
 

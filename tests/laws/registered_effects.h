@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/effect.h"
+#include "sim/catalogue/effect.h"
 
 /// Laws that every effect of the registry must keep, one test for each effect.
 class EveryEffect : public testing::TestWithParam<std::string> {

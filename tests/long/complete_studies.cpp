@@ -2,7 +2,7 @@
 // predicts, off by its own errors and by those of the measurement.
 #include <gtest/gtest.h>
 
-#include "analysis/diagnosis.h"
+#include "analysis/diagnosis/diagnosis.h"
 #include "tests/physics/planted_readings.h"
 
 using namespace pendular;

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/diagnosis.h"
-#include "calib/calibrate_study.h"
-#include "data/replicates.h"
-#include "data/resolution.h"
+#include "analysis/diagnosis/diagnosis.h"
+#include "calib/fit/calibrate_study.h"
+#include "data/files/resolution.h"
+#include "data/recordings/replicates.h"
 #include "tests/physics/planted_readings.h"
 
 namespace pendular::error_models_test {
@@ -98,11 +98,11 @@ double rounded(double value, int digits) {
 }
 
 Measurements measured(const ErrorKind& kind, std::uint64_t seed) {
-    const Model& truth = laboratory_models().with({});
+    const auto truth = laboratory_models().with({});
     const Eigen::VectorXd friction = Eigen::VectorXd::Constant(1, planted_friction);
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
-    const Prediction predicted = truth.predict(friction);
+    const Prediction predicted = truth->predict(friction);
     // In units of the errors: stresses and solid fractions are of different sizes.
     const Eigen::VectorXd size = predicted.covariance.diagonal().cwiseSqrt();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
@@ -154,7 +154,8 @@ TEST_P(ErrorModels, RaiseNoFalseAlarmsAndLeaveErrorsRight) {
         const Diagnosis d = diagnose(laboratory_models(), evidence_of(readings, all.scatter),
                                      {.draws = 2000, .seed = seed});
         alarms += d.verdict != Verdict::nothing_missing && d.verdict != Verdict::inconclusive;
-        const Model& model = laboratory_models().with({});
+        const auto shared = laboratory_models().with({});
+        const Model& model = *shared;
         const Fit best = fit(model, stack(readings), start_of(model));
         errors.push_back((best.parameters(0) - planted_friction) / best.standard_error(0));
     }

@@ -7,8 +7,8 @@
 #include <random>
 #include <thread>
 
-#include "calib/calibrate_study.h"
-#include "calib/calibration.h"
+#include "calib/fit/calibrate_study.h"
+#include "calib/fit/calibration.h"
 
 namespace planted_truths_test {
 

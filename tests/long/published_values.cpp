@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "sim/ensemble.h"
+#include "sim/runs/ensemble.h"
 
 namespace published_values_test {
 

@@ -8,11 +8,12 @@
 #include <filesystem>
 #include <thread>
 
-#include "analysis/compare.h"
-#include "calib/calibrate_study.h"
-#include "calib/calibration.h"
-#include "data/text_file.h"
-#include "sim/virtual_lab.h"
+#include "analysis/misfit/compare.h"
+#include "calib/fit/calibrate_study.h"
+#include "calib/fit/calibration.h"
+#include "data/files/text_file.h"
+#include "data/recordings/measurements.h"
+#include "sim/lab/virtual_lab.h"
 
 namespace virtual_lab_truths_test {
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <thread>
 
-#include "sim/store/run_store.h"
-#include "tests/unit/app_support.h"
+#include "sim/runs/store/run_store.h"
+#include "tests/support/app_support.h"
 
 using namespace pendular;
 using testing::HasSubstr;

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/unit/app_support.h"
-#include "tests/unit/effect_study.h"
+#include "tests/support/app_support.h"
+#include "tests/support/effect_study.h"
 
 namespace app_add_drop_test {
 
@@ -17,9 +17,9 @@ constexpr double drag = 1e-3;  // N m
 
 /// Dry and wet readings of the laboratory with the drag, scattered as their errors say.
 std::string readings() {
-    const EffectModel model = laboratory().with({&built_in_effect("torque-offset")});
+    const ModelOfReadings model = laboratory().with({&built_in_effect("torque-offset")});
     const Eigen::VectorXd values =
-        model.predict_mean(Eigen::Vector2d(planted_friction, drag)).value;
+        model.predict(Eigen::Vector2d(planted_friction, drag), Ask::slopes).value;
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
     std::string csv =

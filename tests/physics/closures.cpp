@@ -9,7 +9,7 @@
 
 #include "sim/closures/capillary_stress.h"
 #include "sim/closures/strength.h"
-#include "sim/ensemble.h"
+#include "sim/runs/ensemble.h"
 
 namespace closures_test {
 

@@ -3,7 +3,7 @@
 // estimated from replicates, so that 300 of the latter would fall below 6 in one case of ten.
 #include <gtest/gtest.h>
 
-#include "tests/unit/line_study.h"
+#include "tests/support/line_study.h"
 
 using namespace pendular;
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/dem/run.h"
+#include "sim/runs/run_request.h"
 
 namespace dry_lammps_test {
 
@@ -51,7 +52,7 @@ class DryLammps : public testing::TestWithParam<Row> {};
 
 TEST_P(DryLammps, Agrees) {
     const Row& row = GetParam();
-    const RunResult run = pendular::dem::run({.friction = row.friction,
+    const RunResult run = pendular::simulate({.friction = row.friction,
                                               .inertial_number = row.inertial_number,
                                               .stiffness_number = row.stiffness_number,
                                               .beads = static_cast<int>(row.beads),

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tests/unit/effect_study.h"
+#include "tests/support/effect_study.h"
 
 namespace effect_pairs_test {
 
@@ -30,18 +30,19 @@ Eigen::VectorXd errors_of(const Eigen::VectorXd& values) {
 
 Signature signature_of(const std::string& name, bool dry_only = false) {
     const Effect& effect = built_in_effect(name);
-    const EffectModel without = laboratory().with({}), with_it = laboratory().with({&effect});
+    const ModelOfReadings without = laboratory().with({}), with_it = laboratory().with({&effect});
     const Eigen::VectorXd friction = Eigen::VectorXd::Constant(1, planted_friction);
-    const Prediction plain = without.predict_mean(friction);
+    const Prediction plain = without.predict(friction, Ask::slopes);
     Eigen::VectorXd g;
     if (effect.is_switch()) {
-        g = with_it.predict_mean(friction).value - plain.value;
+        g = with_it.predict(friction, Ask::slopes).value - plain.value;
     } else {
         // A secant over the size that matters: at neutral the derivative of some is zero.
         Eigen::VectorXd at(2);
         const EffectParameter& p = effect.parameters.front();
-        at << planted_friction, effect.on_with_liquid ? 20.6e-3 + p.matters : p.neutral + p.matters;
-        g = with_it.predict_mean(at).value - plain.value;
+        at << planted_friction,
+            effect.given_by_liquid ? 20.6e-3 + p.matters : p.neutral + p.matters;
+        g = with_it.predict(at, Ask::slopes).value - plain.value;
     }
     const Eigen::VectorXd inverse = errors_of(plain.value).cwiseInverse();
     g = inverse.cwiseProduct(g);
@@ -87,7 +88,7 @@ TEST(EffectsAlike, AreThoseThatRheologistsKnow) {
 TEST(EffectsAlike, AreTabled) {
     std::vector<std::pair<std::string, Signature>> all;
     for (const Effect& effect : built_in_effects()) {
-        if (!std::holds_alternative<ChangeClosure>(effect.change) && predictable(effect)) {
+        if (!effect.of_closure() && predictable(effect)) {
             all.emplace_back(effect.name, signature_of(effect.name));
         }
     }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "tests/unit/effect_study.h"
+#include "tests/support/effect_study.h"
 
 namespace effects_in_fits_test {
 
@@ -25,13 +25,13 @@ Measured readings_of(const Eigen::VectorXd& values, unsigned seed) {
 }
 
 /// Parameters with the effect at three times the size that matters, within its bounds.
-Eigen::VectorXd planted(const EffectModel& model, const Effect& effect) {
+Eigen::VectorXd planted(const Model& model, const Effect& effect) {
     Eigen::VectorXd truth(static_cast<Eigen::Index>(model.parameters().size()));
     truth(0) = planted_friction;
     Eigen::Index next = 1;
     for (const EffectParameter& p : effect.parameters) {
         if (!p.is_switch()) {
-            truth(next++) = effect.on_with_liquid
+            truth(next++) = effect.given_by_liquid
                                 ? 0.03
                                 : std::clamp(p.neutral + 3 * p.matters, p.lower, 0.8 * p.upper);
         }
@@ -49,7 +49,7 @@ std::string test_name(const testing::TestParamInfo<std::string>& test) {
 std::vector<std::string> effects_of_dem() {
     std::vector<std::string> names;
     for (const Effect& effect : built_in_effects()) {
-        if (!std::holds_alternative<ChangeClosure>(effect.change)) {
+        if (!effect.of_closure()) {
             names.push_back(effect.name);
         }
     }
@@ -63,10 +63,10 @@ INSTANTIATE_TEST_SUITE_P(Registry, OfEveryEffect, testing::ValuesIn(effects_of_d
 TEST_P(OfEveryEffect, FitRecoversAPlantedValue) {
     const Effect& effect = built_in_effect(GetParam());
     ASSERT_TRUE(predictable(effect)) << "the atlas has no run with it";
-    const EffectModel model = laboratory().with({&effect});
-    const EffectModel without = laboratory().with({});
+    const ModelOfReadings model = laboratory().with({&effect});
+    const ModelOfReadings without = laboratory().with({});
     const Eigen::VectorXd truth = planted(model, effect);
-    const Measured measured = readings_of(model.predict_mean(truth).value, 11);
+    const Measured measured = readings_of(model.predict(truth, Ask::slopes).value, 11);
     const Fit with_it = fit(model, measured, start_of(model));
     const Fit without_it = fit(without, measured, start_of(without));
     EXPECT_TRUE(with_it.converged) << with_it.message;
@@ -86,15 +86,16 @@ TEST_P(OfEveryEffect, FitRecoversAPlantedValue) {
 TEST_P(OfEveryEffect, DerivativesAreThoseOfThePrediction) {
     const Effect& effect = built_in_effect(GetParam());
     ASSERT_TRUE(predictable(effect)) << "the atlas has no run with it";
-    const EffectModel model = laboratory().with({&effect});
+    const ModelOfReadings model = laboratory().with({&effect});
     const Eigen::VectorXd at = planted(model, effect);
-    const Prediction there = model.predict_mean(at);
+    const Prediction there = model.predict(at, Ask::slopes);
     for (Eigen::Index k = 0; k < at.size(); ++k) {
         const double step = 3e-3 * std::max(std::abs(at(k)), 1e-6);
         Eigen::VectorXd above = at, below = at;
         above(k) += step, below(k) -= step;
         const Eigen::VectorXd slope =
-            (model.predict_mean(above).value - model.predict_mean(below).value) / (2 * step);
+            (model.predict(above, Ask::slopes).value - model.predict(below, Ask::slopes).value) /
+            (2 * step);
         const double scale = slope.cwiseAbs().maxCoeff();
         EXPECT_GT(scale, 0) << "nothing depends on "
                             << model.parameters()[static_cast<std::size_t>(k)].name;
@@ -106,9 +107,9 @@ TEST_P(OfEveryEffect, DerivativesAreThoseOfThePrediction) {
 TEST(CapillaryShearStress, TakesFromRumpfsStrengthMostAtLittleLiquid) {
     Laboratory plain("rumpf"), full("rumpf", {.capillary_shear_stress = true}), truth("dem");
     const Eigen::VectorXd at = Eigen::VectorXd::Constant(1, planted_friction);
-    const Eigen::VectorXd without = plain.with({}).predict_mean(at).value,
-                          with_it = full.with({}).predict_mean(at).value,
-                          simulated = truth.with({}).predict_mean(at).value;
+    const Eigen::VectorXd without = plain.with({}).predict(at, Ask::slopes).value,
+                          with_it = full.with({}).predict(at, Ask::slopes).value,
+                          simulated = truth.with({}).predict(at, Ask::slopes).value;
     double worst_without = 0, worst_with = 0;
     const auto all = conditions();
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -129,15 +130,16 @@ TEST(CapillaryShearStress, TakesFromRumpfsStrengthMostAtLittleLiquid) {
 }
 
 TEST(EffectModel, WithoutEffectsIsTheModelInsideBitForBit) {
-    const EffectModel model = laboratory().with({});
+    const ModelOfReadings model = laboratory().with({});
     const Study study = study_with("dem");
     const Fidelity quick = fidelity_named("quick");
-    KnownRuns known{EmulatedSimulation::serving(study, quick, shipped_runs()), shipped_scales(),
-                    false};
-    const EmulatedSimulation inside(study, conditions(), quick, 1, Workers{}, known);
+    KnownRuns known{runs_serving(study, quick, shipped_runs()), shipped_scales(), false};
+    const EmulatedSimulation inside(study, quick, Emulator(known.runs, known.scales));
     const Eigen::VectorXd at = Eigen::VectorXd::Constant(1, planted_friction);
-    EXPECT_EQ(model.predict_mean(at).value, inside.predict_mean(at).value);
-    EXPECT_EQ(model.predict_mean(at).jacobian, inside.predict_mean(at).jacobian);
+    EXPECT_EQ(model.predict(at, Ask::slopes).value,
+              inside.predict(at, conditions(), Ask::slopes).value);
+    EXPECT_EQ(model.predict(at, Ask::slopes).jacobian,
+              inside.predict(at, conditions(), Ask::slopes).jacobian);
 }
 
 }  // namespace effects_in_fits_test

@@ -1,6 +1,6 @@
 // How good the emulator is, on runs that it has not seen. Prints the tables of docs/validation.md.
-#include "calib/emulator.h"
-#include "calib/calibrate_study.h"
+#include "calib/emulator/emulator.h"
+#include "calib/fit/calibrate_study.h"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,11 @@
 #include <random>
 #include <tuple>
 
-#include "calib/calibration.h"
-#include "calib/emulated_state.h"
-#include "sim/fidelity.h"
-#include "sim/store/run_table.h"
+#include "calib/emulator/emulated_observables.h"
+#include "calib/emulator/emulated_state.h"
+#include "calib/fit/calibration.h"
+#include "sim/runs/fidelity.h"
+#include "sim/runs/store/run_table.h"
 
 namespace pendular::emulator_test {
 
@@ -27,7 +28,7 @@ using dem::Observable;
 std::vector<dem::RunResult> usable_runs(const std::string& file) {
     std::vector<dem::RunResult> runs;
     for (const StoredRun& stored : read_runs(PENDULAR_SOURCE_DIR "/" + file)) {
-        if (Emulator::usable(stored.run) && stored.run.parameters.effects.empty()) {
+        if (emulated::usable(stored.run) && stored.run.parameters.effects.empty()) {
             runs.push_back(stored.run);
         }
     }
@@ -68,7 +69,7 @@ struct Score {
 
     void add(const dem::RunResult& run, Observable which, double said, double variance,
              double noise) {
-        const Mean taught = Emulator::taught(run, which);
+        const Mean taught = emulated::taught(run, which);
         const double off = taught.value - said;
         standardised += off * off / (variance + noise);
         net += off * off - noise;
@@ -93,8 +94,8 @@ Score left_out(Observable which) {
         // Its scales are learned without them too.
         const Emulator emulator(known, {});
         for (const auto& run : tested) {
-            if (!Emulator::of_bridges(which) || run.parameters.wetting) {
-                const std::vector<Query> query = {{Emulator::state_of(run.parameters), which}};
+            if (!emulated::of_bridges(which) || run.parameters.wetting) {
+                const std::vector<Query> query = {{emulated::state_of(run.parameters), which}};
                 const double said = emulator.mean(query)(0),
                              variance = emulator.covariance(query)(0, 0);
                 score.add(run, which, said, variance, emulator.noise_variance(run, which));
@@ -136,8 +137,8 @@ std::vector<PairOfRuns> pairs_of_runs() {
         for (std::size_t j = i + 1; j < runs.size(); ++j) {
             std::vector<Input> differing;
             for (const Input input : inputs) {
-                if (input_of(Emulator::state_of(runs[i].parameters), input) !=
-                    input_of(Emulator::state_of(runs[j].parameters), input)) {
+                if (input_of(emulated::state_of(runs[i].parameters), input) !=
+                    input_of(emulated::state_of(runs[j].parameters), input)) {
                     differing.push_back(input);
                 }
             }
@@ -153,7 +154,7 @@ std::vector<PairOfRuns> pairs_of_runs() {
 }
 
 TEST(EmulatorOfTheAtlas, KnowsHowWrongItIsOnConditionsLeftOut) {
-    for (const Observable which : Emulator::observables()) {
+    for (const Observable which : emulated::observables()) {
         const Score score = left_out(which);
         std::printf("| %s | %d | %.2f | %.5f | %.5f |\n",
                     std::string(dem::observable_names[static_cast<std::size_t>(which)]).c_str(),
@@ -176,8 +177,8 @@ TEST(EmulatorOfTheAtlas, HasTheDerivativesThatPairsOfRunsHave) {
     double chi2 = 0;
     int dof = 0;
     for (const auto& [first, second, by] : pairs_of_runs()) {
-        const FlowState a = Emulator::state_of(first.parameters),
-                        b = Emulator::state_of(second.parameters);
+        const FlowState a = emulated::state_of(first.parameters),
+                        b = emulated::state_of(second.parameters);
         const double apart = input_of(b, by) - input_of(a, by);
         const FlowState middle{
             (a.friction + b.friction) / 2, std::sqrt(a.inertial_number * b.inertial_number),
@@ -186,8 +187,8 @@ TEST(EmulatorOfTheAtlas, HasTheDerivativesThatPairsOfRunsHave) {
             const std::vector<Query> query = {{middle, which, by}};
             const double slope = emulator.mean(query)(0),
                          error = std::sqrt(emulator.covariance(query)(0, 0));
-            const double found = (Emulator::taught(second, which).value -
-                                  Emulator::taught(first, which).value) /
+            const double found = (emulated::taught(second, which).value -
+                                  emulated::taught(first, which).value) /
                                  apart,
                          noise = std::sqrt(emulator.noise_variance(first, which) +
                                            emulator.noise_variance(second, which)) /
@@ -219,7 +220,7 @@ TEST(EmulatorOfTheAtlas, CoversTheTruthOfStudiesItHasNotSeen) {
     EmulatorScales scales;
     for (const Observable which :
          {Observable::stress_ratio, Observable::solid_fraction, Observable::mean_overlap}) {
-        scales[which] = Emulator::learn(known, which);
+        scales[which] = PlainEmulator::learn(known, which);
     }
     std::map<double, std::vector<dem::RunResult>> truths;
     for (const auto& run : unseen()) {
@@ -277,7 +278,7 @@ TEST(EmulatorOfTheAtlas, PredictsWetRunsItHasNotSeen) {
         Score score;
         for (const auto& run : unseen()) {
             if (run.parameters.wetting) {
-                const std::vector<Query> query = {{Emulator::state_of(run.parameters), which}};
+                const std::vector<Query> query = {{emulated::state_of(run.parameters), which}};
                 score.add(run, which, emulator.mean(query)(0), emulator.covariance(query)(0, 0),
                           emulator.noise_variance(run, which));
             }

@@ -10,13 +10,13 @@
 #include <optional>
 #include <random>
 
-#include "analysis/compare.h"
-#include "calib/calibrate_study.h"
-#include "calib/calibration.h"
-#include "data/effect_tables.h"
-#include "data/study_table.h"
+#include "analysis/misfit/compare.h"
+#include "calib/fit/calibrate_study.h"
+#include "calib/fit/calibration.h"
+#include "data/study/effect_tables.h"
+#include "data/study/study_table.h"
 #include "reports/comparison_figures.h"
-#include "tests/unit/effect_study.h"
+#include "tests/support/effect_study.h"
 
 namespace figures_of_effects_test {
 
@@ -40,7 +40,7 @@ void PrintTo(const Case& one, std::ostream* out) {
 std::vector<Case> cases() {
     std::vector<Case> all = {{"plain", {}}, {"rumpf", {}, "rumpf"}};
     for (const Effect& effect : built_in_effects()) {
-        const bool closure = std::holds_alternative<ChangeClosure>(effect.change);
+        const bool closure = effect.of_closure();
         all.push_back({effect.name, {effect.name}, closure ? "rumpf" : "dem"});
     }
     all.push_back({"torque-offset and wall-friction", {"torque-offset", "wall-friction"}});
@@ -77,8 +77,8 @@ std::vector<Condition> conditions_of_files(const Study& study) {
 
 /// A planted effect's size: three times what matters.
 double planted_value(const Effect& effect, const EffectParameter& p) {
-    return effect.on_with_liquid ? 0.03
-                                 : std::clamp(p.neutral + 3 * p.matters, p.lower, 0.8 * p.upper);
+    return effect.given_by_liquid ? 0.03
+                                  : std::clamp(p.neutral + 3 * p.matters, p.lower, 0.8 * p.upper);
 }
 
 Study study_of(const Case& one) {
@@ -109,7 +109,7 @@ struct Planted {
         c.model = study.model;
         c.written_effects = study.written_effects;
         c.fidelity = fidelity_named("quick");
-        c.runs = EmulatedSimulation::serving(study, c.fidelity, shipped);
+        c.runs = runs_serving(study, c.fidelity, shipped);
         c.scales = shipped_scales();
         for (const Condition& condition : conditions_of_files(study)) {
             c.readings.push_back({.origin = {condition.time > 3600 ? "two.csv" : "one.csv", 1},
@@ -146,8 +146,7 @@ struct Planted {
         Calibration& c = calibration;
         std::mt19937_64 random(7);
         std::normal_distribution<double> normal;
-        c.prediction =
-            model->model().predict_conditions(c.fit.parameters, conditions_of(c.readings));
+        c.prediction = model->model().predict(c.fit.parameters, conditions_of(c.readings));
         for (std::size_t k = 0; k < c.readings.size(); ++k) {
             const Eigen::Vector2d value =
                 c.prediction.value.segment<2>(2 * static_cast<Eigen::Index>(k));

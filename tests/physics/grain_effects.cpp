@@ -1,4 +1,4 @@
-// Effects on grains in flowing samples. Those between two beads stand in tests/unit.
+// Effects on grains in flowing samples. Those between two beads stand in tests/sim.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "sim/dem/run.h"
 #include "sim/dem/shear_cell.h"
+#include "sim/runs/run_request.h"
 
 namespace grain_effects_test {
 
@@ -62,7 +63,7 @@ TEST(ReversibleBridges, JoinAllPairsWithinReachAndNoOthers) {
     for (const auto& effects : cases) {
         const Wetting wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};
         ShearCell sample(150, {.modulus = 5e3, .friction = 0.2}, 0.1, 5, BridgeLaw(wetting), 1,
-                         GrainEffects(effects, true));
+                         grain_effects(effects, true));
         ASSERT_TRUE(sample.compress());
         const double rupture = sample.bridges().rupture_distance;
         EXPECT_NEAR(rupture, (effects.size() > 1 ? 1.7 : 1) * std::cbrt(4e-3), 1e-12);
@@ -102,9 +103,9 @@ TEST(Polydispersity, MakesFlowDenser) {
                     .stiffness_number = 1000,
                     .beads = 300,
                     .strain = 6};
-    const Mean equal = run(p)[Observable::solid_fraction];
+    const Mean equal = simulate(p)[Observable::solid_fraction];
     p.effects = {{"polydispersity", {0.25}}};
-    const Mean spread = run(p)[Observable::solid_fraction];
+    const Mean spread = simulate(p)[Observable::solid_fraction];
     std::printf("solid fraction %.4f +- %.4f of one size, %.4f +- %.4f of several\n", equal.value,
                 equal.standard_error, spread.value, spread.standard_error);
     EXPECT_GT(spread.value - equal.value,
@@ -123,7 +124,7 @@ TEST(RollingResistance, GivesAStrongerAndLooserFlow) {
                     .beads = 1000,
                     .strain = 3,
                     .effects = {{"rolling-resistance", {0.2}}}};
-    const RunResult rolling = run(p);
+    const RunResult rolling = simulate(p);
     const Mean ratio = rolling[Observable::stress_ratio],
                solid = rolling[Observable::solid_fraction];
     std::printf("stress ratio %.4f +- %.4f, solid fraction %.4f +- %.4f in %.1f s\n", ratio.value,

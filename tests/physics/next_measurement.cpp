@@ -1,13 +1,13 @@
 // A pair that the readings cannot tell apart, the measurement that `next` asks for, and what it
 // brings.
-#include "analysis/next_measurement.h"
+#include "analysis/design/next_measurement.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <tuple>
 
-#include "analysis/diagnosis.h"
+#include "analysis/diagnosis/diagnosis.h"
 #include "tests/physics/planted_readings.h"
 
 namespace next_measurement_test {
@@ -21,7 +21,8 @@ std::vector<Rival> rivals_of(const Diagnosis& d) {
     std::vector<Rival> rivals;
     for (const Explanation& each : d.confidence_set) {
         rivals.push_back({models().candidates()[each.chosen.front()].name,
-                          &models().with(each.chosen), each.fit.parameters, each.fit.covariance});
+                          models().predictor(each.chosen), each.fit.parameters,
+                          each.fit.covariance});
     }
     return rivals;
 }
@@ -54,8 +55,8 @@ TEST(NextMeasurement, TellsAHeightOffsetFromLostBeads) {
     std::vector<Condition> all = conditions();
     all.insert(all.end(), static_cast<std::size_t>(plan.repeats), points[plan.point].condition);
     const StudyModels more = models_of(all);
-    const Model& truth = more.with(place_of(planted.effect));
-    const Eigen::VectorXd values = truth.values(truth_of(planted, truth));
+    const auto truth = more.with(place_of(planted.effect));
+    const Eigen::VectorXd values = truth->predict(truth_of(planted, *truth), Ask::values).value;
     std::mt19937_64 random(6);
     const std::vector<Condition> fresh(all.begin() + static_cast<std::ptrdiff_t>(before.size()),
                                        all.end());

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/study_evidence.h"
-#include "calib/study_models.h"
-#include "tests/unit/effect_study.h"
+#include "analysis/diagnosis/study_evidence.h"
+#include "calib/model/study_models.h"
+#include "tests/support/effect_study.h"
 
 // Readings of the laboratory that the emulator itself predicts, with an effect on or complete.
 namespace pendular {
@@ -30,12 +30,12 @@ inline const Study& planted_study() {
 inline StudyModels models_of(const std::vector<Condition>& conditions,
                              const Study& study = planted_study()) {
     const Fidelity quick = fidelity_named("quick");
-    return {study,
-            conditions,
-            quick,
-            {EmulatedSimulation::serving(StudyModels::with_all_effects(planted_study()), quick,
-                                         all_shipped_runs()),
-             shipped_scales(), false}};
+    return {
+        study,
+        conditions,
+        quick,
+        {runs_serving(StudyModels::with_all_effects(planted_study()), quick, all_shipped_runs()),
+         shipped_scales(), false}};
 }
 
 inline const StudyModels& models() {
@@ -80,13 +80,13 @@ inline Eigen::VectorXd truth_of(const Planted& planted, const Model& model) {
 inline std::vector<Reading> readings_with(const Planted& planted, std::uint64_t seed,
                                           bool simulation_errs = false) {
     const Choice on = planted.effect.empty() ? Choice{} : place_of(planted.effect);
-    const Model& truth = models().with(on);
-    const Eigen::VectorXd parameters = truth_of(planted, truth);
-    Eigen::VectorXd values = truth.values(parameters);
+    const std::shared_ptr<const Model> truth = models().with(on);
+    const Eigen::VectorXd parameters = truth_of(planted, *truth);
+    Eigen::VectorXd values = truth->predict(parameters, Ask::values).value;
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
     if (simulation_errs) {
-        Eigen::MatrixXd covariance = truth.predict(parameters).covariance;
+        Eigen::MatrixXd covariance = truth->predict(parameters).covariance;
         covariance.diagonal() *= 1 + 1e-6;  // some readings are predicted alike
         const Eigen::MatrixXd lower = covariance.llt().matrixL();
         values +=

@@ -8,8 +8,9 @@
 #include <map>
 #include <random>
 
-#include "calib/calibrate_study.h"
-#include "calib/calibration.h"
+#include "calib/fit/calibrate_study.h"
+#include "calib/fit/calibration.h"
+#include "tests/support/emulator_support.h"
 
 namespace reported_error_test {
 
@@ -83,7 +84,8 @@ TEST(ReportedError, IsTheScatterOfPlantedFrictions) {
 TEST(ReportedError, CoversTheCorrectionsInStiffnessAndInertialNumber) {
     // Readings slower and stiffer than anything the fit simulates (I 0.02 against 0.05 and up,
     // stiffness number 2000 against 300): both corrections are at work, 0.011 in solid fraction
-    // alone.
+    // alone. From flow so fast the emulator extrapolates with an error that more runs there do not
+    // lower: the fit says that it did not settle, and how unsure it is.
     const double friction = 0.15, stress = 1000, stiffness = 2000;
     const Eigen::Vector2d state = truth_of({.friction = friction,
                                             .inertial_number = 0.02,
@@ -102,14 +104,14 @@ TEST(ReportedError, CoversTheCorrectionsInStiffnessAndInertialNumber) {
     reading.covariance << std::pow(0.02 * reading.value(0), 2), 0, 0, std::pow(0.001, 2);
     measurements.readings = {reading};
     double mean = 0;
-    const int fits = 6;
+    const int fits = 3;
     for (std::uint64_t seed = 1; seed <= fits; ++seed) {
-        const Calibration c =
-            calibrate_study(study, measurements, {.fidelity = small, .seed = seed}, {.threads = 1});
+        const Calibration c = calibrate_study(
+            study, measurements, {.fidelity = small, .seed = seed, .known = {{}, shipped_scales()}},
+            {.threads = 1});
         const double z = (c.fit.parameters(0) - friction) / c.fit.standard_error(0);
         std::printf("%.4f +- %.4f (measurement %.4f), %zu runs\n", c.fit.parameters(0),
                     c.fit.standard_error(0), c.fit.measurement_error(0), c.runs.size());
-        EXPECT_TRUE(c.fit.converged);
         EXPECT_LT(std::abs(z), 3);
         EXPECT_GT(c.fit.simulation_error(0), 0.3 * c.fit.measurement_error(0));
         mean += z / fits;

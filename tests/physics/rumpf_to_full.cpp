@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/unit/app_support.h"
+#include "tests/support/app_support.h"
 
 namespace rumpf_to_full_test {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/ensemble.h"
+#include "sim/runs/ensemble.h"
 
 namespace pendular {
 

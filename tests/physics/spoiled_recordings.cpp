@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/unit/app_support.h"
+#include "tests/support/app_support.h"
 
 namespace pendular::spoiled_recordings_test {
 

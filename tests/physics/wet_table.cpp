@@ -6,7 +6,7 @@
 #include <cmath>
 #include <thread>
 
-#include "sim/ensemble.h"
+#include "sim/runs/ensemble.h"
 
 namespace wet_table_test {
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/design/rival.h"
+
+namespace pendular {
+
+/// Numbers that a reading at a point gives.
+inline Eigen::Index entries_at(const Point& point) {
+    return point.direct ? 1 : 2;
+}
+
+/// What a rival says of some points, one after the other: their entries, and their covariance by
+/// the simulation.
+Prediction predicted_at(const Rival& rival, const std::vector<Point>& points);
+
+/// Variances of one reading at each of some points, where this is what they would show: readings of
+/// shear scatter by `relative_noise`, direct measurements by their own errors.
+Eigen::VectorXd noise_at(const std::vector<Point>& points, const Eigen::VectorXd& shown,
+                         const Eigen::Vector2d& relative_noise);
+
+}  // namespace pendular

@@ -1,0 +1,322 @@
+#include "analysis/diagnosis/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "analysis/diagnosis/explanation_search.h"
+#include "data/input_error.h"
+
+namespace pendular {
+namespace {
+
+/// A change is seen anew at the amplitude that it seems to have, where it is not small.
+constexpr double worth_sharpening = 4;
+constexpr int most_sharpenings = 3;
+/// A switch is identifiable if it is seen at least so often.
+constexpr double hardly_seen = 0.1;
+/// One diagnosis from its fit to its verdict.
+class Diagnostician {
+  public:
+    Diagnostician(const ModelSpace& space, const Evidence& evidence,
+                  const DiagnosisOptions& options)
+        : space_(space),
+          evidence_(evidence),
+          options_(options),
+          explanations_(space, evidence, options) {}
+
+    Diagnosis run() {
+        fit_base();
+        scan();
+        if (base_stands()) {
+            settle_for_base();
+        } else {
+            search();
+            conclude();
+        }
+        decide();
+        order_scan();
+        return std::move(result_);
+    }
+
+  private:
+    void say(std::string_view what, std::size_t done, std::size_t of) const {
+        if (options_.progress) options_.progress(what, done, of);
+    }
+    bool is_switch(std::size_t k) const { return space_.candidates()[k].is_switch(); }
+    const std::string& name(std::size_t k) const { return space_.candidates()[k].name; }
+    const Addition& addition(std::size_t k) const { return additions_[k]; }
+
+    void fit_base();
+    void scan();
+    void sharpen(std::size_t k, ScoreTest& test);
+    Finding finding_of(std::size_t k, const ScoreTest& test) const;
+    void judge_power(const FamilyOfTests& family);
+    bool base_stands() const;
+    void settle_for_base();
+    void search();
+    void conclude();
+    void compare_signatures();
+    void decide();
+    void order_scan();
+
+    const ModelSpace& space_;
+    const Evidence& evidence_;
+    const DiagnosisOptions& options_;
+    Explanations explanations_;
+    Explanation base_;
+    std::optional<WeightedResiduals> residuals_;
+    std::vector<Addition> additions_;
+    std::vector<Signature> signatures_;
+    std::vector<ScoreTest> suspect_tests_;
+    Diagnosis result_;
+};
+
+void Diagnostician::fit_base() {
+    const std::shared_ptr<const Model> model = space_.with({});
+    const auto entries = evidence_.measured.value.size();
+    const auto parameters = static_cast<Eigen::Index>(model->parameters().size());
+    if (entries <= parameters) {
+        throw InputError(fmt::format(
+            "{} measured values and {} calibrated parameters: nothing is left to judge the model "
+            "by; add readings",
+            entries, parameters));
+    }
+    say("fit", 0, 1);
+    base_ = explanations_.refit({}, {}, options_.start.value_or(start_of(*model)));
+    residuals_ = explanations_.residuals_of(base_);
+    result_.fit = base_.fit;
+    result_.chi2 = base_.chi2;
+    result_.dof = static_cast<int>(entries - parameters);
+    result_.errors_assumed = evidence_.errors_assumed;
+    base_.lack_of_fit_p = result_.lack_of_fit_p = explanations_.lack_of_fit_p(*residuals_);
+}
+
+void Diagnostician::sharpen(std::size_t k, ScoreTest& test) {
+    Signature& signature = signatures_[k];
+    for (int turn = 0; turn < most_sharpenings && test.seen(); ++turn) {
+        const double ratio = test.estimate(0) / signature.taken_at;
+        if (test.predicted_drop < worth_sharpening || (ratio > 0.8 && ratio < 1.25)) {
+            return;
+        }
+        const double taken_at = signature.taken_at;
+        addition(k).retake(signature, test.estimate(0));
+        if (signature.taken_at == taken_at) {
+            return;  // at its bound
+        }
+        const double information = test.information;
+        test = score_test(*residuals_, signature, false);
+        test.information = information;  // about neutral, where power is asked for
+    }
+}
+
+Finding Diagnostician::finding_of(std::size_t k, const ScoreTest& test) const {
+    Finding finding{.candidate = k, .test = test};
+    if (!test.seen() || test.estimate.size() != 1) {
+        return finding;
+    }
+    if (is_switch(k)) {
+        finding.value = test.estimate(0);
+        finding.standard_error = test.standard_error;
+        return finding;
+    }
+    const auto value = [&](double amplitude) {
+        return addition(k).value_at(amplitude, test.one_sided);
+    };
+    const double estimate = test.estimate(0);
+    finding.value = value(estimate);
+    // Where the parameter's square counts, one standard error about zero is no slope.
+    const double low = test.one_sided ? std::max(estimate, 0.0) : estimate - test.standard_error;
+    const double high = (test.one_sided ? std::max(estimate, 0.0) : estimate) + test.standard_error;
+    finding.standard_error = std::abs(value(high) - value(low)) / (test.one_sided ? 1 : 2);
+    return finding;
+}
+
+void Diagnostician::scan() {
+    const std::size_t count = space_.candidates().size();
+    std::vector<ScoreTest> tests;
+    for (std::size_t k = 0; k < count; ++k) {
+        say("scan", k, count);
+        additions_.push_back(explanations_.addition(base_, k));
+        signatures_.push_back(addition(k).signature(true));
+        explanations_.errors[k] = signatures_[k].errors;
+        ScoreTest test = score_test(*residuals_, signatures_[k], is_switch(k));
+        if (!is_switch(k) && test.seen() && test.estimate.size() == 1) {
+            sharpen(k, test);
+        }
+        result_.scan.push_back(finding_of(k, test));
+        tests.push_back(std::move(test));
+    }
+    say("scan", count, count);
+    suspect_tests_ = explanations_.suspect_tests(*residuals_);
+    tests.insert(tests.end(), suspect_tests_.begin(), suspect_tests_.end());
+    const FamilyOfTests family(tests, *residuals_, explanations_.draws());
+    double smallest = 1;
+    for (const ScoreTest& test : tests) {
+        smallest = std::min(smallest, test.p());
+    }
+    base_.further_p = result_.further_p = family.p(smallest);
+    for (Finding& finding : result_.scan) {
+        finding.p = family.p(finding.test.p());
+    }
+    for (const ScoreTest& test : suspect_tests_) {
+        result_.suspect_p.push_back(family.p(test.p()));
+    }
+    judge_power(family);
+}
+
+void Diagnostician::judge_power(const FamilyOfTests& family) {
+    const double limit = family.limit(explanations_.half_significance());
+    for (Finding& finding : result_.scan) {
+        if (!finding.test.seen()) continue;
+        const std::size_t k = finding.candidate;
+        finding.power = finding.test.power(1, limit);
+        const double amplitude = finding.test.detectable(options_.wanted_power, limit);
+        if (is_switch(k)) {
+            finding.detectable = amplitude;
+            finding.identifiable = finding.power > hardly_seen;
+            continue;
+        }
+        const EffectParameter& p = space_.candidates()[k].parameters.front();
+        const double value = addition(k).value_at(amplitude, finding.test.one_sided);
+        finding.detectable = std::abs(value - p.neutral);
+        finding.identifiable =
+            addition(k).amplitude_at(value, finding.test.one_sided) > 0.999 * amplitude;
+    }
+}
+
+bool Diagnostician::base_stands() const {
+    return std::min(base_.lack_of_fit_p, base_.further_p) >= explanations_.half_significance();
+}
+
+void Diagnostician::settle_for_base() {
+    base_.accepted = true;
+    result_.confidence_set = {base_};
+    for (const Finding& finding : result_.scan) {
+        if (finding.identifiable && finding.power < options_.wanted_power) {
+            result_.effects.push_back(name(finding.candidate));
+        }
+    }
+    const bool any_seen = std::ranges::any_of(result_.scan, &Finding::identifiable);
+    const bool all_seen = any_seen && result_.effects.empty() && !evidence_.errors_assumed;
+    result_.verdict = all_seen ? Verdict::nothing_missing : Verdict::inconclusive;
+}
+
+void Diagnostician::search() {
+    Found found = search_explanations(
+        space_, evidence_, options_, explanations_,
+        {base_, *residuals_, additions_, signatures_, result_.scan, suspect_tests_});
+    for (const Explanation& each : found.tried) {
+        if (each.chosen.size() == 1 && !each.suspect) {
+            result_.scan[each.chosen.front()].refit_drop = base_.chi2 - each.chi2;
+        }
+    }
+    for (const Explanation& each : found.standing_suspects) {
+        result_.suspects.push_back(evidence_.suspects[*each.suspect].name);
+    }
+    result_.tried = std::move(found.tried);
+    result_.confidence_set =
+        std::move(found.standing.empty() ? found.standing_suspects : found.standing);
+}
+
+void Diagnostician::conclude() {
+    const auto& set = result_.confidence_set;
+    if (set.empty()) {
+        result_.verdict = Verdict::unknown;
+        return;
+    }
+    if (set.front().suspect) {
+        result_.verdict = Verdict::suspect_measurement;
+        return;
+    }
+    // What all of them share is missing; without that, they cannot be told apart.
+    std::set<std::size_t> shared(set.front().chosen.begin(), set.front().chosen.end());
+    std::set<std::size_t> any;
+    for (const Explanation& each : set) {
+        std::erase_if(shared, [&](std::size_t k) {
+            return std::ranges::find(each.chosen, k) == each.chosen.end();
+        });
+        any.insert(each.chosen.begin(), each.chosen.end());
+    }
+    result_.verdict = shared.empty() ? Verdict::indistinguishable : Verdict::missing;
+    for (const std::size_t k : shared.empty() ? any : shared) {
+        result_.effects.push_back(name(k));
+    }
+    if (shared.empty()) compare_signatures();
+}
+
+void Diagnostician::compare_signatures() {
+    const auto count = static_cast<Eigen::Index>(result_.effects.size());
+    Eigen::MatrixXd directions(residuals_->size(), count);
+    Eigen::Index column = 0;
+    for (const std::string& effect : result_.effects) {
+        const auto found = std::ranges::find(space_.candidates(), effect, &Candidate::name);
+        const auto k = static_cast<std::size_t>(found - space_.candidates().begin());
+        directions.col(column++) = result_.scan[k].test.basis.col(0);
+    }
+    result_.cosines = (directions.transpose() * directions).cwiseAbs();
+}
+
+void Diagnostician::decide() {
+    const bool base = base_.accepted;
+    for (Finding& finding : result_.scan) {
+        const bool pointed_at =
+            std::ranges::find(result_.effects, name(finding.candidate)) != result_.effects.end();
+        const auto in_set = [&](const Explanation& each) {
+            return std::ranges::find(each.chosen, finding.candidate) != each.chosen.end();
+        };
+        const auto unsettled = [&](const Explanation& each) {
+            return each.chosen == Choice{finding.candidate} && !each.fit.converged;
+        };
+        if (!base && pointed_at) {
+            finding.decision = result_.verdict == Verdict::missing ? "missing" : "may be missing";
+        } else if (!base && std::ranges::any_of(result_.confidence_set, in_set)) {
+            finding.decision = "may be missing too";
+        } else if (std::ranges::any_of(result_.tried, unsettled)) {
+            finding.decision = "its fit did not settle";
+        } else if (!finding.identifiable) {
+            finding.decision = "cannot be seen";
+        } else if (base) {
+            finding.decision =
+                finding.power < options_.wanted_power ? "cannot be excluded" : "absent";
+        } else {
+            finding.decision = looks_missing(finding) ? "does not explain it" : "no sign of it";
+        }
+    }
+}
+
+void Diagnostician::order_scan() {
+    std::ranges::stable_sort(result_.scan, std::greater<>(), [](const Finding& finding) {
+        return finding.refit_drop.value_or(finding.test.predicted_drop);
+    });
+}
+
+}  // namespace
+
+std::string_view to_string(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::nothing_missing:
+            return "nothing-missing";
+        case Verdict::inconclusive:
+            return "inconclusive";
+        case Verdict::missing:
+            return "missing";
+        case Verdict::indistinguishable:
+            return "indistinguishable";
+        case Verdict::unknown:
+            return "unknown";
+        default:
+            return "suspect-measurement";
+    }
+}
+
+Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,
+                   const DiagnosisOptions& options) {
+    return Diagnostician(space, evidence, options).run();
+}
+
+}  // namespace pendular

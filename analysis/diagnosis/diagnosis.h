@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/diagnosis/explanation.h"
+
+namespace pendular {
+
+enum class Verdict {
+    nothing_missing,
+    inconclusive,
+    missing,
+    indistinguishable,
+    unknown,
+    suspect_measurement
+};
+/// "nothing-missing".
+std::string_view to_string(Verdict verdict);
+
+/// What is missing from a model, if anything.
+struct Diagnosis {
+    Verdict verdict = Verdict::inconclusive;
+    std::vector<std::string> effects;   ///< that the verdict points at
+    std::vector<std::string> suspects;  ///< each of which, if off, would explain the readings too
+    std::vector<Explanation> confidence_set;  ///< the smallest models that stand
+    std::vector<Explanation> tried;           ///< all that were refitted
+    std::vector<Finding> scan;                ///< a finding a candidate, most telling first
+    std::vector<double> suspect_p;            ///< of each suspect alone
+    Eigen::MatrixXd cosines;                  ///< of the signatures of `effects`, projected
+    Fit fit;                                  ///< of the model as it is
+    double chi2 = 0;
+    int dof = 0;
+    double lack_of_fit_p = 0, further_p = 0;
+    bool errors_assumed = false;
+
+    /// Of the model as it is.
+    WeightedResiduals residuals(const Evidence& evidence) const {
+        return {evidence.measured, fit.prediction};
+    }
+};
+
+/// Says whether a model lacks something, and what: fits it, tests what is left for every
+/// candidate, refits those that the residuals ask for, and keeps the smallest models that stand.
+/// A model stands where neither its lack of fit nor the best of what it still lacks is significant,
+/// each at half the significance, from the same draws of errors.
+/// @throws InputError where there are no more readings than parameters
+Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,
+                   const DiagnosisOptions& options = {});
+
+}  // namespace pendular

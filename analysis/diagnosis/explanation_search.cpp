@@ -1,0 +1,312 @@
+#include "analysis/diagnosis/explanation_search.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <future>
+#include <stdexcept>
+#include <utility>
+
+namespace pendular {
+namespace {
+
+/// From this p on, of the test alone, a candidate is not refitted.
+constexpr double worth_refitting = 0.05;
+/// A pair is refitted where its second part takes at least this off chi2 by the linear estimate.
+constexpr double worth_a_pair = 1;
+/// Models whose chi2 differ by less may be refused or stand for other reasons than that.
+constexpr double all_the_same = 10;
+/// By how much a refit may lower chi2 more than the linear estimate says.
+constexpr double foretelling_error = 0.2;
+/// Candidates that are refitted together.
+constexpr std::size_t best_singles = 6;
+/// Refits for which another thread is worth starting.
+constexpr std::size_t worth_another_thread = 3;
+
+class Search {
+  public:
+    Search(const ModelSpace& space, const Evidence& evidence, const DiagnosisOptions& options,
+           const Explanations& explanations, const Scanned& scanned)
+        : space_(space),
+          evidence_(evidence),
+          options_(options),
+          explanations_(explanations),
+          scanned_(scanned) {}
+
+    Found run() {
+        search_singles();
+        search_suspects();
+        if (found_.standing.empty() && found_.standing_suspects.empty()) search_pairs();
+        return std::move(found_);
+    }
+
+  private:
+    void say(std::string_view what, std::size_t done, std::size_t of) const {
+        if (options_.progress) options_.progress(what, done, of);
+    }
+    bool is_switch(std::size_t k) const { return space_.candidates()[k].is_switch(); }
+    const Addition& addition(std::size_t k) const { return scanned_.additions[k]; }
+
+    void search_singles();
+    void search_suspects();
+    void search_pairs();
+    /// Whether a model that takes this off chi2 by the linear estimate may do better than those
+    /// that were refitted and refused.
+    bool may_do_better(double drop) const;
+    /// chi2 that a choice would leave were everything linear: switches on, amplitudes within
+    /// bounds.
+    double left_by(const Choice& chosen) const;
+    /// The amplitude nearest to this one that a candidate can have.
+    double within_bounds(std::size_t candidate, double amplitude) const;
+    /// A model to be refitted.
+    struct Trial {
+        Choice chosen;
+        std::optional<std::size_t> suspect;
+        Eigen::VectorXd start;
+    };
+    /// Refits and judges them, side by side where there are further instances of the space.
+    void try_all(std::string_view what, const std::vector<Trial>& trials);
+    void take(Explanation explanation);
+    Eigen::VectorXd start_with(const Choice& chosen, const Eigen::MatrixXd& columns) const;
+
+    const ModelSpace& space_;
+    const Evidence& evidence_;
+    const DiagnosisOptions& options_;
+    const Explanations& explanations_;
+    const Scanned& scanned_;
+    Found found_;
+};
+
+Eigen::VectorXd Search::start_with(const Choice& chosen, const Eigen::MatrixXd& columns) const {
+    // Of the linear problem: all amplitudes together, and what the parameters then change by.
+    const Eigen::MatrixXd whitened = scanned_.residuals.whiten(columns);
+    const Eigen::VectorXd amplitudes =
+        scanned_.residuals.project(whitened).colPivHouseholderQr().solve(
+            scanned_.residuals.residuals());
+    std::vector<double> added;
+    Eigen::VectorXd applied = amplitudes;
+    Eigen::Index column = 0;
+    for (const std::size_t k : chosen) {
+        if (is_switch(k)) {
+            applied(column++) = 1;
+            continue;
+        }
+        const bool one_sided = scanned_.signatures[k].one_sided;
+        const double least = one_sided ? 0.1 : -INFINITY;  // off neutral, where slopes may vanish
+        applied(column) = std::max(amplitudes(column), least);
+        added.push_back(addition(k).value_at(applied(column++), one_sided));
+    }
+    for (; column < columns.cols(); ++column) {
+        added.push_back(amplitudes(column));
+    }
+    const Eigen::VectorXd own =
+        scanned_.base.fit.parameters - scanned_.residuals.absorbed_by(whitened * applied);
+    Eigen::VectorXd start(own.size() + static_cast<Eigen::Index>(added.size()));
+    start << own,
+        Eigen::Map<Eigen::VectorXd>(added.data(), static_cast<Eigen::Index>(added.size()));
+    return start;
+}
+
+/// Refitted and judged; none where so much of it is wanted that nothing real could show these
+/// readings.
+std::optional<Explanation> explained(const Explanations& explanations, const Choice& chosen,
+                                     std::optional<std::size_t> suspect,
+                                     const Eigen::VectorXd& start) {
+    try {
+        Explanation explanation = explanations.refit(chosen, suspect, start);
+        explanations.judge(explanation);
+        return explanation;
+    } catch (const std::domain_error&) {
+        return {};
+    }
+}
+
+void Search::try_all(std::string_view what, const std::vector<Trial>& trials) {
+    std::vector<std::optional<Explanation>> found(trials.size());
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&](const auto& before_each) {
+        for (std::size_t k = next++; k < trials.size(); k = next++) {
+            before_each(k);
+            found[k] =
+                explained(explanations_, trials[k].chosen, trials[k].suspect, trials[k].start);
+        }
+    };
+    const std::size_t threads = std::min(options_.threads, trials.size() / worth_another_thread);
+    std::vector<std::future<void>> helpers;
+    for (std::size_t thread = 1; thread < threads; ++thread) {
+        helpers.push_back(std::async(std::launch::async, [&] { work([](std::size_t) {}); }));
+    }
+    try {
+        work([&](std::size_t k) { say(what, k, trials.size()); });
+    } catch (...) {
+        next = trials.size();  // the others end soon, and are waited for
+        throw;
+    }
+    for (auto& helper : helpers) {
+        helper.get();
+    }
+    say(what, trials.size(), trials.size());
+    for (auto& each : found) {
+        if (each) take(std::move(*each));
+    }
+}
+
+void Search::take(Explanation explanation) {
+    if (explanation.accepted) {
+        (explanation.suspect ? found_.standing_suspects : found_.standing).push_back(explanation);
+    }
+    found_.tried.push_back(std::move(explanation));
+}
+
+void Search::search_singles() {
+    std::vector<const Finding*> worth;
+    for (const Finding& finding : scanned_.findings) {
+        if (looks_missing(finding)) worth.push_back(&finding);
+    }
+    std::ranges::sort(worth, std::greater<>(),
+                      [](const Finding* finding) { return finding->test.predicted_drop; });
+    // The best first, then those that may do better than what was refused of them.
+    for (std::size_t from = 0; from < worth.size(); from += best_singles) {
+        std::vector<Trial> trials;
+        for (std::size_t k = from; k < std::min(from + best_singles, worth.size()); ++k) {
+            const Choice chosen = {worth[k]->candidate};
+            if (may_do_better(worth[k]->test.predicted_drop)) {
+                trials.push_back(
+                    {chosen,
+                     {},
+                     start_with(chosen, scanned_.signatures[worth[k]->candidate].change)});
+            }
+        }
+        if (!trials.empty()) try_all("refits", trials);
+    }
+}
+
+void Search::search_suspects() {
+    std::vector<std::size_t> worth;
+    for (std::size_t k = 0; k < scanned_.suspect_tests.size(); ++k) {
+        const ScoreTest& test = scanned_.suspect_tests[k];
+        if (test.p() < worth_refitting && may_do_better(test.predicted_drop)) worth.push_back(k);
+    }
+    std::ranges::sort(worth, {}, [&](std::size_t k) { return scanned_.suspect_tests[k].p(); });
+    worth.resize(std::min(worth.size(), options_.most_suspects));
+    std::vector<Trial> trials;
+    for (const std::size_t k : worth) {
+        trials.push_back({{}, k, start_with({}, evidence_.suspects[k].columns)});
+    }
+    try_all("suspects", trials);
+}
+
+bool Search::may_do_better(double drop) const {
+    double best = 0;
+    for (const Explanation& each : found_.tried) {
+        if (!each.accepted && each.fit.converged)
+            best = std::max(best, scanned_.base.chi2 - each.chi2);
+    }
+    return drop * (1 + foretelling_error) + all_the_same > best;
+}
+
+double Search::left_by(const Choice& chosen) const {
+    Eigen::VectorXd left = scanned_.residuals.project(scanned_.residuals.residuals());
+    struct Column {
+        Eigen::VectorXd change;
+        std::size_t candidate;
+        bool bounded;  ///< the only parameter of its candidate
+    };
+    std::vector<Column> columns;
+    for (const std::size_t k : chosen) {
+        const Eigen::MatrixXd change =
+            scanned_.residuals.project(scanned_.residuals.whiten(scanned_.signatures[k].change));
+        if (is_switch(k)) {
+            left -= change;
+            continue;
+        }
+        for (Eigen::Index c = 0; c < change.cols(); ++c) {
+            columns.push_back({change.col(c), k, change.cols() == 1});
+        }
+    }
+    // An amplitude that would leave its bounds stays there, and the others are found anew.
+    while (!columns.empty()) {
+        Eigen::MatrixXd all(left.size(), static_cast<Eigen::Index>(columns.size()));
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            all.col(static_cast<Eigen::Index>(c)) = columns[c].change;
+        }
+        const Eigen::VectorXd amplitudes = all.colPivHouseholderQr().solve(left);
+        const auto beyond = std::ranges::find_if(columns, [&](const Column& column) {
+            const double wanted = amplitudes(&column - columns.data());
+            return column.bounded && within_bounds(column.candidate, wanted) != wanted;
+        });
+        if (beyond == columns.end()) {
+            return (left - all * amplitudes).squaredNorm();
+        }
+        left -=
+            within_bounds(beyond->candidate, amplitudes(beyond - columns.begin())) * beyond->change;
+        columns.erase(beyond);
+    }
+    return left.squaredNorm();
+}
+
+double Search::within_bounds(std::size_t candidate, double amplitude) const {
+    const bool one_sided = scanned_.signatures[candidate].one_sided;
+    if (one_sided && amplitude < 0) return 0;
+    const double there = addition(candidate).amplitude_at(
+        addition(candidate).value_at(amplitude, one_sided), one_sided);
+    constexpr double rounding = 1e-6;
+    return std::abs(there - amplitude) < rounding * (1 + std::abs(amplitude)) ? amplitude : there;
+}
+
+void Search::search_pairs() {
+    struct Pair {
+        Choice chosen;
+        double left;
+    };
+    std::vector<std::size_t> seen;
+    std::vector<double> left_alone(scanned_.signatures.size(), scanned_.residuals.chi2());
+    for (const Finding& finding : scanned_.findings) {
+        if (finding.test.seen()) {
+            seen.push_back(finding.candidate);
+            left_alone[finding.candidate] =
+                std::min(left_alone[finding.candidate], left_by({finding.candidate}));
+        }
+    }
+    std::vector<Pair> pairs;
+    for (const std::size_t i : seen) {
+        for (const std::size_t j : seen) {
+            if (i >= j) continue;
+            const double left = left_by({i, j});
+            // Where one part brings nothing beside the other, that one was not enough alone.
+            if (left < std::min(left_alone[i], left_alone[j]) - worth_a_pair &&
+                may_do_better(scanned_.base.chi2 - left)) {
+                pairs.push_back({{i, j}, left});
+            }
+        }
+    }
+    std::ranges::sort(pairs, {}, &Pair::left);
+    pairs.resize(std::min(pairs.size(), options_.most_pairs));
+    std::vector<Trial> trials;
+    for (const Pair& pair : pairs) {
+        Eigen::MatrixXd columns(scanned_.residuals.size(), 0);
+        for (const std::size_t k : pair.chosen) {
+            columns.conservativeResize(Eigen::NoChange,
+                                       columns.cols() + scanned_.signatures[k].change.cols());
+            columns.rightCols(scanned_.signatures[k].change.cols()) = scanned_.signatures[k].change;
+        }
+        trials.push_back({pair.chosen, {}, start_with(pair.chosen, columns)});
+    }
+    try_all("pairs", trials);
+}
+
+}  // namespace
+
+bool looks_missing(const Finding& finding) {
+    return finding.test.seen() && finding.test.p() < worth_refitting;
+}
+
+Found search_explanations(const ModelSpace& space, const Evidence& evidence,
+                          const DiagnosisOptions& options, const Explanations& explanations,
+                          const Scanned& scanned) {
+    return Search(space, evidence, options, explanations, scanned).run();
+}
+
+}  // namespace pendular

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/diagnosis/explanation.h"
+#include "analysis/diagnosis/explanations.h"
+#include "analysis/diagnosis/signature.h"
+
+namespace pendular {
+
+/// What the scan of a fitted model says, by candidate.
+struct Scanned {
+    const Explanation& base;
+    const WeightedResiduals& residuals;
+    const std::vector<Addition>& additions;
+    const std::vector<Signature>& signatures;
+    const std::vector<Finding>& findings;
+    const std::vector<ScoreTest>& suspect_tests;
+};
+
+/// Models that were refitted to explain what a model leaves.
+struct Found {
+    std::vector<Explanation> tried;     ///< all
+    std::vector<Explanation> standing;  ///< with candidates; pairs where no single one does
+    std::vector<Explanation> standing_suspects;  ///< with an error of the measurement
+};
+
+/// Whether a candidate, by its test alone, is worth refitting.
+bool looks_missing(const Finding& finding);
+
+/// Refits single candidates that look missing and suspects of the measurement, and, where none of
+/// them stands, pairs; side by side where there are further instances of the space. What cannot do
+/// better than what was refused is not refitted.
+Found search_explanations(const ModelSpace& space, const Evidence& evidence,
+                          const DiagnosisOptions& options, const Explanations& explanations,
+                          const Scanned& scanned);
+
+}  // namespace pendular

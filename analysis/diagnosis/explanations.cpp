@@ -1,0 +1,165 @@
+#include "analysis/diagnosis/explanations.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+namespace pendular {
+namespace {
+
+/// A model with an error of the measurement that a fit may find: a factor on each of a suspect's
+/// columns.
+class WithSuspect : public Model {
+  public:
+    WithSuspect(const Model& inside, const Suspect& suspect)
+        : inside_(inside), columns_(suspect.columns), parameters_(inside.parameters()) {
+        for (Eigen::Index k = 0; k < columns_.cols(); ++k) {
+            parameters_.push_back({.name = suspect.name, .lower = -widest, .upper = widest});
+        }
+    }
+    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    Prediction predict(const Eigen::VectorXd& parameters, Ask what) const override {
+        Prediction prediction = inside_.predict(own(parameters), what);
+        prediction.value += columns_ * parameters.tail(columns_.cols());
+        if (what != Ask::values) {
+            Eigen::MatrixXd jacobian(prediction.value.size(), size());
+            jacobian << prediction.jacobian, columns_;
+            prediction.jacobian = std::move(jacobian);
+        }
+        return prediction;
+    }
+    Supported supported() const override {
+        const Supported range = inside_.supported();
+        Supported all{Eigen::VectorXd::Constant(size(), -widest),
+                      Eigen::VectorXd::Constant(size(), widest)};
+        all.lower.head(range.lower.size()) = range.lower;
+        all.upper.head(range.upper.size()) = range.upper;
+        return all;
+    }
+
+  private:
+    static constexpr double widest = 1e3;
+    Eigen::Index size() const { return static_cast<Eigen::Index>(parameters_.size()); }
+    Eigen::VectorXd own(const Eigen::VectorXd& parameters) const {
+        return parameters.head(size() - columns_.cols());
+    }
+
+    const Model& inside_;
+    Eigen::MatrixXd columns_;
+    std::vector<Parameter> parameters_;
+};
+
+/// To far less than a standard error: what the fit of a study goes to would take minutes.
+constexpr FitEffort quick{.most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
+
+/// A model that lacks this much below the significance is not fitted to its last digits.
+constexpr double hopeless = 0.1;
+
+}  // namespace
+
+Explanations::Explanations(const ModelSpace& space, const Evidence& evidence,
+                           const DiagnosisOptions& options)
+    : space_(space),
+      evidence_(evidence),
+      options_(options),
+      draws_(evidence.measured, evidence.errors, options.seed, options.draws) {
+    errors.resize(space.candidates().size());
+}
+
+Explanation Explanations::refit(const Choice& chosen, std::optional<std::size_t> suspect,
+                                const Eigen::VectorXd& start) const {
+    Explanation result{.chosen = chosen, .suspect = suspect};
+    const std::shared_ptr<const Model> model = space_.with(chosen);
+    const auto fit_from = [&](const Eigen::VectorXd& from) {
+        result.fit = suspect ? fit(WithSuspect(*model, evidence_.suspects[*suspect]),
+                                   evidence_.measured, from, quick)
+                             : fit(*model, evidence_.measured, from, quick);
+    };
+    // With the weights of the start, and once more with those of the answer.
+    fit_from(start);
+    if (lack_of_fit_p(residuals_of(result)) > hopeless * half_significance()) {
+        fit_from(result.fit.parameters);
+    }
+    result.chi2 = residuals_of(result).chi2();
+    return result;
+}
+
+WeightedResiduals Explanations::residuals_of(const Explanation& explanation) const {
+    Prediction prediction = explanation.fit.prediction;
+    const std::shared_ptr<const Model> model = space_.with(explanation.chosen);
+    const Supported supported = model->supported();
+    for (std::size_t k = 0; k < model->parameters().size(); ++k) {
+        const Parameter& p = model->parameters()[k];
+        const auto i = static_cast<Eigen::Index>(k);
+        const double least = std::max(p.lower, supported.lower(i)),
+                     greatest = std::min(p.upper, supported.upper(i)),
+                     close = 1e-6 * (greatest - least), at = explanation.fit.parameters(i);
+        if (at - least < close || greatest - at < close) {
+            prediction.jacobian.col(i).setZero();
+        }
+    }
+    return {evidence_.measured, prediction};
+}
+
+double Explanations::lack_of_fit_p(const WeightedResiduals& residuals) const {
+    const Eigen::MatrixXd means = residuals.means_over(evidence_.conditions);
+    const double observed = (means.transpose() * residuals.residuals()).squaredNorm();
+    const Eigen::VectorXd drawn =
+        draws_.along(residuals, means).colwise().squaredNorm().transpose();
+    return NullDraws::p(observed, drawn);
+}
+
+std::vector<ScoreTest> Explanations::suspect_tests(const WeightedResiduals& residuals,
+                                                   std::optional<std::size_t> but) const {
+    std::vector<ScoreTest> tests;
+    for (std::size_t k = 0; k < evidence_.suspects.size(); ++k) {
+        if (k != but) {
+            tests.push_back(
+                score_test(residuals, {.change = evidence_.suspects[k].columns}, false));
+        }
+    }
+    return tests;
+}
+
+Addition Explanations::addition(const Explanation& explanation, std::size_t candidate) const {
+    const std::shared_ptr<const Model> model = space_.with(explanation.chosen);
+    const Eigen::VectorXd parameters =
+        explanation.fit.parameters.head(std::ssize(model->parameters()));
+    Eigen::VectorXd values = explanation.fit.prediction.value;
+    if (explanation.suspect) {
+        values = model->predict(parameters, Ask::values).value;
+    }
+    return {space_, explanation.chosen, candidate, parameters, std::move(values)};
+}
+
+std::vector<ScoreTest> Explanations::further_tests(const WeightedResiduals& residuals,
+                                                   const Explanation& explanation) const {
+    std::vector<ScoreTest> tests = suspect_tests(residuals, explanation.suspect);
+    for (std::size_t k = 0; k < space_.candidates().size(); ++k) {
+        if (std::ranges::find(explanation.chosen, k) == explanation.chosen.end()) {
+            Signature signature = addition(explanation, k).signature(false);
+            signature.errors = errors[k];
+            tests.push_back(score_test(residuals, signature, space_.candidates()[k].is_switch()));
+        }
+    }
+    return tests;
+}
+
+void Explanations::judge(Explanation& explanation) const {
+    const WeightedResiduals residuals = residuals_of(explanation);
+    explanation.lack_of_fit_p = lack_of_fit_p(residuals);
+    if (!explanation.fit.converged || explanation.lack_of_fit_p < half_significance()) {
+        return;
+    }
+    const auto tests = further_tests(residuals, explanation);
+    double smallest = 1;
+    for (const ScoreTest& test : tests) {
+        smallest = std::min(smallest, test.p());
+    }
+    explanation.further_p = FamilyOfTests(tests, residuals, draws_).p(smallest);
+    explanation.accepted = explanation.further_p >= half_significance();
+}
+
+}  // namespace pendular

@@ -1,0 +1,158 @@
+#include "analysis/diagnosis/score_statistic.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+
+namespace pendular {
+namespace {
+
+/// Below this part of its length a projected change is rounding.
+constexpr double rounding = 1e-12;
+
+double upper_tail(double statistic, double freedom) {
+    return boost::math::cdf(boost::math::complement(boost::math::chi_squared(freedom), statistic));
+}
+
+double trace_of_projected(const WeightedResiduals& residuals, const Eigen::MatrixXd& covariance) {
+    return residuals.project(residuals.whiten_covariance(covariance)).trace();
+}
+
+/// One column, with the errors of the change taken into account.
+void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const Signature& signature,
+                    const Eigen::VectorXd& projected, bool is_switch) {
+    const double v = projected.squaredNorm();
+    double u = projected.dot(residuals.residuals()), noise = 0;
+    test.length = test.information = v;
+    if (signature.errors.change.size() > 0) {
+        u += trace_of_projected(residuals, signature.errors.with_without);
+        test.information -= trace_of_projected(residuals, signature.errors.change);
+        noise = std::max(
+            0.0, projected.dot(residuals.whiten_covariance(signature.errors.change) * projected));
+    }
+    if (test.information <= 0) {
+        return;  // its errors are all there is to see
+    }
+    const double estimate = u / test.information;
+    const double variance = v + estimate * estimate * noise;
+    test.estimate = Eigen::VectorXd::Constant(1, estimate);
+    test.standard_error = std::sqrt(variance) / test.information;
+    test.statistic = test.one_sided && u < 0 ? 0.0 : u * u / v;
+    test.predicted_drop = is_switch ? 2 * u - test.information : test.statistic;
+    test.basis = projected / std::sqrt(v);
+}
+
+}  // namespace
+
+ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signature,
+                     bool is_switch) {
+    const Eigen::MatrixXd whitened = residuals.whiten(signature.change);
+    const Eigen::MatrixXd projected = residuals.project(whitened);
+    ScoreTest test;
+    test.one_sided = signature.one_sided;
+    const double whole = whitened.squaredNorm();
+    if (!(projected.squaredNorm() > rounding * whole)) {
+        test.absorbed = 1;
+        return test;
+    }
+    test.absorbed = 1 - projected.squaredNorm() / whole;
+    if (projected.cols() == 1) {
+        test_amplitude(test, residuals, signature, projected, is_switch);
+        return test;
+    }
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(projected);
+    decomposed.setThreshold(1e-9);
+    test.basis =
+        decomposed.householderQ() * Eigen::MatrixXd::Identity(projected.rows(), decomposed.rank());
+    test.estimate = decomposed.solve(residuals.residuals());
+    test.statistic = (test.basis.transpose() * residuals.residuals()).squaredNorm();
+    test.predicted_drop = test.statistic;
+    test.length = test.information = projected.col(0).squaredNorm();
+    test.standard_error = 1 / std::sqrt(test.information);
+    return test;
+}
+
+double ScoreTest::p() const {
+    if (!seen() || statistic <= 0) {
+        return 1;
+    }
+    const double tail = upper_tail(statistic, static_cast<double>(basis.cols()));
+    return one_sided ? tail / 2 : tail;
+}
+
+double ScoreTest::critical(double limit) const {
+    const double tail = one_sided ? 2 * limit : limit;
+    if (tail >= 1) {
+        return 0;
+    }
+    return boost::math::quantile(boost::math::complement(
+        boost::math::chi_squared(static_cast<double>(basis.cols())), std::max(tail, 1e-300)));
+}
+
+Eigen::VectorXd ScoreTest::drawn(const WeightedResiduals& residuals, const NullDraws& draws) const {
+    const Eigen::MatrixXd along = draws.along(residuals, basis);
+    if (one_sided) {
+        return along.cwiseMax(0.0).cwiseAbs2().transpose();
+    }
+    return along.colwise().squaredNorm().transpose();
+}
+
+double ScoreTest::power(double amplitude, double limit) const {
+    const double away =
+        length > 0 ? std::abs(amplitude) * std::max(0.0, information) / std::sqrt(length) : 0.0;
+    const double needed = critical(limit);
+    if (one_sided) {
+        return boost::math::cdf(boost::math::normal(), away - std::sqrt(needed));
+    }
+    return boost::math::cdf(boost::math::complement(
+        boost::math::non_central_chi_squared(
+            static_cast<double>(std::max<Eigen::Index>(1, basis.cols())), away * away),
+        needed));
+}
+
+double ScoreTest::detectable(double wanted, double limit) const {
+    if (!(information > 0)) {
+        return INFINITY;
+    }
+    // The other tail of a two-sided test counts for nothing at powers worth asking for.
+    const double away =
+        std::sqrt(critical(limit)) + boost::math::quantile(boost::math::normal(), wanted);
+    return away * std::sqrt(length) / information;
+}
+
+FamilyOfTests::FamilyOfTests(const std::vector<ScoreTest>& tests,
+                             const WeightedResiduals& residuals, const NullDraws& draws) {
+    std::ranges::copy_if(tests, std::back_inserter(tests_), &ScoreTest::seen);
+    drawn_.resize(draws.count(), static_cast<Eigen::Index>(tests_.size()));
+    for (std::size_t k = 0; k < tests_.size(); ++k) {
+        drawn_.col(static_cast<Eigen::Index>(k)) = tests_[k].drawn(residuals, draws);
+    }
+}
+
+double FamilyOfTests::p(double smallest) const {
+    if (tests_.empty()) {
+        return 1;
+    }
+    Eigen::Array<bool, Eigen::Dynamic, 1> any =
+        Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(drawn_.rows(), false);
+    for (std::size_t k = 0; k < tests_.size(); ++k) {
+        any =
+            any || drawn_.col(static_cast<Eigen::Index>(k)).array() >= tests_[k].critical(smallest);
+    }
+    return static_cast<double>(1 + any.count()) / static_cast<double>(1 + drawn_.rows());
+}
+
+double FamilyOfTests::limit(double probability) const {
+    // By halving: p() falls with its argument.
+    double low = 1e-300, high = 1;
+    for (int halving = 0; halving < 60 && high / low > 1.001; ++halving) {
+        const double middle = std::sqrt(low * high);
+        (p(middle) < probability ? low : high) = middle;
+    }
+    return std::sqrt(low * high);
+}
+
+}  // namespace pendular

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "analysis/misfit/weighted_residuals.h"
+#include "calib/model/model_space.h"
+
+namespace pendular {
+
+/// What a candidate adds to the predictions of a model: a column for each of its parameters, per
+/// amplitude. An amplitude is 1 where the parameter is off neutral by the size that matters (or the
+/// switch is on), and in between goes with the parameter, or with what the candidate says that it
+/// grows with, as the square of a deviation.
+struct Signature {
+    Eigen::MatrixXd change;  ///< in the units of the readings
+    /// Of that by the model's errors, where they count: in the units of the readings.
+    ModelSpace::ChangeErrors errors;
+    /// The amplitude cannot be negative: at neutral the parameter is at its bound, or the other
+    /// direction does much the same.
+    bool one_sided = false;
+    double taken_at = 1;  ///< amplitude at which the change was seen
+};
+
+/// A model's predictions with one candidate more, as a function of that candidate's amplitude.
+class Addition {
+  public:
+    /// To the model of `chosen` at `parameters`, where it says `values`.
+    Addition(const ModelSpace& space, Choice chosen, std::size_t added, Eigen::VectorXd parameters,
+             Eigen::VectorXd values);
+
+    /// Its signature about neutral, at the size that matters.
+    Signature signature(bool with_errors) const;
+    /// The same at another amplitude, other than zero, within the bounds.
+    void retake(Signature& signature, double amplitude) const;
+
+    /// Value of the parameter at an amplitude, within its bounds.
+    double value_at(double amplitude, bool one_sided) const;
+    /// Amplitude at a value.
+    double amplitude_at(double value, bool one_sided) const;
+
+    const Candidate& candidate() const { return space_.candidates()[added_]; }
+
+  private:
+    Eigen::VectorXd change_at(const Eigen::VectorXd& values) const;
+    Eigen::VectorXd neutral() const;
+    bool mirrored(const Eigen::VectorXd& change) const;
+    /// A direction in which there is room for the size that matters.
+    double direction(const EffectParameter& p) const;
+
+    const ModelSpace& space_;
+    Choice chosen_;
+    std::size_t added_;
+    Eigen::VectorXd parameters_, values_;
+};
+
+}  // namespace pendular

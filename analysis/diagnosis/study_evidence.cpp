@@ -1,0 +1,278 @@
+#include "analysis/diagnosis/study_evidence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "analysis/misfit/compare.h"
+#include "data/quantities/number.h"
+#include "data/recordings/replicate_groups.h"
+
+namespace pendular {
+namespace {
+
+/// A factor on the shear stresses and one on the solid fractions of some readings.
+Suspect suspect(std::string name, const std::vector<std::size_t>& readings,
+                const Eigen::VectorXd& values) {
+    Suspect result{std::move(name), Eigen::MatrixXd::Zero(values.size(), 2)};
+    for (const std::size_t k : readings) {
+        for (const Eigen::Index observable : {0, 1}) {
+            const Eigen::Index entry = 2 * static_cast<Eigen::Index>(k) + observable;
+            result.columns(entry, observable) = values(entry);
+        }
+    }
+    return result;
+}
+
+/// Entries of each condition, one observable after the other.
+std::vector<std::vector<Eigen::Index>> entries_by_condition(const std::vector<Reading>& readings) {
+    std::vector<std::vector<Eigen::Index>> result;
+    for (const auto& group : replicate_groups(readings)) {
+        for (const Eigen::Index observable : {0, 1}) {
+            std::vector<Eigen::Index> entries;
+            for (const std::size_t k : group) {
+                entries.push_back(2 * static_cast<Eigen::Index>(k) + observable);
+            }
+            result.push_back(std::move(entries));
+        }
+    }
+    return result;
+}
+
+/// Place of each reading in the order in which they were taken, from 1: by time, and where files
+/// tell none, by file and line.
+std::vector<double> run_order(const std::vector<Reading>& readings) {
+    std::vector<std::size_t> places(readings.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::ranges::sort(places, {}, [&](std::size_t k) {
+        const Reading& r = readings[k];
+        return std::tuple(r.condition.time, r.origin.file, r.origin.line, r.step);
+    });
+    std::vector<double> order(readings.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        order[places[k]] = static_cast<double>(k + 1);
+    }
+    return order;
+}
+
+}  // namespace
+
+std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct) {
+    using Of = std::function<double(std::size_t, const Reading&)>;
+    const std::vector<double> order = run_order(readings);
+    const std::vector<std::pair<std::string, Of>> all = {
+        {"normal stress", [](auto, const auto& r) { return r.condition.normal_stress; }},
+        {"inertial number", [](auto, const auto& r) { return r.condition.inertial_number; }},
+        {"liquid content", [](auto, const auto& r) { return r.condition.liquid_content; }},
+        {"height", [](auto, const auto& r) { return r.condition.height.value_or(0); }},
+        {"time", [](auto, const auto& r) { return r.condition.time; }},
+        {"run order", [&](std::size_t k, const auto&) { return order[k]; }}};
+    std::vector<Covariate> result;
+    for (const auto& [name, of] : all) {
+        const auto entries = static_cast<Eigen::Index>(2 * readings.size() + direct);
+        Covariate covariate{name, Eigen::VectorXd::Constant(entries, std::nan(""))};
+        for (std::size_t k = 0; k < readings.size(); ++k) {
+            covariate.values.segment<2>(2 * static_cast<Eigen::Index>(k))
+                .setConstant(of(k, readings[k]));
+        }
+        const auto of_readings =
+            covariate.values.head(2 * static_cast<Eigen::Index>(readings.size()));
+        const double low = of_readings.minCoeff(), high = of_readings.maxCoeff();
+        // Ranks of the time are the run order.
+        const bool known = name == "run order" && !result.empty() && result.back().name == "time";
+        if (!known && high - low > 0.1 * std::max(std::abs(low), std::abs(high))) {
+            result.push_back(std::move(covariate));
+        }
+    }
+    return result;
+}
+
+EntryKinds entries_of(const std::vector<Reading>& readings,
+                      const std::vector<Parameter>& parameters, std::size_t direct) {
+    EntryKinds kinds{.observables = {"shear stress", "solid fraction"},
+                     .conditions = entries_by_condition(readings)};
+    for (const Parameter& parameter : parameters) {
+        kinds.parameters.push_back(parameter.name);
+    }
+    for (const Reading& reading : readings) {
+        kinds.observable.insert(kinds.observable.end(), {0, 1});
+        kinds.replicated |= reading.replicates > 1;
+    }
+    for (std::size_t k = 0; k < direct; ++k) {
+        // Like no other entry, and none of the observables that trend with a covariate.
+        kinds.observable.push_back(kinds.observables.size() + k);
+        kinds.conditions.push_back({static_cast<Eigen::Index>(2 * readings.size() + k)});
+    }
+    return kinds;
+}
+
+std::string described(const Condition& condition) {
+    std::string text = fmt::format("{} Pa, I {:.2g}", short_text(condition.normal_stress),
+                                   condition.inertial_number);
+    return text + (condition.dry()
+                       ? ", dry"
+                       : fmt::format(", liquid content {:.3g}", condition.liquid_content));
+}
+
+namespace {
+
+/// Direct measurements, from this entry on; those of one parameter are suspected together.
+void add_direct(Evidence& evidence, const std::vector<DirectMeasurement>& direct,
+                Eigen::Index entry) {
+    const std::size_t known = evidence.errors.freedom.size();
+    if (!direct.empty()) evidence.errors.freedom.push_back(INFINITY);
+    std::map<std::string, Eigen::MatrixXd> columns;
+    for (const DirectMeasurement& each : direct) {
+        evidence.errors.kind.push_back(known);
+        evidence.conditions.push_back({entry});
+        auto& column = columns[each.parameter];
+        // The same for all of them, of the size of an error.
+        const double off = column.size() > 0 ? column.maxCoeff() : each.standard_error;
+        if (column.size() == 0) column.setZero(evidence.measured.value.size(), 1);
+        column(entry++, 0) = off;
+    }
+    for (const auto& [parameter, column] : columns) {
+        evidence.suspects.push_back({"the direct measurements of " + parameter, column});
+    }
+}
+
+/// Errors that readings of one filling share in one observable.
+SharedErrors filling_errors(const std::vector<Reading>& readings,
+                            const ReplicateScatter::Filling& filling, Eigen::Index observable,
+                            Eigen::Index entries) {
+    std::map<std::string, std::vector<std::size_t>> files;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        if (readings[k].within_run_only) files[readings[k].origin.file].push_back(k);
+    }
+    SharedErrors shared{.loadings = Eigen::MatrixXd::Zero(entries, std::ssize(files)),
+                        .variance = filling.variance,
+                        .between = filling.between,
+                        .within = filling.within,
+                        .freedom_between = filling.freedom_between,
+                        .freedom_within = filling.freedom_within,
+                        .steps = filling.steps};
+    Eigen::Index source = 0;
+    for (const auto& [file, members] : files) {
+        for (const std::size_t k : members) {
+            shared.loadings(2 * static_cast<Eigen::Index>(k) + observable, source) =
+                readings[k].value(observable);
+        }
+        ++source;
+    }
+    return shared;
+}
+
+/// Errors that readings share and whose size is known, such as those of rounding.
+SharedErrors known_shared_errors(const std::vector<Reading>& readings, Eigen::Index entries) {
+    std::map<std::size_t, Eigen::VectorXd> loadings;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        for (const SharedError& error : readings[k].shared) {
+            if (!error.known) continue;
+            auto& column =
+                loadings.emplace(error.source, Eigen::VectorXd::Zero(entries)).first->second;
+            column.segment<2>(2 * static_cast<Eigen::Index>(k)) = error.estimated;
+        }
+    }
+    SharedErrors shared{.loadings = Eigen::MatrixXd(entries, std::ssize(loadings)), .variance = 1};
+    Eigen::Index source = 0;
+    for (const auto& [number, column] : loadings) {
+        shared.loadings.col(source++) = column;
+    }
+    return shared;
+}
+
+/// Logarithm of the factor on the errors of an observable that one standard error of the load
+/// exponent makes.
+Eigen::VectorXd load_errors(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
+                            Eigen::Index observable, Eigen::Index entries) {
+    Eigen::VectorXd logs = Eigen::VectorXd::Zero(entries);
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        logs(2 * static_cast<Eigen::Index>(k) + observable) =
+            -scatter.load_exponent_error(observable) *
+            std::log(readings[k].condition.normal_stress / scatter.reference_stress);
+    }
+    return logs;
+}
+
+ErrorKnowledge knowledge_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
+                            Eigen::Index entries) {
+    ErrorKnowledge knowledge;
+    // Groups whose scatter was pooled share one estimate, and so its error.
+    std::map<std::tuple<Eigen::Index, double, double>, std::size_t> kinds;
+    for (const Reading& reading : readings) {
+        for (const Eigen::Index o : {0, 1}) {
+            double mean_square = 0, freedom = INFINITY;
+            if (reading.scatter_group < scatter.groups.size()) {
+                const auto& group = scatter.groups[reading.scatter_group];
+                // Stated errors that explain the scatter are known.
+                if (group.excess(o, o) > 0 || (reading.within_run_only && group.freedom(o) > 0)) {
+                    mean_square = group.mean_square(o);
+                    freedom = group.freedom(o);
+                }
+            }
+            const auto [kind, added] =
+                kinds.emplace(std::tuple(o, mean_square, freedom), knowledge.freedom.size());
+            if (added) knowledge.freedom.push_back(freedom);
+            knowledge.kind.push_back(kind->second);
+        }
+    }
+    knowledge.readings = std::ssize(readings);
+    knowledge.correlation_freedom = scatter.correlation_freedom;
+    for (const Eigen::Index o : {0, 1}) {
+        if (scatter.load_exponent_error(o) > 0) {
+            knowledge.log_sizes.push_back(load_errors(readings, scatter, o, entries));
+        }
+    }
+    if (auto known = known_shared_errors(readings, entries); known.loadings.cols() > 0) {
+        knowledge.shared.push_back(std::move(known));
+    }
+    for (const Eigen::Index o : {0, 1}) {
+        const auto& filling = scatter.filling[static_cast<std::size_t>(o)];
+        if (filling.freedom_between > 0) {
+            knowledge.shared.push_back(filling_errors(readings, filling, o, entries));
+        }
+    }
+    return knowledge;
+}
+
+}  // namespace
+
+Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
+                     const std::vector<DirectMeasurement>& direct) {
+    Evidence evidence;
+    evidence.errors_assumed = std::ranges::any_of(readings, &Reading::error_assumed);
+    evidence.measured = stack(readings, direct);
+    evidence.errors = knowledge_of(readings, scatter, evidence.measured.value.size());
+    evidence.conditions = entries_by_condition(readings);
+    const auto groups = replicate_groups(readings);
+    std::map<std::string, std::vector<std::size_t>> files;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        files[readings[k].origin.file].push_back(k);
+    }
+    std::set<std::vector<std::size_t>> suspected;
+    for (const auto& group : groups) {
+        if (groups.size() > 1 && suspected.insert(group).second) {
+            evidence.suspects.push_back(
+                suspect("the readings at " + described(readings[group.front()].condition), group,
+                        evidence.measured.value));
+        }
+    }
+    for (const auto& [file, members] : files) {
+        if (files.size() > 1 && suspected.insert(members).second) {
+            evidence.suspects.push_back(
+                suspect("the readings of " + std::filesystem::path(file).filename().string(),
+                        members, evidence.measured.value));
+        }
+    }
+    add_direct(evidence, direct, 2 * static_cast<Eigen::Index>(readings.size()));
+    return evidence;
+}
+
+}  // namespace pendular

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/diagnosis/diagnosis.h"
+#include "analysis/misfit/checks.h"
+#include "data/reading.h"
+
+namespace pendular {
+
+/// Readings of a study as a diagnosis takes them: with errors as they were estimated, of shear
+/// stress and of solid fraction apart, and as suspects the readings of each condition and those of
+/// each file, whose shear stresses and solid fractions may be off by a factor each. Direct
+/// measurements follow them, with errors as stated; those of a parameter are suspects too.
+Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
+                     const std::vector<DirectMeasurement>& direct = {});
+
+/// What varied between readings, by a tenth at least: less is the scatter of set points, or, for
+/// the height, the solid fraction seen again. So many direct measurements, which have none of them,
+/// follow.
+std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct = 0);
+
+/// The entries of readings, and of as many direct measurements, fitted with these parameters.
+EntryKinds entries_of(const std::vector<Reading>& readings,
+                      const std::vector<Parameter>& parameters, std::size_t direct = 0);
+
+/// "300 Pa, I 0.003, liquid content 0.03".
+std::string described(const Condition& condition);
+
+}  // namespace pendular

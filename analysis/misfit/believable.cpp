@@ -1,0 +1,84 @@
+#include "analysis/misfit/believable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace pendular {
+namespace {
+
+/// Doubts that are listed one by one; further ones are counted.
+constexpr std::size_t most_doubts = 5;
+
+/// Whether a parameter ended where its range ends, though not where its effect vanishes.
+bool out_of_range(const Fit& fit, const std::vector<Parameter>& parameters, std::size_t k) {
+    const Parameter& p = parameters[k];
+    const bool friction = k == 0;
+    const double at = fit.parameters(static_cast<Eigen::Index>(k));
+    const bool lower = std::abs(at - p.lower) < std::abs(at - p.upper);
+    return fit.at_bound[k] && (friction || !lower || p.lower != 0);
+}
+
+/// Places that doubts set aside: each reading, or a row for each group of rows.
+std::size_t readings_set_aside(const Measurements& measurements) {
+    std::set<std::pair<std::string, int>> rows;
+    for (const Doubt& doubt : measurements.doubts) {
+        if (!doubt.set_aside) continue;
+        for (const Position& origin : doubt.origins)
+            rows.emplace(origin.file, origin.line);
+    }
+    return rows.size();
+}
+
+}  // namespace
+
+Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Misfit& misfit,
+                 const Measurements& measurements, const std::optional<UnitMistake>& mistake) {
+    Belief belief;
+    if (mistake) belief.reasons.push_back(mistake->sentence());
+    const bool undescribed = misfit.p() < incredible_p;
+    if (undescribed) {
+        belief.reasons.push_back(
+            fmt::format("The model does not describe the readings: chi2 = {:.4g} for {} degrees "
+                        "of freedom (p < 1e-6).",
+                        misfit.chi2, misfit.dof));
+    }
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        if (!out_of_range(fit, parameters, k)) continue;
+        belief.reasons.push_back(
+            fmt::format("{} ended at {:.3g}, the bound of its range or of what the runs know.",
+                        parameters[k].name, fit.parameters(static_cast<Eigen::Index>(k))));
+    }
+    for (std::size_t k = 0; k < std::min(most_doubts, measurements.doubts.size()); ++k) {
+        belief.reasons.push_back(measurements.doubts[k].what);
+    }
+    if (measurements.doubts.size() > most_doubts) {
+        belief.reasons.push_back(fmt::format("{} further doubts, which 'pendular import' lists.",
+                                             measurements.doubts.size() - most_doubts));
+    }
+    const std::size_t aside = readings_set_aside(measurements);
+    belief.meaningless = (undescribed && !fit.at_bound.empty() && fit.at_bound[0]) ||
+                         aside > measurements.readings.size();
+    return belief;
+}
+
+std::size_t doubts_that_set_aside(const Measurements& measurements) {
+    return static_cast<std::size_t>(std::ranges::count_if(measurements.doubts, &Doubt::set_aside));
+}
+
+std::string error_basis(const Measurements& measurements) {
+    const auto assumed = std::ranges::count_if(measurements.readings, &Reading::error_assumed);
+    if (assumed > 0) {
+        return fmt::format("errors of 2 % assumed for {} of {} readings: nothing was repeated",
+                           assumed, measurements.readings.size());
+    }
+    if (measurements.scatter.stated) return "errors as [scatter] of the study states";
+    const auto repeated = std::ranges::count_if(measurements.readings,
+                                                [](const Reading& r) { return r.replicates > 1; });
+    return repeated > 0 ? fmt::format("errors from {} repeated readings", repeated)
+                        : "errors as given with the readings";
+}
+
+}  // namespace pendular

@@ -1,0 +1,231 @@
+#include "analysis/misfit/checks.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace pendular {
+namespace {
+
+using Statistic = std::function<double(const Eigen::VectorXd&)>;
+
+/// Lengths of the kernel over neighbours, in spreads of a covariate.
+constexpr std::array<double, 3> lengths = {0.3, 1, 3};
+
+std::vector<Eigen::Index> order_along(const Eigen::VectorXd& values) {
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
+    std::iota(order.begin(), order.end(), Eigen::Index{0});
+    std::erase_if(order, [&](Eigen::Index k) { return std::isnan(values(k)); });
+    std::ranges::stable_sort(order, {}, [&](Eigen::Index k) { return values(k); });
+    return order;
+}
+
+/// Ranks from -1 to 1, those of equal values alike; 0 where there is no value.
+Eigen::VectorXd ranks(const Eigen::VectorXd& values) {
+    const auto n = static_cast<double>(values.size() - values.array().isNaN().count());
+    Eigen::VectorXd result(values.size());
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+        const auto below = static_cast<double>((values.array() < values(k)).count());
+        const auto above = static_cast<double>((values.array() > values(k)).count());
+        result(k) = (below - above) / n;
+    }
+    return result;
+}
+
+/// Largest distance from zero of cumulated scores, where a covariate steps from one value to the
+/// next, over their standard deviation.
+double largest_excursion(const Eigen::VectorXd& scores, const std::vector<Eigen::Index>& order,
+                         const Eigen::VectorXd& values, double deviation) {
+    double sum = 0, largest = 0;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        sum += scores(order[k]);
+        const bool steps = k + 1 < order.size() && values(order[k + 1]) > values(order[k]);
+        if (steps) largest = std::max(largest, std::abs(sum));
+    }
+    return largest / deviation;
+}
+
+class Checking {
+  public:
+    Checking(const WeightedResiduals& residuals, const EntryKinds& kinds,
+             const std::vector<Covariate>& covariates, const NullDraws& draws)
+        : residuals_(residuals), kinds_(kinds), covariates_(covariates) {
+        // Away from the optimum too, as where only some readings were fitted.
+        own_residuals_ = residuals.project(residuals.residuals());
+        drawn_residuals_ = residuals.project(draws.whitened(residuals));
+    }
+    Checks run() {
+        lack_of_fit();
+        for (const Covariate& covariate : covariates_) {
+            scores(covariate);
+            trends(covariate);
+        }
+        if (!kinds_.replicated) runs();
+        if (!covariates_.empty()) neighbours();
+        together();
+        return std::move(result_);
+    }
+
+  private:
+    /// Of the residuals and of each draw of them.
+    void add(Check check, const Eigen::VectorXd& drawn) {
+        check.p = NullDraws::p(check.statistic, drawn);
+        result_.all.push_back(std::move(check));
+        drawn_.push_back(drawn);
+    }
+    void add(Check check, const Statistic& statistic) {
+        Eigen::VectorXd drawn(drawn_residuals_.cols());
+        for (Eigen::Index draw = 0; draw < drawn.size(); ++draw) {
+            drawn(draw) = statistic(drawn_residuals_.col(draw));
+        }
+        check.statistic = statistic(own_residuals_);
+        add(std::move(check), drawn);
+    }
+    /// |B' r|^2.
+    void add_squares(Check check, const Eigen::MatrixXd& basis) {
+        check.statistic = (basis.transpose() * own_residuals_).squaredNorm();
+        add(std::move(check),
+            (basis.transpose() * drawn_residuals_).colwise().squaredNorm().transpose());
+    }
+
+    void lack_of_fit() {
+        add_squares({.kind = Check::Kind::lack_of_fit}, residuals_.means_over(kinds_.conditions));
+    }
+    void scores(const Covariate& covariate) {
+        const auto order = order_along(covariate.values);
+        for (std::size_t j = 0; j < kinds_.parameters.size(); ++j) {
+            const Eigen::VectorXd slope = residuals_.slopes().col(static_cast<Eigen::Index>(j));
+            const double deviation = slope.norm();
+            if (!(deviation > 0)) continue;
+            add({.kind = Check::Kind::score,
+                 .covariate = covariate.name,
+                 .of = kinds_.parameters[j]},
+                [&](const Eigen::VectorXd& r) {
+                    return largest_excursion(slope.cwiseProduct(r), order, covariate.values,
+                                             deviation);
+                });
+        }
+    }
+    void trends(const Covariate& covariate) {
+        for (std::size_t o = 0; o < kinds_.observables.size(); ++o) {
+            // In proportion to what was measured, and of this observable alone.
+            Eigen::VectorXd along = ranks(covariate.values).cwiseProduct(residuals_.measured());
+            for (Eigen::Index k = 0; k < along.size(); ++k) {
+                if (kinds_.observable[static_cast<std::size_t>(k)] != o) along(k) = 0;
+            }
+            const Eigen::VectorXd whitened = residuals_.whiten(along);
+            const Eigen::VectorXd left = residuals_.project(whitened);
+            if (!(left.squaredNorm() > 1e-9 * whitened.squaredNorm())) continue;
+            const Eigen::VectorXd direction = left.normalized();
+            // Signed, so that it says whether the measured values grow beyond the model's.
+            Check check{.kind = Check::Kind::trend,
+                        .covariate = covariate.name,
+                        .of = kinds_.observables[o],
+                        .statistic = direction.dot(own_residuals_)};
+            const Eigen::VectorXd drawn =
+                (direction.transpose() * drawn_residuals_).cwiseAbs().transpose();
+            check.p = NullDraws::p(std::abs(check.statistic), drawn);
+            result_.all.push_back(std::move(check));
+            drawn_.push_back(drawn);
+        }
+    }
+    void runs() {
+        for (std::size_t o = 0; o < kinds_.observables.size(); ++o) {
+            add({.kind = Check::Kind::runs, .of = kinds_.observables[o]},
+                [&](const Eigen::VectorXd& r) {
+                    int changes = 0, before = 0;
+                    for (Eigen::Index k = 0; k < r.size(); ++k) {
+                        if (kinds_.observable[static_cast<std::size_t>(k)] != o) continue;
+                        const int sign = r(k) > 0 ? 1 : -1;
+                        changes += before != 0 && sign != before;
+                        before = sign;
+                    }
+                    return -static_cast<double>(changes);  // few of them are what is odd
+                });
+        }
+    }
+    void neighbours() {
+        Eigen::MatrixXd places(residuals_.size(), static_cast<Eigen::Index>(covariates_.size()));
+        for (std::size_t c = 0; c < covariates_.size(); ++c) {
+            places.col(static_cast<Eigen::Index>(c)) = ranks(covariates_[c].values);
+        }
+        for (const double length : lengths) {
+            Eigen::MatrixXd kernel(places.rows(), places.rows());
+            for (Eigen::Index i = 0; i < places.rows(); ++i) {
+                for (Eigen::Index j = 0; j < places.rows(); ++j) {
+                    const bool alike = kinds_.observable[static_cast<std::size_t>(i)] ==
+                                       kinds_.observable[static_cast<std::size_t>(j)];
+                    const double apart = (places.row(i) - places.row(j)).squaredNorm();
+                    kernel(i, j) = alike ? std::exp(-apart / (2 * length * length)) : 0.0;
+                }
+            }
+            const Eigen::VectorXd drawn =
+                drawn_residuals_.cwiseProduct(kernel * drawn_residuals_).colwise().sum();
+            add({.kind = Check::Kind::neighbours,
+                 .covariate = fmt::format("all, length {:.1f}", length),
+                 .statistic = own_residuals_.dot(kernel * own_residuals_)},
+                drawn);
+        }
+    }
+    void together() {
+        // In each draw the least p of any check, from its rank among the draws.
+        const auto draws = drawn_residuals_.cols();
+        Eigen::VectorXd least = Eigen::VectorXd::Ones(draws);
+        double observed = 1;
+        for (std::size_t c = 0; c < drawn_.size(); ++c) {
+            const auto order = order_along(-drawn_[c]);
+            Eigen::Index k = 0;
+            while (k < draws) {
+                Eigen::Index end = k;
+                while (end < draws && drawn_[c](order[static_cast<std::size_t>(end)]) ==
+                                          drawn_[c](order[static_cast<std::size_t>(k)])) {
+                    ++end;
+                }
+                const double p = static_cast<double>(end) / static_cast<double>(draws);
+                for (; k < end; ++k) {
+                    double& own = least(order[static_cast<std::size_t>(k)]);
+                    own = std::min(own, p);
+                }
+            }
+            observed = std::min(observed, result_.all[c].p);
+        }
+        result_.p = NullDraws::p(-observed, -least);
+    }
+
+    const WeightedResiduals& residuals_;
+    const EntryKinds& kinds_;
+    const std::vector<Covariate>& covariates_;
+    Eigen::VectorXd own_residuals_;
+    Eigen::MatrixXd drawn_residuals_;  ///< entries x draws
+    Checks result_;
+    std::vector<Eigen::VectorXd> drawn_;  ///< statistics of each check
+};
+
+}  // namespace
+
+std::string_view to_string(Check::Kind kind) {
+    switch (kind) {
+        case Check::Kind::lack_of_fit:
+            return "lack of fit";
+        case Check::Kind::score:
+            return "score";
+        case Check::Kind::trend:
+            return "trend";
+        case Check::Kind::runs:
+            return "runs";
+        default:
+            return "neighbours";
+    }
+}
+
+Checks check_fit(const WeightedResiduals& residuals, const EntryKinds& kinds,
+                 const std::vector<Covariate>& covariates, const NullDraws& draws) {
+    return Checking(residuals, kinds, covariates, draws).run();
+}
+
+}  // namespace pendular

@@ -1,0 +1,141 @@
+#include "analysis/misfit/compare.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "data/recordings/replicate_groups.h"
+
+namespace pendular {
+namespace {
+
+/// `total`: the covariance of `misfit`, two entries a reading.
+std::vector<ConditionMisfit> misfit_by_condition(const std::vector<Reading>& readings,
+                                                 const std::vector<ReadingMisfit>& misfits,
+                                                 const Eigen::VectorXd& misfit,
+                                                 const Eigen::MatrixXd& total) {
+    std::vector<ConditionMisfit> groups;
+    for (const auto& members : replicate_groups(readings)) {
+        ConditionMisfit group{readings[members.front()].condition, members};
+        Eigen::Vector2d sum = Eigen::Vector2d::Zero(), variance = Eigen::Vector2d::Zero();
+        for (const std::size_t k : members) {
+            group.chi2 += misfits[k].chi2.sum();
+            const auto at = 2 * static_cast<Eigen::Index>(k);
+            sum += misfit.segment<2>(at);
+            for (const std::size_t l : members) {
+                variance += total.block<2, 2>(at, 2 * static_cast<Eigen::Index>(l)).diagonal();
+            }
+        }
+        group.normalised = sum.cwiseQuotient(variance.cwiseSqrt());
+        groups.push_back(group);
+    }
+    return groups;
+}
+
+/// Misfits as independent ones of variance 1 that are as like their own normalised misfits as can
+/// be, so that the squares are parts of chi2, none of them negative:
+///     R^(-1/2) V^(-1/2) e,   Sigma = V^(1/2) R V^(1/2),  V diagonal.
+/// Source: Kessy, Lewin and Strimmer, Am. Stat. 72 (2018) 309, ZCA-cor whitening.
+Eigen::VectorXd whitened_alike(const Eigen::VectorXd& misfit, const Eigen::MatrixXd& covariance) {
+    const Eigen::VectorXd scale = covariance.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd correlation = scale.asDiagonal() * covariance * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(correlation);
+    return modes.operatorInverseSqrt() * scale.cwiseProduct(misfit);
+}
+
+std::vector<FileMisfit> misfit_by_file(const std::vector<ReadingMisfit>& misfits) {
+    std::vector<FileMisfit> files;
+    for (const ReadingMisfit& misfit : misfits) {
+        const std::string& file = misfit.reading.origin.file;
+        auto known = std::ranges::find(files, file, &FileMisfit::file);
+        if (known == files.end()) {
+            known = files.insert(known, {file});
+        }
+        ++known->readings;
+        known->chi2 += misfit.chi2.sum();
+    }
+    return files;
+}
+
+}  // namespace
+
+double freedom_behind(std::span<const Reading> readings) {
+    std::map<std::pair<std::size_t, double>, double> shares;
+    for (const Reading& reading : readings) {
+        for (const Eigen::Index o : {0, 1}) {
+            shares[{2 * reading.scatter_group + static_cast<std::size_t>(o),
+                    reading.scatter_freedom(o)}] += 0.5 / static_cast<double>(readings.size());
+        }
+    }
+    double inverse = 0;
+    for (const auto& [group, share] : shares) {
+        inverse += share * share / group.second;
+    }
+    return inverse > 0 ? 1 / inverse : INFINITY;
+}
+
+double Misfit::p() const {
+    using namespace boost::math;
+    if (dof <= 0) return 1;
+    return std::isfinite(freedom)
+               ? cdf(complement(fisher_f(static_cast<double>(dof), freedom), chi2 / dof))
+               : cdf(complement(chi_squared(dof), chi2));
+}
+
+Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction,
+                   int parameters, std::size_t fitted) {
+    const Measured measured = stack(readings);
+    const Eigen::MatrixXd total = measured.covariance + prediction.covariance;
+    const Eigen::VectorXd misfit = measured.value - prediction.value;
+    const Eigen::VectorXd terms = whitened_alike(misfit, total).cwiseAbs2();
+    Comparison result;
+    const auto split = 2 * static_cast<Eigen::Index>(fitted);
+    const std::span all(readings);
+    result.fitted = {terms.head(split).sum(), static_cast<int>(split) - parameters,
+                     freedom_behind(all.first(fitted))};
+    result.predicted = {terms.tail(terms.size() - split).sum(),
+                        static_cast<int>(terms.size() - split),
+                        freedom_behind(all.subspan(fitted))};
+    result.total = {result.fitted.chi2 + result.predicted.chi2,
+                    result.fitted.dof + result.predicted.dof, freedom_behind(all)};
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const auto at = static_cast<Eigen::Index>(2 * k);
+        const Eigen::Vector2d errors = total.diagonal().segment<2>(at).cwiseSqrt();
+        result.readings.push_back({readings[k], prediction.value.segment<2>(at),
+                                   prediction.covariance.block<2, 2>(at, at), terms.segment<2>(at),
+                                   misfit.segment<2>(at).cwiseQuotient(errors)});
+        for (std::size_t observable = 0; observable < 2; ++observable) {
+            const auto i = at + static_cast<Eigen::Index>(observable);
+            result.by_observable[observable] += terms(i);
+            result.rms_percent[observable] +=
+                std::pow(prediction.value(i) / measured.value(i) - 1, 2) /
+                static_cast<double>(readings.size());
+        }
+    }
+    for (double& rms : result.rms_percent) {
+        rms = 100 * std::sqrt(rms);
+    }
+    result.by_condition = misfit_by_condition(readings, result.readings, misfit, total);
+    result.by_file = misfit_by_file(result.readings);
+    return result;
+}
+
+Comparison compare(const Calibration& c) {
+    Comparison result =
+        compare(c.readings, c.prediction, static_cast<int>(c.parameters.size()), c.fitted);
+    for (const DirectMeasurement& direct : c.direct) {
+        result.direct.push_back({direct, predicted_value(direct, c.parameters, c.fit.parameters)});
+        for (Misfit* misfit : {&result.fitted, &result.total}) {
+            misfit->chi2 += std::pow(result.direct.back().normalised(), 2);
+            ++misfit->dof;
+        }
+    }
+    return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,304 @@
+#include "analysis/misfit/unit_mistakes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <set>
+
+#include "data/grains.h"
+
+namespace pendular {
+namespace {
+
+/// A factor between two units of a column, and what was mistaken for what.
+struct Factor {
+    double value;
+    std::string_view meaning;
+};
+
+constexpr double turn = 2 * std::numbers::pi, degree = std::numbers::pi / 180;
+
+const std::vector<Factor> angular_factors = {
+    {turn / 60, "numbers in rpm were read as rad/s"},
+    {turn, "numbers in turns per second (Hz) were read as rad/s"},
+    {degree, "numbers in deg/s were read as rad/s"},
+    {60 / turn, "numbers in rad/s were read as rpm"},
+    {1 / turn, "numbers in rad/s were read as turns per second (Hz)"},
+    {1 / degree, "numbers in rad/s were read as deg/s"},
+    {60, "numbers per second were read as per minute"},
+    {1.0 / 60, "numbers per minute were read as per second"}};
+
+const std::vector<Factor> gravity_factors = {
+    {gravity, "numbers in kilogram-force were read as newton"},
+    {gravity / 1000, "numbers in gram-force were read as newton"},
+    {gravity / 100, "numbers in gf cm were read as mN m"},
+    {1 / gravity, "numbers in newton were read as kilogram-force"}};
+
+constexpr std::string_view wrong_prefix = "a prefix of the unit is wrong";
+
+std::vector<Factor> with_powers_of_ten(std::vector<Factor> factors, int most) {
+    for (int n = 1; n <= most; ++n) {
+        factors.push_back({std::pow(10.0, n), wrong_prefix});
+        factors.push_back({std::pow(10.0, -n), wrong_prefix});
+    }
+    return factors;
+}
+
+/// What a factor on a column of the recording makes of a reading.
+struct Column {
+    std::string_view name;
+    std::vector<Factor> factors;
+    void (*multiply)(Reading& reading, double factor);
+    bool changes_condition;  ///< what the model is asked for
+};
+
+void multiply_shear_stress(Reading& reading, double factor) {
+    reading.value(0) *= factor;
+    reading.covariance.row(0) *= factor;
+    reading.covariance.col(0) *= factor;
+}
+
+void multiply_solid_fraction(Reading& reading, double factor) {
+    reading.value(1) *= factor;
+    reading.covariance.row(1) *= factor;
+    reading.covariance.col(1) *= factor;
+}
+
+void multiply_normal_force(Reading& reading, double factor) {
+    reading.condition.normal_stress *= factor;
+    reading.condition.inertial_number /= std::sqrt(factor);
+}
+
+void multiply_gap(Reading& reading, double factor) {
+    multiply_solid_fraction(reading, 1 / factor);
+    if (reading.condition.height) *reading.condition.height *= factor;
+    reading.condition.inertial_number /= factor;
+}
+
+void multiply_bead_mass(Reading& reading, double factor) {
+    multiply_solid_fraction(reading, factor);
+    if (reading.condition.bead_volume) *reading.condition.bead_volume *= factor;
+}
+
+void multiply_angular_velocity(Reading& reading, double factor) {
+    reading.condition.inertial_number *= factor;
+    reading.shear_rate *= factor;
+}
+
+void multiply_liquid_content(Reading& reading, double factor) {
+    reading.condition.liquid_content *= factor;
+}
+
+const std::vector<Column>& columns() {
+    static const std::vector<Column> all = {
+        {"angular velocity", with_powers_of_ten(angular_factors, 3), multiply_angular_velocity,
+         true},
+        {"torque", with_powers_of_ten(gravity_factors, 6), multiply_shear_stress, false},
+        {"normal force", with_powers_of_ten(gravity_factors, 3), multiply_normal_force, true},
+        {"gap", with_powers_of_ten({}, 3), multiply_gap, true},
+        {"bead mass", with_powers_of_ten({}, 3), multiply_bead_mass, true},
+        {"liquid content", with_powers_of_ten({}, 2), multiply_liquid_content, true}};
+    return all;
+}
+
+/// Steady shear of grains, within what a model can be asked; generous at its ends.
+bool possible(const Reading& reading, const Study& study) {
+    const Condition& c = reading.condition;
+    const double ratio = reading.stress_ratio();
+    const double pressure =
+        c.dry() || !study.liquid
+            ? INFINITY
+            : reduced_pressure(c.normal_stress, study.grains, study.liquid.value());
+    return ratio > 0.05 && ratio < 1.5 * (1 + 1 / pressure) && reading.value(1) > 0.4 &&
+           reading.value(1) < 0.74 && c.inertial_number < 0.2 && c.normal_stress > 1 &&
+           c.normal_stress < 1e6 &&
+           (c.dry() || (pressure > 0.3 && c.liquid_content > 0.002 && c.liquid_content < 0.065));
+}
+
+/// Errors that the model may have far from its runs, of (shear stress, solid fraction) [1].
+const Eigen::Array2d model_floor(0.005, 0.001);
+
+/// chi2 of readings against what a model says at frictions in between.
+class Misfits {
+  public:
+    Misfits(const Predictor& model, const Eigen::VectorXd& parameters)
+        : model_(model), parameters_(parameters) {
+        const Supported range = model.supported();
+        for (const double share : {0.0, 0.08, 0.16, 0.25, 0.4, 0.6, 1.0})
+            frictions_.push_back(std::lerp(range.lower(0), range.upper(0), share));
+    }
+    /// Predictions at all frictions, a column each.
+    Eigen::MatrixXd predictions(const std::vector<Reading>& readings) const {
+        std::vector<Condition> conditions;
+        for (const Reading& reading : readings)
+            conditions.push_back(reading.condition);
+        Eigen::MatrixXd all(2 * std::ssize(readings), std::ssize(frictions_));
+        Eigen::VectorXd at = parameters_;
+        for (Eigen::Index k = 0; k < all.cols(); ++k) {
+            at(0) = frictions_[static_cast<std::size_t>(k)];
+            all.col(k) = model_.predict(at, conditions, Ask::values).value;
+        }
+        return all;
+    }
+    /// Least chi2 over the friction, one for all readings.
+    static double least(const std::vector<Reading>& readings, const Eigen::MatrixXd& predictions) {
+        constexpr int parts = 12;
+        double best = INFINITY;
+        for (Eigen::Index k = 0; k + 1 < predictions.cols(); ++k) {
+            for (int part = 0; part <= parts; ++part) {
+                const double share = static_cast<double>(part) / parts;
+                best = std::min(best, chi2(readings, (1 - share) * predictions.col(k) +
+                                                         share * predictions.col(k + 1)));
+            }
+        }
+        return best;
+    }
+
+  private:
+    static double chi2(const std::vector<Reading>& readings, const Eigen::VectorXd& predicted) {
+        double sum = 0;
+        for (std::size_t k = 0; k < readings.size(); ++k) {
+            const Eigen::Array2d value =
+                predicted.segment<2>(2 * static_cast<Eigen::Index>(k)).array();
+            const Eigen::Array2d variance = readings[k].covariance.diagonal().array() +
+                                            (model_floor * readings[k].value.array()).square();
+            sum += ((readings[k].value.array() - value).square() / variance).sum();
+        }
+        return sum;
+    }
+
+    const Predictor& model_;
+    Eigen::VectorXd parameters_;
+    std::vector<double> frictions_;
+};
+
+constexpr double mended = 0.3;       ///< share of chi2 that may be left
+constexpr double bad_enough = 2;     ///< chi2 per degree of freedom from which on to look
+constexpr double good_enough = 3.5;  ///< chi2 per degree of freedom that may be left
+
+/// The readings as they would be with one column multiplied.
+struct Trial {
+    std::vector<Reading> readings;
+    std::vector<std::size_t> changed;  ///< places of those that differ
+};
+
+/// Files whose columns may all be in the same wrong unit.
+struct FileGroup {
+    std::set<std::string> files;
+    std::string name;  ///< as in "the torque of wet_1.csv": "of wet_1.csv"
+};
+
+bool has_column(const Reading& reading, const FileGroup& group, const Column& column) {
+    return group.files.contains(reading.origin.file) &&
+           !(column.name == "liquid content" && reading.condition.dry());
+}
+
+/// None if the factor changes no reading or makes one impossible.
+std::optional<Trial> multiplied(const std::vector<Reading>& readings, const FileGroup& group,
+                                const Column& column, double factor, const Study& study) {
+    Trial trial{.readings = readings, .changed = {}};
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        if (!has_column(readings[k], group, column)) continue;
+        column.multiply(trial.readings[k], factor);
+        if (!possible(trial.readings[k], study)) return std::nullopt;
+        trial.changed.push_back(k);
+    }
+    if (trial.changed.empty()) return std::nullopt;
+    return trial;
+}
+
+/// Least chi2 of a trial, which asks the model only for conditions that changed.
+double chi2_of(const Trial& trial, const Column& column, const Misfits& misfits,
+               const Eigen::MatrixXd& as_read) {
+    if (!column.changes_condition) return Misfits::least(trial.readings, as_read);
+    std::vector<Reading> changed;
+    for (const std::size_t k : trial.changed)
+        changed.push_back(trial.readings[k]);
+    const Eigen::MatrixXd anew = misfits.predictions(changed);
+    Eigen::MatrixXd predictions = as_read;
+    for (std::size_t k = 0; k < trial.changed.size(); ++k) {
+        predictions.middleRows<2>(2 * static_cast<Eigen::Index>(trial.changed[k])) =
+            anew.middleRows<2>(2 * static_cast<Eigen::Index>(k));
+    }
+    return Misfits::least(trial.readings, predictions);
+}
+
+/// All files, those of each entry of the study, and each file; no set of files twice.
+std::vector<FileGroup> groups_to_try(const std::vector<Reading>& readings, const Study& study) {
+    std::set<std::string> all;
+    for (const Reading& reading : readings)
+        all.insert(reading.origin.file);
+    std::vector<FileGroup> groups = {{.files = all, .name = "of all recordings"}};
+    const auto add = [&](const FileGroup& group) {
+        if (!group.files.empty() &&
+            std::ranges::find(groups, group.files, &FileGroup::files) == groups.end())
+            groups.push_back(group);
+    };
+    for (const Source& source : study.sources) {
+        FileGroup entry{.files = {}, .name = "of the files " + source.pattern};
+        for (const auto& file : source.files) {
+            if (all.contains(file.string())) entry.files.insert(file.string());
+        }
+        if (entry.files.size() > 1) add(entry);
+    }
+    for (const std::string& file : all)
+        add({.files = {file}, .name = "of " + std::filesystem::path(file).filename().string()});
+    return groups;
+}
+
+/// Whether a factor mends better than the best so far, or as well and is likelier.
+/// @param dof degrees of freedom, by which chi2 varies by chance
+bool better(double chi2, const Factor& factor, const std::optional<UnitMistake>& best, int dof) {
+    if (!best) return true;
+    const double alike = std::sqrt(2.0 * dof);
+    const bool prefix = factor.meaning == wrong_prefix, best_is_prefix = best->unit == wrong_prefix;
+    const double handicap = prefix == best_is_prefix ? 0 : prefix ? alike : -alike;
+    return chi2 + handicap < best->chi2_after;
+}
+
+}  // namespace
+
+std::string UnitMistake::sentence() const {
+    return fmt::format(
+        "Multiplying the {} {} by {:.4g} takes chi2 from {:.3g} to {:.2g} for {} degrees of "
+        "freedom, as if {}: check the unit in the file.",
+        column, files, factor, chi2_before, chi2_after, dof, unit);
+}
+
+std::optional<UnitMistake> find_unit_mistake(const Predictor& model,
+                                             const std::vector<Reading>& readings,
+                                             const Study& study,
+                                             const Eigen::VectorXd& parameters) {
+    const Misfits misfits(model, parameters);
+    const Eigen::MatrixXd as_read = misfits.predictions(readings);
+    const double before = Misfits::least(readings, as_read);
+    const int dof = std::max(1, static_cast<int>(2 * readings.size()) - 1);
+    if (before < bad_enough * dof) return std::nullopt;
+    std::optional<UnitMistake> best;
+    for (const FileGroup& group : groups_to_try(readings, study)) {
+        for (const Column& column : columns()) {
+            for (const Factor& factor : column.factors) {
+                const auto trial = multiplied(readings, group, column, factor.value, study);
+                if (!trial) continue;
+                const double after = chi2_of(*trial, column, misfits, as_read);
+                if (after > mended * before || after > good_enough * dof ||
+                    !better(after, factor, best, dof))
+                    continue;
+                best = UnitMistake{.column = std::string(column.name),
+                                   .files = group.name,
+                                   .factor = factor.value,
+                                   .unit = std::string(factor.meaning),
+                                   .chi2_before = before,
+                                   .chi2_after = after,
+                                   .dof = dof};
+            }
+        }
+    }
+    return best;
+}
+
+}  // namespace pendular

@@ -1,0 +1,71 @@
+#include "calib/emulator/basis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pendular {
+namespace {
+
+constexpr double friction_scale = 0.05;
+constexpr double volume_scale = 2e-3;  // in the middle of the pendular range
+
+double power(double base, int n) {
+    double product = 1;
+    for (; n > 0; --n) {
+        product *= base;
+    }
+    return product;
+}
+
+/// d(base^n)/d(base).
+double derivative(double base, int n) {
+    return n == 0 ? 0.0 : n * power(base, n - 1);
+}
+
+}  // namespace
+
+double friction_coordinate(double friction, double centre) {
+    return std::log((friction + friction_scale) / (centre + friction_scale));
+}
+
+double friction_at(double coordinate, double centre) {
+    return (centre + friction_scale) * std::exp(coordinate) - friction_scale;
+}
+
+double friction_slope(double friction) {
+    return 1 / (friction + friction_scale);
+}
+
+Coordinates coordinates(const FlowState& state, double centre, double exponent) {
+    return {friction_coordinate(state.friction, centre), std::pow(state.inertial_number, exponent),
+            state.inverse_pressure,
+            state.dry() ? 0.0 : std::log(state.bridge_volume / volume_scale)};
+}
+
+Eigen::RowVectorXd Basis::values(const Coordinates& at) const {
+    return slopes(at, -1);
+}
+
+Eigen::RowVectorXd Basis::slopes(const Coordinates& at, int coordinate) const {
+    const double bases[] = {at.x, at.q, at.u, at.v};
+    Eigen::RowVectorXd row(size());
+    for (Eigen::Index k = 0; k < size(); ++k) {
+        const Powers& p = terms_[static_cast<std::size_t>(k)];
+        const int powers[] = {p.x, p.q, p.u, p.v};
+        row(k) = 1;
+        for (int c = 0; c < 4; ++c) {
+            row(k) *=
+                c == coordinate ? derivative(bases[c], powers[c]) : power(bases[c], powers[c]);
+        }
+    }
+    return row;
+}
+
+std::size_t distinct(std::vector<double> values, double share) {
+    std::ranges::sort(values);
+    const auto same = [&](double a, double b) { return std::abs(a - b) <= share * std::abs(b); };
+    return static_cast<std::size_t>(std::unique(values.begin(), values.end(), same) -
+                                    values.begin());
+}
+
+}  // namespace pendular

@@ -1,0 +1,74 @@
+#include "calib/emulator/effect_response.h"
+
+#include <cmath>
+#include <limits>
+
+namespace pendular {
+namespace {
+
+/// Length over which the response may bend, in coordinates of the order of 1.
+constexpr double length = 1.5;
+/// Variances tried, over the mean square of the response seen.
+constexpr double sizes[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.3, 1, 3, 10};
+
+}  // namespace
+
+EffectResponse::EffectResponse(std::vector<ResponsePlace> places, Eigen::VectorXd amplitudes,
+                               const Eigen::VectorXd& changes, const Eigen::MatrixXd& covariance)
+    : places_(std::move(places)), amplitudes_(std::move(amplitudes)) {
+    const double seen = std::max(1e-12, changes.squaredNorm() / amplitudes_.squaredNorm());
+    double best = -std::numeric_limits<double>::infinity();
+    double best_plane = seen, best_curved = seen;
+    for (const double plane : sizes) {
+        for (const double curved : sizes) {
+            plane_ = plane * seen, curved_ = curved * seen;
+            const Eigen::LLT<Eigen::MatrixXd> factor(
+                kernels(places_, amplitudes_, places_, amplitudes_) + covariance);
+            if (factor.info() != Eigen::Success) {
+                continue;
+            }
+            const double likelihood =
+                -0.5 * changes.dot(factor.solve(changes)) -
+                Eigen::MatrixXd(factor.matrixL()).diagonal().array().log().sum();
+            if (likelihood > best) {
+                best = likelihood, best_plane = plane_, best_curved = curved_;
+            }
+        }
+    }
+    plane_ = best_plane, curved_ = best_curved;
+    factor_.compute(kernels(places_, amplitudes_, places_, amplitudes_) + covariance);
+    weights_ = factor_.solve(changes);
+}
+
+double EffectResponse::kernel(const ResponsePlace& a, const ResponsePlace& b) const {
+    return plane_ * (1 + a.dot(b)) +
+           curved_ * std::exp(-0.5 * (a - b).squaredNorm() / (length * length));
+}
+
+Eigen::MatrixXd EffectResponse::kernels(const std::vector<ResponsePlace>& a,
+                                        const Eigen::VectorXd& of_a,
+                                        const std::vector<ResponsePlace>& b,
+                                        const Eigen::VectorXd& of_b) const {
+    Eigen::MatrixXd result(of_a.size(), of_b.size());
+    for (Eigen::Index i = 0; i < of_a.size(); ++i) {
+        for (Eigen::Index j = 0; j < of_b.size(); ++j) {
+            result(i, j) = of_a(i) * of_b(j) *
+                           kernel(a[static_cast<std::size_t>(i)], b[static_cast<std::size_t>(j)]);
+        }
+    }
+    return result;
+}
+
+Eigen::VectorXd EffectResponse::mean(const std::vector<ResponsePlace>& at,
+                                     const Eigen::VectorXd& b) const {
+    return kernels(at, b, places_, amplitudes_) * weights_;
+}
+
+Eigen::MatrixXd EffectResponse::covariance(const std::vector<ResponsePlace>& at,
+                                           const Eigen::VectorXd& b) const {
+    const Eigen::MatrixXd with_known = kernels(places_, amplitudes_, at, b);
+    const Eigen::MatrixXd solved = factor_.matrixL().solve(with_known);
+    return kernels(at, b, at, b) - solved.transpose() * solved;
+}
+
+}  // namespace pendular

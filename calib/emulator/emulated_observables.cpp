@@ -1,0 +1,127 @@
+#include "calib/emulator/emulated_observables.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pendular::emulated {
+namespace {
+
+using dem::Observable;
+
+/// Softer beads overlap more than the correction to rigid ones was measured for.
+constexpr double softest = 300;
+
+/// How much stiffer or softer beads may be that tell of structure.
+constexpr double stiffness_factor = 2;
+
+bool depends_on_stiffness(Observable which) {
+    return !in_pair(which) && which != Observable::mean_overlap &&
+           which != Observable::first_normal_stress_difference &&
+           which != Observable::second_normal_stress_difference;
+}
+
+}  // namespace
+
+bool in_pair(Observable which) {
+    return which == pair[0] || which == pair[1];
+}
+
+std::vector<Query> pairs_at(const std::vector<FlowState>& states) {
+    std::vector<Query> queries;
+    for (const FlowState& state : states) {
+        queries.push_back({state, pair[0]});
+        queries.push_back({state, pair[1]});
+    }
+    return queries;
+}
+
+Unit unit_at(Observable which, const FlowState& state) {
+    using enum Observable;
+    switch (which) {
+        case capillary_stress_22:
+        case capillary_pressure:
+        case capillary_shear_stress:
+        case capillary_shear_stress_contact:
+        case capillary_shear_stress_distant:
+            return {.size = state.inverse_pressure, .by_inverse_pressure = 1};
+        case distant_length: {
+            const double rupture_distance = std::cbrt(state.bridge_volume);
+            return {.offset = 1,
+                    .size = rupture_distance,
+                    .by_bridge_volume = rupture_distance / (3 * state.bridge_volume)};
+        }
+        default:
+            return {};
+    }
+}
+
+Domain domain_of(Observable which) {
+    return of_bridges(which)                           ? Domain::bridges
+           : which == Observable::contact_coordination ? Domain::contacts
+                                                       : Domain::all_flow;
+}
+
+bool tells(const dem::RunResult& run, Observable which, double structure_stiffness) {
+    const double stiffness = run.parameters.stiffness_number / structure_stiffness;
+    return (run.parameters.wetting || !of_bridges(which)) &&
+           (!depends_on_stiffness(which) ||
+            (stiffness <= stiffness_factor && stiffness >= 1 / stiffness_factor));
+}
+
+Coordinates place_of(const FlowState& state) {
+    Coordinates at = coordinates(state, friction_centre, exponent);
+    at.x = std::log((state.friction + friction_scale) / (friction_centre + friction_scale));
+    return at;
+}
+
+bool of_bridges(Observable which) {
+    // Z* counts distant bridges, which are there however little they matter, and none in dry flow.
+    return dem::needs_bridges(which) || which == Observable::effective_coordination;
+}
+
+bool usable(const dem::RunResult& run) {
+    return run.failure.empty() && !run.crystallised && run.steady &&
+           run.parameters.damping == dem::RunParameters{}.damping &&
+           run.parameters.stiffness_number >= softest;
+}
+
+FlowState state_of(const dem::RunParameters& p) {
+    FlowState state{p.friction, p.inertial_number};
+    if (p.wetting) {
+        state.inverse_pressure = 1 / p.wetting->reduced_pressure;
+        state.bridge_volume = p.wetting->bridge_volume;
+    }
+    state.effects = p.effects;
+    return state;
+}
+
+Mean taught(const dem::RunResult& run, Observable which) {
+    Mean mean = run[which];
+    if (which == Observable::solid_fraction) {
+        mean.value -= dem::rigidity_shift(mean.value, run[Observable::mean_overlap].value);
+    } else if (which == Observable::mean_overlap) {
+        const double factor = run.parameters.stiffness_number / reference_stiffness;
+        mean.value *= factor;
+        mean.standard_error *= factor;
+    }
+    return mean;
+}
+
+const std::vector<Observable>& observables() {
+    // But for what a run imposes, what tells that it crystallised, and the parts of the work.
+    static const std::vector<Observable> all = [] {
+        using enum Observable;
+        std::vector<Observable> emulated;
+        for (std::size_t k = 0; k < dem::observable_count; ++k) {
+            const auto which = static_cast<Observable>(k);
+            if (which < dissipation_friction && which != held_normal_stress &&
+                which != bond_order) {
+                emulated.push_back(which);
+            }
+        }
+        return emulated;
+    }();
+    return all;
+}
+
+}  // namespace pendular::emulated

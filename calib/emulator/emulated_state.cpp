@@ -1,0 +1,81 @@
+#include "calib/emulator/emulated_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calib/emulator/emulated_observables.h"
+
+namespace pendular {
+namespace {
+
+using dem::Observable;
+
+/// The value and its derivatives, with their covariance.
+struct Jet {
+    Eigen::VectorXd value;
+    Eigen::MatrixXd covariance;
+};
+
+Jet jet_of(const Emulator& emulator, const FlowState& state, Observable which) {
+    std::vector<Query> queries = {{state, which},
+                                  {state, which, Input::friction},
+                                  {state, which, Input::log_inertial_number}};
+    if (!state.dry()) {
+        queries.push_back({state, which, Input::inverse_pressure});
+        queries.push_back({state, which, Input::bridge_volume});
+    }
+    return {emulator.mean(queries), emulator.covariance(queries)};
+}
+
+Estimate estimate(const Jet& jet, Eigen::Index k) {
+    const double variance = jet.covariance(k, k);
+    return {jet.value(k), variance > 0 ? std::sqrt(variance) : 0.0};
+}
+
+/// From rigid beads to those of a stiffness number: of the shift at the reference stiffness a part
+/// reference/kappa is there. The errors of the overlap are small beside those of the correction.
+void soften(Jet& fraction, const Jet& overlap, double stiffness_number) {
+    const double part = emulated::reference_stiffness / stiffness_number;
+    const double rigid = fraction.value(0), shift = dem::rigidity_shift(rigid, overlap.value(0));
+    Eigen::VectorXd shifts =
+        shift * (fraction.value / rigid + overlap.value / overlap.value(0));  // slopes of a product
+    shifts(0) = shift;
+    fraction.value += part * shifts;
+    const Eigen::VectorXd error =
+        (1 - part) * dem::rigidity_factor_error / dem::rigidity_factor * shifts;
+    fraction.covariance += error * error.transpose();
+}
+
+}  // namespace
+
+std::vector<Observable> observables_of(const FlowState& state) {
+    std::vector<Observable> result;
+    std::ranges::copy_if(
+        emulated::observables(), std::back_inserter(result),
+        [&](Observable which) { return !state.dry() || !emulated::of_bridges(which); });
+    return result;
+}
+
+std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const FlowState& state,
+                                            double stiffness_number,
+                                            const std::vector<Observable>& wanted) {
+    std::vector<EmulatedObservable> result;
+    for (const Observable which : wanted) {
+        Jet jet = jet_of(emulator, state, which);
+        if (which == Observable::solid_fraction) {
+            soften(jet, jet_of(emulator, state, Observable::mean_overlap), stiffness_number);
+        } else if (which == Observable::mean_overlap) {
+            const double part = emulated::reference_stiffness / stiffness_number;
+            jet.value *= part;
+            jet.covariance *= part * part;
+        }
+        EmulatedObservable one{.which = which, .value = estimate(jet, 0), .slopes = {}};
+        for (Eigen::Index k = 1; k < jet.value.size(); ++k) {
+            one.slopes.push_back(estimate(jet, k));
+        }
+        result.push_back(std::move(one));
+    }
+    return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,226 @@
+#include "calib/emulator/emulator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "calib/emulator/emulated_observables.h"
+#include "sim/catalogue/effect.h"
+
+namespace pendular {
+
+using dem::Observable;
+using namespace emulated;
+
+namespace {
+
+/// How large the amplitude of an effect comes in studies; in the units of a run at 1 kPa.
+double response_scale(const std::string& name) {
+    const Effect& effect = built_in_effect(name);
+    const EffectParameter& p = effect.parameters.front();
+    if (p.is_switch()) {
+        return 1;
+    }
+    const EffectValues scale = in_run_units({name, {p.neutral + 5 * p.matters}}, 1000,
+                                            {.diameter = 500e-6, .density = 1050});
+    const double value = scale.values.front();
+    return p.amplitude ? p.amplitude(value) : value - p.neutral;
+}
+
+/// The amplitude with which an effect grows in proportion, as far as friction lets it be felt, 0 at
+/// neutral; that of the first parameter.
+double response_amplitude(const EffectValues& values, double friction) {
+    const Effect& effect = built_in_effect(values.effect);
+    const EffectParameter& p = effect.parameters.front();
+    const double value = values.values.front();
+    if (p.felt) {
+        return p.felt(value, friction);
+    }
+    return p.amplitude ? p.amplitude(value) - p.amplitude(p.neutral) : value - p.neutral;
+}
+
+/// What the response of an observable to an effect goes in proportion to.
+double response_size(const EffectValues& values, const FlowState& state, Observable which) {
+    const bool with_pressure = domain_of(which) == Domain::all_flow &&
+                               built_in_effect(values.effect).fades_with_capillarity;
+    return response_amplitude(values, state.friction) *
+           (with_pressure ? state.inverse_pressure : 1);
+}
+
+/// How far an effect goes, of the order of 1: over what it comes to in studies, or over what
+/// friction lets it be at most.
+double response_degree(const EffectValues& values, double friction) {
+    const EffectParameter& p = built_in_effect(values.effect).parameters.front();
+    const double most = p.felt ? p.felt(p.upper, friction) : response_scale(values.effect);
+    return most > 0 ? response_amplitude(values, friction) / most : 0;
+}
+
+/// Where the response to an effect is asked; widths are those of the studies' range.
+ResponsePlace response_place(const FlowState& state, const EffectValues& values) {
+    const Coordinates at = place_of(state);
+    ResponsePlace place;
+    place << at.x, at.q / 0.1, std::log1p(10 * at.u) / 1.5, state.dry() ? 0.0 : at.v,
+        response_degree(values, state.friction);
+    return place;
+}
+
+}  // namespace
+
+/// Queries that one response answers.
+struct Emulator::Affected {
+    const EffectResponse* response;
+    std::vector<Eigen::Index> queries;
+    std::vector<ResponsePlace> places;
+    Eigen::VectorXd amplitudes;
+    Eigen::VectorXd sizes;  ///< of the observable's unit
+};
+
+std::unique_ptr<const EffectResponse> Emulator::learned(const std::string& effect,
+                                                        Observable which) const {
+    std::vector<Query> plain;
+    std::vector<ResponsePlace> places;
+    std::vector<double> amplitudes, told, variances, sizes;
+    for (const auto& run : runs()) {
+        const auto& effects = run.parameters.effects;
+        if (effects.size() != 1 || effects[0].effect != effect ||
+            !tells(run, which, plain_.structure_stiffness())) {
+            continue;
+        }
+        FlowState state = state_of(run.parameters);
+        places.push_back(response_place(state, effects[0]));
+        amplitudes.push_back(response_size(effects[0], state, which));
+        sizes.push_back(unit_at(which, state).size);
+        told.push_back(taught(run, which).value / sizes.back());
+        variances.push_back(plain_.noise_variance(run, which) / (sizes.back() * sizes.back()));
+        state.effects.clear();
+        plain.push_back({state, which});
+    }
+    if (plain.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "no known run has the effect {}; the atlas that comes with the program has some: name "
+            "it with $PENDULAR_ATLAS, or make a campaign with {} in it",
+            effect, effect));
+    }
+    const auto vector = [](const std::vector<double>& v) {
+        return Eigen::VectorXd(
+            Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())));
+    };
+    const Eigen::VectorXd size = vector(sizes);
+    Eigen::MatrixXd covariance = size.cwiseInverse().asDiagonal() * plain_.covariance(plain) *
+                                 size.cwiseInverse().asDiagonal();
+    covariance.diagonal() += vector(variances);
+    return std::make_unique<EffectResponse>(std::move(places), vector(amplitudes),
+                                            vector(told) - plain_.mean(plain).cwiseQuotient(size),
+                                            covariance);
+}
+
+const EffectResponse& Emulator::response_to(const std::string& effect, Observable which) const {
+    Responses::Response* response = nullptr;
+    {
+        const std::scoped_lock lock(responses_->mutex);
+        response = &responses_->all[{effect, which}];
+    }
+    std::call_once(response->once, [&] { response->learned = learned(effect, which); });
+    return *response->learned;
+}
+
+std::vector<Emulator::Affected> Emulator::affected(const std::vector<Query>& queries) const {
+    std::map<std::pair<std::string, Observable>, Affected> by_response;
+    std::map<std::pair<std::string, Observable>, std::vector<std::pair<double, double>>> factors;
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        const Query& query = queries[k];
+        for (const EffectValues& values : query.state.effects) {
+            if (query.by) {
+                continue;
+            }
+            const std::pair key(values.effect, query.which);
+            Affected& one = by_response[key];
+            one.response = &response_to(values.effect, query.which);
+            one.queries.push_back(static_cast<Eigen::Index>(k));
+            one.places.push_back(response_place(query.state, values));
+            factors[key].emplace_back(response_size(values, query.state, query.which),
+                                      unit_at(query.which, query.state).size);
+        }
+    }
+    std::vector<Affected> result;
+    for (auto& [key, one] : by_response) {
+        const auto n = static_cast<Eigen::Index>(one.queries.size());
+        one.amplitudes.resize(n), one.sizes.resize(n);
+        for (Eigen::Index k = 0; k < n; ++k) {
+            std::tie(one.amplitudes(k), one.sizes(k)) = factors[key][static_cast<std::size_t>(k)];
+        }
+        result.push_back(std::move(one));
+    }
+    return result;
+}
+
+Eigen::VectorXd Emulator::mean(const std::vector<Query>& queries) const {
+    Eigen::VectorXd result = plain_.mean(queries);
+    for (const Affected& one : affected(queries)) {
+        result(one.queries) +=
+            one.sizes.cwiseProduct(one.response->mean(one.places, one.amplitudes));
+    }
+    return result;
+}
+
+Eigen::MatrixXd Emulator::covariance(const std::vector<Query>& queries) const {
+    Eigen::MatrixXd result = plain_.covariance(queries);
+    for (const Affected& one : affected(queries)) {
+        result(one.queries, one.queries) += one.sizes.asDiagonal() *
+                                            one.response->covariance(one.places, one.amplitudes) *
+                                            one.sizes.asDiagonal();
+    }
+    return result;
+}
+
+Emulator Emulator::with(const std::vector<dem::RunResult>& more) const {
+    std::vector<dem::RunResult> all = runs();
+    all.insert(all.end(), more.begin(), more.end());
+    return {all, scales(), plain_.structure_stiffness()};
+}
+
+std::string Emulator::beyond(const FlowState& state) const {
+    struct Known {
+        const char* name;
+        double value, least = INFINITY, greatest = -INFINITY;
+        bool below_matters = true;
+    };
+    std::vector<Known> inputs = {
+        {.name = "friction", .value = state.friction},
+        {.name = "inertial number", .value = state.inertial_number, .below_matters = false}};
+    if (!state.dry()) {
+        inputs.push_back({.name = "reduced pressure", .value = 1 / state.inverse_pressure});
+        inputs.push_back({.name = "bridge volume over a^3", .value = state.bridge_volume});
+    }
+    for (const auto& run : runs()) {
+        const auto& p = run.parameters;
+        if (state.dry() || p.wetting) {
+            double values[] = {p.friction, p.inertial_number, 0, 0};
+            if (p.wetting) {
+                values[2] = p.wetting->reduced_pressure;
+                values[3] = p.wetting->bridge_volume;
+            }
+            for (std::size_t k = 0; k < inputs.size(); ++k) {
+                inputs[k].least = std::min(inputs[k].least, values[k]);
+                inputs[k].greatest = std::max(inputs[k].greatest, values[k]);
+            }
+        }
+    }
+    constexpr double rounding = 1e-6;
+    std::string text;
+    for (const Known& input : inputs) {
+        const bool above = input.value > input.greatest * (1 + rounding);
+        if (above || (input.below_matters && input.value < input.least * (1 - rounding))) {
+            text += fmt::format("{}{} {:.4g} is {} {:.4g}", text.empty() ? "" : ", ", input.name,
+                                input.value, above ? "above" : "below",
+                                above ? input.greatest : input.least);
+        }
+    }
+    return text;
+}
+
+}  // namespace pendular

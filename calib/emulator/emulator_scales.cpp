@@ -1,0 +1,57 @@
+#include "calib/emulator/emulator_scales.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "data/files/csv.h"
+#include "data/files/text_file.h"
+#include "data/quantities/number.h"
+
+namespace pendular {
+
+EmulatorScales read_scales(const std::filesystem::path& file) {
+    const Table table = read_table(file);
+    if (table.header.cells.size() != Scales::count + 1) {
+        throw InputError(table.at_header(0),
+                         fmt::format("{} columns are needed, there are {}", Scales::count + 1,
+                                     table.header.cells.size()));
+    }
+    EmulatorScales result;
+    for (const Row& row : table.rows) {
+        std::array<double, Scales::count> values{};
+        for (std::size_t k = 0; k < Scales::count; ++k) {
+            const auto number = parse_number(row.cells[k + 1].text);
+            if (!number || *number <= 0) {
+                throw InputError(table.at(row, k + 1),
+                                 fmt::format("'{}' is no positive number", row.cells[k + 1].text));
+            }
+            values[k] = *number;
+        }
+        try {
+            result[dem::observable_named(row.cells[0].text)] = Scales::from_array(values);
+        } catch (const std::invalid_argument& error) {
+            throw InputError(table.at(row, 0), error.what());
+        }
+    }
+    return result;
+}
+
+void write_scales(const std::filesystem::path& file, const EmulatorScales& scales) {
+    std::string text = "observable";
+    for (const auto name : Scales::names) {
+        text += fmt::format(",{}", name);
+    }
+    text += '\n';
+    for (const auto& [which, each] : scales) {
+        text += dem::observable_names[static_cast<std::size_t>(which)];
+        for (const double value : each.as_array()) {
+            text += fmt::format(",{:.6g}", value);
+        }
+        text += '\n';
+    }
+    write_whole(file, text);
+}
+
+}  // namespace pendular

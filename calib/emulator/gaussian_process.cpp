@@ -1,0 +1,122 @@
+#include "calib/emulator/gaussian_process.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace pendular {
+
+Observations Observations::only(Eigen::Index quantity) const {
+    Observations one{.at = at, .values = values.col(quantity), .noise = {}};
+    for (const auto& each : noise) {
+        one.noise.push_back(each.block(quantity, quantity, 1, 1));
+    }
+    return one;
+}
+
+GaussianProcess::GaussianProcess(std::vector<Kernel> kernels, const Observations& known)
+    : kernels_(std::move(kernels)) {
+    const auto n = static_cast<Eigen::Index>(known.at.size()),
+               m = static_cast<Eigen::Index>(kernels_.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n * m, n * m);
+    Eigen::VectorXd growth(m), between(m);
+    for (Eigen::Index k = 0; k < m; ++k) {
+        const Kernel& kernel = kernels_[static_cast<std::size_t>(k)];
+        known_.push_back(kernel.prepare(known.at));
+        matrix.block(k * n, k * n, n, n) = kernel.matrix(known_.back());
+        growth(k) = std::sqrt(kernel.scales().noise);
+        between(k) = kernel.scales().between;
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+        Eigen::MatrixXd noise =
+            growth.asDiagonal() * known.noise[static_cast<std::size_t>(i)] * growth.asDiagonal();
+        noise.diagonal() += between.cwiseAbs2();
+        for (Eigen::Index k = 0; k < m; ++k) {
+            for (Eigen::Index l = 0; l < m; ++l) {
+                matrix(k * n + i, l * n + i) += noise(k, l);
+            }
+        }
+    }
+    factor_.compute(matrix);
+    if (factor_.info() != Eigen::Success) {
+        throw std::logic_error("the covariance of the runs is not positive definite");
+    }
+    const Eigen::MatrixXd weights = factor_.solve(known.values.reshaped()).reshaped(n, m);
+    for (std::size_t k = 0; k < kernels_.size(); ++k) {
+        sums_over_.push_back(
+            kernels_[k].known(known_[k], weights.col(static_cast<Eigen::Index>(k))));
+        Eigen::VectorXd sum = Eigen::VectorXd::Zero(known_[k].front().polynomial.size());
+        for (Eigen::Index i = 0; i < n; ++i) {
+            sum += weights(i, static_cast<Eigen::Index>(k)) *
+                   known_[k][static_cast<std::size_t>(i)].polynomial.transpose();
+        }
+        coefficients_.push_back(kernels_[k].coefficient_variance() * sum);
+    }
+}
+
+Eigen::MatrixXd GaussianProcess::with_known(const std::vector<Asked>& asked) const {
+    const auto n = static_cast<Eigen::Index>(known_.front().size());
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n * static_cast<Eigen::Index>(kernels_.size()),
+                                                   static_cast<Eigen::Index>(asked.size()));
+    for (Eigen::Index c = 0; c < result.cols(); ++c) {
+        const Asked& one = asked[static_cast<std::size_t>(c)];
+        const auto quantity = static_cast<std::size_t>(one.quantity);
+        const Kernel::Prepared at = prepared(one);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            result(one.quantity * n + i, c) =
+                kernels_[quantity](known_[quantity][static_cast<std::size_t>(i)], at);
+        }
+    }
+    return result;
+}
+
+Eigen::VectorXd GaussianProcess::mean(const std::vector<Asked>& asked) const {
+    // Value and derivatives at one place come of the same sums.
+    struct Place {
+        Eigen::Index quantity;
+        Coordinates at;
+        std::array<double, 1 + coordinate_count> sums;
+    };
+    std::vector<Place> places;
+    const bool derivatives = std::ranges::any_of(
+        asked, [](const Asked& one) { return one.functional.derivative != Functional::value; });
+    Eigen::VectorXd result(static_cast<Eigen::Index>(asked.size()));
+    for (std::size_t c = 0; c < asked.size(); ++c) {
+        const auto quantity = static_cast<std::size_t>(asked[c].quantity);
+        const Kernel::Prepared at = prepared(asked[c]);
+        auto place = std::find_if(places.begin(), places.end(), [&](const Place& known) {
+            return known.quantity == asked[c].quantity && known.at == asked[c].functional.at;
+        });
+        if (place == places.end()) {
+            place = places.insert(place,
+                                  {asked[c].quantity, asked[c].functional.at,
+                                   kernels_[quantity].sums(sums_over_[quantity], at, derivatives)});
+        }
+        // The polynomial by its coefficients: summed over the runs it would lose digits.
+        result(static_cast<Eigen::Index>(c)) =
+            at.polynomial.dot(coefficients_[quantity]) +
+            place->sums[static_cast<std::size_t>(1 + asked[c].functional.derivative)];
+    }
+    return result;
+}
+
+Eigen::MatrixXd GaussianProcess::covariance(const std::vector<Asked>& asked) const {
+    const Eigen::MatrixXd half = factor_.matrixL().solve(with_known(asked));
+    Eigen::MatrixXd result = -half.transpose() * half;
+    std::vector<Kernel::Prepared> places;
+    for (const Asked& one : asked) {
+        places.push_back(prepared(one));
+    }
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        for (std::size_t j = 0; j < asked.size(); ++j) {
+            if (asked[i].quantity == asked[j].quantity) {
+                result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
+                    kernels_[static_cast<std::size_t>(asked[i].quantity)](places[i], places[j]);
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,115 @@
+#include "calib/emulator/learn_scales.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace pendular {
+namespace {
+
+/// Median and standard deviation of the logarithm, before the runs speak. Lengths are of the order
+/// of the range, amplitudes a tenth of the quantity; block averages state errors to some 20 %.
+struct Broad {
+    Scales median;
+    std::array<double, Scales::count> deviation;
+};
+
+Broad prior(double unit) {
+    return {.median = {.dry_amplitude = 0.1 * unit,
+                       .dry_x = 1,
+                       .dry_q = 0.2,
+                       .wet_amplitude = 0.1 * unit,
+                       .wet_x = 1,
+                       .wet_q = 0.2,
+                       .wet_u = 1,
+                       .wet_v = 2,
+                       .noise = 1,
+                       .between = 1e-3 * unit},
+            .deviation = {2, 0.7, 0.7, 2, 0.7, 0.7, 0.7, 0.7, 0.3, 2}};
+}
+
+/// The cost as Ceres wants it.
+class Cost : public ceres::FirstOrderFunction {
+  public:
+    Cost(Domain domain, const Observations& known, double unit)
+        : domain_(domain), known_(known), unit_(unit) {}
+    bool Evaluate(const double* logarithms, double* cost, double* gradient) const override {
+        std::array<double, Scales::count> scales;
+        std::transform(logarithms, logarithms + Scales::count, scales.begin(),
+                       [](double log) { return std::exp(log); });
+        *cost = scales_cost(domain_, known_, unit_, Scales::from_array(scales), gradient);
+        return std::isfinite(*cost);
+    }
+    int NumParameters() const override { return Scales::count; }
+
+  private:
+    Domain domain_;
+    const Observations& known_;
+    double unit_;
+};
+
+}  // namespace
+
+double scales_cost(Domain domain, const Observations& known, double unit, const Scales& scales,
+                   double* gradient) {
+    const Kernel kernel(domain, scales, unit);
+    const auto n = static_cast<Eigen::Index>(known.at.size());
+    Eigen::VectorXd noise(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        noise(i) = scales.noise * known.noise[static_cast<std::size_t>(i)](0, 0);
+    }
+    const auto places = kernel.prepare(known.at);
+    Eigen::MatrixXd matrix = kernel.matrix(places);
+    matrix.diagonal().array() += noise.array() + scales.between * scales.between;
+    const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+    if (factor.info() != Eigen::Success) {
+        return INFINITY;
+    }
+    const Eigen::VectorXd weights = factor.solve(known.values.col(0));
+    double cost = 0.5 * known.values.col(0).dot(weights) +
+                  Eigen::MatrixXd(factor.matrixL()).diagonal().array().log().sum();
+    const Broad broad = prior(unit);
+    const auto at = scales.as_array(), median = broad.median.as_array();
+    std::array<double, Scales::count> slopes{};
+    for (std::size_t k = 0; k < Scales::count; ++k) {
+        const double off = std::log(at[k] / median[k]) / broad.deviation[k];
+        cost += 0.5 * off * off;
+        slopes[k] = off / broad.deviation[k];
+    }
+    if (gradient != nullptr) {
+        // d(cost)/d(theta) = 1/2 tr[(K^-1 - w w') dK/d(theta)].
+        const Eigen::MatrixXd spread =
+            factor.solve(Eigen::MatrixXd::Identity(n, n)) - weights * weights.transpose();
+        const auto traces = kernel.half_traces(places, spread);
+        for (std::size_t k = 0; k < traces.size(); ++k) {
+            gradient[k] = slopes[k] + traces[k];
+        }
+        gradient[Scales::of_processes] =
+            slopes[Scales::of_processes] + 0.5 * spread.diagonal().dot(noise);
+        gradient[Scales::count - 1] =
+            slopes.back() + spread.trace() * scales.between * scales.between;
+    }
+    return cost;
+}
+
+Scales learn_scales(Domain domain, const Observations& known, double unit) {
+    if (known.at.empty()) {
+        throw std::invalid_argument("scales cannot be learned from no runs");
+    }
+    auto scales = prior(unit).median.as_array();
+    std::ranges::transform(scales, scales.begin(), [](double value) { return std::log(value); });
+    const ceres::GradientProblem problem(new Cost(domain, known, unit));
+    ceres::GradientProblemSolver::Options options;
+    options.logging_type = ceres::SILENT;
+    options.max_num_iterations = 100;
+    options.function_tolerance = 1e-7;
+    ceres::GradientProblemSolver::Summary summary;
+    ceres::Solve(options, problem, scales.data(), &summary);
+    std::ranges::transform(scales, scales.begin(), [](double log) { return std::exp(log); });
+    return Scales::from_array(scales);
+}
+
+}  // namespace pendular

@@ -1,0 +1,249 @@
+#include "calib/emulator/plain_emulator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "calib/emulator/emulated_observables.h"
+#include "calib/emulator/learn_scales.h"
+
+namespace pendular {
+
+using dem::Observable;
+using namespace emulated;
+
+namespace {
+
+/// Whether it says something of beads without effects.
+bool teaches(const dem::RunResult& run, Observable which, double structure_stiffness) {
+    return run.parameters.effects.empty() && tells(run, which, structure_stiffness);
+}
+
+/// The observable under whose name the process stands that answers for this one.
+Observable process_for(Observable which) {
+    return in_pair(which) ? pair[0] : which;
+}
+
+/// What the process of an observable knows: of the pair, both.
+Observations observations_of(const std::vector<dem::RunResult>& runs, Observable which,
+                             double structure_stiffness) {
+    std::vector<Observable> quantities = {which};
+    if (in_pair(which)) {
+        quantities.assign(std::begin(pair), std::end(pair));
+    }
+    const auto m = static_cast<Eigen::Index>(quantities.size());
+    Observations known;
+    std::vector<double> values;
+    for (const auto& run : runs) {
+        if (!teaches(run, which, structure_stiffness)) {
+            continue;
+        }
+        const FlowState state = state_of(run.parameters);
+        const Unit unit = unit_at(which, state);
+        known.at.push_back(place_of(state));
+        Eigen::MatrixXd noise(m, m);
+        for (Eigen::Index k = 0; k < m; ++k) {
+            const Mean mean = taught(run, quantities[static_cast<std::size_t>(k)]);
+            values.push_back((mean.value - unit.offset) / unit.size);
+            noise(k, k) = std::pow(mean.standard_error / unit.size, 2);
+        }
+        if (m == 2) {
+            noise(0, 1) = noise(1, 0) = run.covariance;
+        }
+        known.noise.push_back(noise);
+    }
+    if (known.at.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "no run says anything of {}", dem::observable_names[static_cast<std::size_t>(which)]));
+    }
+    known.values = Eigen::MatrixXd(
+        Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+            values.data(), static_cast<Eigen::Index>(known.at.size()), m));
+    // A run that states no error, as where nothing varies, still is not exact.
+    constexpr double least_error = 1e-4;
+    const Eigen::RowVectorXd sizes = known.values.cwiseAbs().colwise().mean();
+    for (auto& noise : known.noise) {
+        noise.diagonal() += (least_error * sizes.transpose()).cwiseAbs2();
+    }
+    return known;
+}
+
+double unit_of(const Observations& known, Eigen::Index quantity) {
+    return std::sqrt(known.values.col(quantity).squaredNorm() /
+                     static_cast<double>(known.at.size()));
+}
+
+/// A query is a sum of what a process can be asked, each with a factor.
+struct Term {
+    double factor = 1;
+    GaussianProcess::Asked asked;
+};
+
+std::vector<Term> terms_of(const Query& query) {
+    if (of_bridges(query.which) && query.state.dry()) {
+        throw std::invalid_argument(fmt::format(
+            "dry beads have no {}", dem::observable_names[static_cast<std::size_t>(query.which)]));
+    }
+    const Coordinates at = place_of(query.state);
+    const Eigen::Index quantity = query.which == pair[1];
+    const Unit unit = unit_at(query.which, query.state);
+    const auto of_process = [&](double factor, int derivative) {
+        return Term{factor, {quantity, {at, derivative}}};
+    };
+    if (!query.by) {
+        return {of_process(unit.size, Functional::value)};
+    }
+    switch (*query.by) {
+        case Input::friction:
+            return {of_process(unit.size / (query.state.friction + friction_scale), 0)};
+        case Input::log_inertial_number:
+            return {of_process(unit.size * exponent * at.q, 1)};
+        case Input::inverse_pressure:
+            return {of_process(unit.size, 2),
+                    of_process(unit.by_inverse_pressure, Functional::value)};
+        default:
+            return {of_process(query.state.dry() ? 0 : unit.size / query.state.bridge_volume, 3),
+                    of_process(unit.by_bridge_volume, Functional::value)};
+    }
+}
+
+/// The queries that one process answers: their places in the list, all they ask, and the map from
+/// those answers to the queries'.
+struct Share {
+    std::vector<Eigen::Index> queries;
+    std::vector<GaussianProcess::Asked> asked;
+    Eigen::MatrixXd map;
+};
+
+std::map<Observable, Share> shares_of(const std::vector<Query>& queries) {
+    std::map<Observable, Share> shares;
+    std::map<Observable, std::vector<std::vector<Term>>> terms;
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        const Observable process = process_for(queries[k].which);
+        shares[process].queries.push_back(static_cast<Eigen::Index>(k));
+        terms[process].push_back(terms_of(queries[k]));
+    }
+    for (auto& [process, share] : shares) {
+        std::vector<double> factors;
+        std::vector<Eigen::Index> rows;
+        for (std::size_t row = 0; row < terms[process].size(); ++row) {
+            for (const Term& term : terms[process][row]) {
+                share.asked.push_back(term.asked);
+                factors.push_back(term.factor);
+                rows.push_back(static_cast<Eigen::Index>(row));
+            }
+        }
+        const auto columns = static_cast<Eigen::Index>(factors.size());
+        share.map =
+            Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(terms[process].size()), columns);
+        for (Eigen::Index c = 0; c < columns; ++c) {
+            share.map(rows[static_cast<std::size_t>(c)], c) = factors[static_cast<std::size_t>(c)];
+        }
+    }
+    return shares;
+}
+
+}  // namespace
+
+double PlainEmulator::noise_variance(const dem::RunResult& run, Observable which) const {
+    const Scales scales = scales_of(which);
+    const double size = unit_at(which, state_of(run.parameters)).size;
+    return scales.noise * std::pow(taught(run, which).standard_error, 2) +
+           std::pow(scales.between * size, 2);
+}
+
+Eigen::Matrix2d PlainEmulator::noise(const dem::RunResult& run) const {
+    Eigen::Matrix2d noise;
+    noise.diagonal() << noise_variance(run, pair[0]), noise_variance(run, pair[1]);
+    noise(0, 1) = noise(1, 0) =
+        run.covariance * std::sqrt(scales_of(pair[0]).noise * scales_of(pair[1]).noise);
+    return noise;
+}
+
+bool PlainEmulator::known(const std::vector<dem::RunResult>& runs, Observable which) {
+    return std::ranges::any_of(
+        runs, [&](const auto& run) { return teaches(run, which, reference_stiffness); });
+}
+
+Scales PlainEmulator::learn(const std::vector<dem::RunResult>& runs, Observable which,
+                            double structure_stiffness) {
+    const Observations known = observations_of(runs, which, structure_stiffness);
+    const Eigen::Index quantity = which == pair[1];
+    return learn_scales(domain_of(which), known.only(quantity), unit_of(known, quantity));
+}
+
+PlainEmulator::PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorScales scales,
+                             double structure_stiffness)
+    : structure_stiffness_(structure_stiffness), learned_(std::make_unique<Learned>()) {
+    learned_->scales = std::move(scales);
+    std::ranges::copy_if(runs, std::back_inserter(runs_), usable);
+    if (runs_.empty()) {
+        throw std::invalid_argument("there is no run to learn from");
+    }
+}
+
+EmulatorScales PlainEmulator::scales() const {
+    const std::scoped_lock lock(learned_->mutex);
+    return learned_->scales;
+}
+
+Scales PlainEmulator::scales_of(Observable which) const {
+    {
+        const std::scoped_lock lock(learned_->mutex);
+        const auto known = learned_->scales.find(which);
+        if (known != learned_->scales.end()) return known->second;
+    }
+    const Scales scales = learn(runs_, which, structure_stiffness_);
+    const std::scoped_lock lock(learned_->mutex);
+    return learned_->scales.emplace(which, scales).first->second;
+}
+
+std::unique_ptr<const GaussianProcess> PlainEmulator::trained(Observable which) const {
+    const Observations known = observations_of(runs_, which, structure_stiffness_);
+    std::vector<Observable> quantities = {which};
+    if (in_pair(which)) {
+        quantities.assign(std::begin(pair), std::end(pair));
+    }
+    std::vector<Kernel> kernels;
+    for (const Observable quantity : quantities) {
+        kernels.emplace_back(domain_of(quantity), scales_of(quantity),
+                             unit_of(known, static_cast<Eigen::Index>(kernels.size())));
+    }
+    return std::make_unique<GaussianProcess>(std::move(kernels), known);
+}
+
+const GaussianProcess& PlainEmulator::process_of(Observable which) const {
+    Learned::Process& process = learned_->processes[static_cast<std::size_t>(process_for(which))];
+    std::call_once(process.once, [&] { process.trained = trained(process_for(which)); });
+    return *process.trained;
+}
+
+Eigen::VectorXd PlainEmulator::mean(const std::vector<Query>& queries) const {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(queries.size()));
+    for (const auto& [process, share] : shares_of(queries)) {
+        result(share.queries) = share.map * process_of(process).mean(share.asked);
+    }
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        if (!queries[k].by) {
+            result(static_cast<Eigen::Index>(k)) +=
+                unit_at(queries[k].which, queries[k].state).offset;
+        }
+    }
+    return result;
+}
+
+Eigen::MatrixXd PlainEmulator::covariance(const std::vector<Query>& queries) const {
+    const auto n = static_cast<Eigen::Index>(queries.size());
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+    for (const auto& [process, share] : shares_of(queries)) {
+        result(share.queries, share.queries) =
+            share.map * process_of(process).covariance(share.asked) * share.map.transpose();
+    }
+    return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "calib/emulator/gaussian_process.h"
+#include "sim/dem/run.h"
+
+namespace pendular {
+
+/// What an emulated observable may be differentiated by.
+enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
+
+/// An observable at a state, or its derivative there.
+struct Query {
+    FlowState state;
+    dem::Observable which = dem::Observable::stress_ratio;
+    std::optional<Input> by = {};
+};
+
+/// Scales of the emulator of each observable.
+using EmulatorScales = std::map<dem::Observable, Scales>;
+
+}  // namespace pendular

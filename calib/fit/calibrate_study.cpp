@@ -1,0 +1,316 @@
+#include "calib/fit/calibrate_study.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "calib/fit/calibration_notes.h"
+#include "calib/fit/study_model.h"
+#include "calib/model/run_planner.h"
+#include "data/input_error.h"
+#include "sim/runs/run_request.h"
+
+namespace pendular {
+namespace {
+
+/// Lowest stiffness number at which the rigidity shift was measured (dem::rigidity_factor).
+constexpr double softest_corrected = 300;
+
+/// Wet runs are made until the variance of their noise is no more than this part of the readings'.
+constexpr double wet_noise_ratio = 0.4;
+constexpr int most_wet_turns = 4;
+
+/// @throws InputError where no bridge of the reading's liquid content can be simulated
+void check_wet(const Reading& reading, const Study& study, const Fidelity& fidelity) {
+    const Condition& condition = reading.condition;
+    const double pressure = reduced_pressure(condition.normal_stress, study.grains, *study.liquid);
+    // Bridges of a bead: 4 to 12 whatever friction, pressure and content, offsets of runs included.
+    for (const double bridges : {4.0, 12.0}) {
+        try {
+            check({.stiffness_number = fidelity.stiffness_number,
+                   .wetting = dem::Wetting{pressure,
+                                           dem::bridge_volume(condition.liquid_content, bridges)},
+                   .beads = fidelity.beads});
+        } catch (const std::invalid_argument& error) {
+            throw InputError(
+                reading.origin,
+                fmt::format("{:.3g} Pa (reduced pressure {:.3g}) and liquid content {:.3g} cannot "
+                            "be simulated: {}; check their units and those of [liquid], or leave "
+                            "this reading out",
+                            condition.normal_stress, pressure, condition.liquid_content,
+                            error.what()));
+        }
+    }
+}
+
+/// What was set aside because it cannot be right; empty if nothing was.
+std::string set_aside(const Measurements& measurements) {
+    const auto doubt = std::ranges::find_if(measurements.doubts, &Doubt::set_aside);
+    return doubt == measurements.doubts.end()
+               ? ""
+               : "readings were set aside, the first for: " + doubt->what;
+}
+
+/// What to do about a study without any reading.
+std::string why_no_reading(const Measurements& measurements) {
+    if (std::string aside = set_aside(measurements); !aside.empty()) return aside;
+    return measurements.excluded.empty()
+               ? "give recordings or readings"
+               : "all were left out, the first one for: " + measurements.excluded.front().reason;
+}
+
+/// @throws InputError where there is nothing to fit
+void check_fitted(const Study& study, const Measurements& measurements, const Calibration& c) {
+    if (c.fitted > 0) {
+        return;
+    }
+    std::string why = why_no_reading(measurements);
+    if (!c.readings.empty()) {
+        why = "give dry recordings or readings (liquid_content = 0), or set fit_to = \"all\"";
+        if (const std::string aside = set_aside(measurements); !aside.empty()) why += "; " + aside;
+    }
+    throw InputError({study.file.string()},
+                     fmt::format("there is no {}reading to fit; {}",
+                                 study.model.fit_to == "dry" ? "dry " : "", why));
+}
+
+/// @throws InputError where a first design would have to tell what effects on grains do
+void check_effects(const std::vector<const Effect*>& effects, const CalibrationRequest& request) {
+    const auto grains = std::ranges::find_if(effects, &Effect::of_grains);
+    if (request.known.runs.empty() && grains != effects.end()) {
+        throw InputError(
+            fmt::format("a fit that begins without known runs has no effects on grains, such as "
+                        "{}: leave out --cold",
+                        (*grains)->name));
+    }
+}
+
+/// The model of some readings, which the planner's runs make better.
+class PlannedModel : public LearningModel {
+  public:
+    PlannedModel(const ResolvedStudy& study, RunPlanner& planner)
+        : study_(study), planner_(planner), whole_(study, planner.simulation()) {}
+
+    const StudyModel& whole() const { return whole_; }
+    Fit fit_to(const std::vector<Reading>& readings, const CalibrationOptions& options,
+               const CalibrationReport& report) {
+        readings_ = readings;
+        renew();
+        return pendular::calibrate(*this, stack(readings, whole_.direct()), options, report);
+    }
+    Fit fit_again(const std::vector<Reading>& readings, const Eigen::VectorXd& start) const {
+        return fit(whole_.at(readings), stack(readings, whole_.direct()), start);
+    }
+    void improve_wet(const Eigen::VectorXd& parameters, const std::vector<Reading>& readings) {
+        planner_.improve_wet(parameters(0), truly_imposed(parameters, readings), 1);
+        renew();
+    }
+
+    const Model& model() const override { return *model_; }
+    void improve(const Eigen::VectorXd& parameters, double excess) override {
+        planner_.improve(parameters(0), truly_imposed(parameters, readings_), excess);
+        renew();
+    }
+    bool confirmed() const override { return planner_.confirmed(); }
+
+  private:
+    std::vector<EffectiveCondition> truly_imposed(const Eigen::VectorXd& parameters,
+                                                  const std::vector<Reading>& readings) const {
+        return whole_.model().imposed(parameters, conditions_of(readings));
+    }
+    void renew() {
+        whole_ = StudyModel(study_, planner_.simulation());
+        model_.emplace(whole_.at(readings_));
+    }
+
+    const ResolvedStudy& study_;
+    RunPlanner& planner_;
+    StudyModel whole_;
+    std::vector<Reading> readings_;
+    std::optional<ModelOfReadings> model_;
+};
+
+/// Wet runs until their noise is small beside the errors of the readings to predict.
+/// @return whether it is
+bool learn_wet(PlannedModel& model, const Calibration& c) {
+    const auto readings = part(c.readings, c.fitted, c.readings.size());
+    const Eigen::VectorXd measured = stack(readings).covariance.diagonal();
+    for (int turn = 0; turn < most_wet_turns; ++turn) {
+        model.improve_wet(c.fit.parameters, readings);
+        const Eigen::VectorXd noise = model.whole()
+                                          .model()
+                                          .predict(c.fit.parameters, conditions_of(readings))
+                                          .run_noise.diagonal();
+        if (noise.cwiseQuotient(measured).mean() <= wet_noise_ratio) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What direct measurements know of parameters: J' Sigma^-1 J.
+Eigen::MatrixXd information_of(const std::vector<DirectMeasurement>& direct,
+                               const std::vector<Parameter>& parameters) {
+    const auto count = static_cast<Eigen::Index>(parameters.size());
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
+    for (const DirectMeasurement& each : direct) {
+        if (const auto place = place_of(each, parameters)) {
+            information(*place, *place) += 1 / (each.standard_error * each.standard_error);
+        }
+    }
+    return information;
+}
+
+}  // namespace
+
+void check_range(const std::vector<Reading>& readings, const Study& study,
+                 const Fidelity& fidelity) {
+    for (const auto& reading : readings) {
+        const auto kappa = stiffness_number(reading.condition.normal_stress, study.grains);
+        if (kappa && *kappa < softest_corrected) {
+            throw InputError(
+                reading.origin,
+                fmt::format(
+                    "at {:.3g} Pa these beads have a stiffness number of {:.3g}; the correction "
+                    "to the study's stiffness holds from {} on: check youngs_modulus and its unit",
+                    reading.condition.normal_stress, *kappa, softest_corrected));
+        }
+        if (reading.condition.inertial_number > dem::largest_inertial_number) {
+            throw InputError(
+                reading.origin,
+                fmt::format(
+                    "inertial number {:.3g} is above {}, where beads no longer flow densely; "
+                    "leave this reading out",
+                    reading.condition.inertial_number, dem::largest_inertial_number));
+        }
+        if (!reading.condition.dry()) {
+            check_wet(reading, study, fidelity);
+        }
+    }
+}
+
+std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings) {
+    const bool all = study.study().model.fit_to == "all" || needs_joint_fit(study.effects());
+    return all ? readings.size() : dry_count(readings);
+}
+
+Prediction predict_unseen(const Predictor& model, const Calibration& c,
+                          const std::vector<Condition>& conditions) {
+    const auto seen = part(c.readings, 0, c.fitted);
+    std::vector<Condition> all = conditions_of(seen);
+    all.insert(all.end(), conditions.begin(), conditions.end());
+    const Prediction both = model.predict(c.fit.parameters, all);
+    const auto n = 2 * static_cast<Eigen::Index>(c.fitted);
+    const Eigen::Index rest = both.value.size() - n;
+    const Eigen::MatrixXd measured = stack(seen).covariance;
+    const Eigen::MatrixXd weight = (measured + both.covariance.topLeftCorner(n, n)).inverse();
+    // theta = K (y - f) + ..., so that errors e of the seen readings and d of all predictions make
+    // an error J K (e - d_seen) + d_unseen.
+    const Eigen::MatrixXd slopes = both.jacobian.bottomRows(rest) * c.fit.covariance;
+    const Eigen::MatrixXd through_fit = slopes * both.jacobian.topRows(n).transpose() * weight;
+    // Errors of the direct measurements come through the fit too.
+    const Eigen::MatrixXd direct = information_of(c.direct, model.parameters());
+    Eigen::MatrixXd map(rest, n + rest);
+    map << -through_fit, Eigen::MatrixXd::Identity(rest, rest);
+    return {.value = both.value.tail(rest),
+            .jacobian = both.jacobian.bottomRows(rest),
+            .covariance = map * both.covariance * map.transpose() +
+                          through_fit * measured * through_fit.transpose() +
+                          slopes * direct * slopes.transpose(),
+            .run_noise = both.run_noise.bottomRightCorner(rest, rest)};
+}
+
+Prediction predict_readings(const Predictor& model, const Calibration& c) {
+    Prediction all = model.predict(c.fit.parameters, conditions_of(c.readings));
+    if (c.fitted == c.readings.size()) {
+        return all;
+    }
+    const auto fitted = 2 * static_cast<Eigen::Index>(c.fitted);
+    const Eigen::Index rest = all.value.size() - fitted;
+    all.covariance.topRightCorner(fitted, rest).setZero();
+    all.covariance.bottomLeftCorner(rest, fitted).setZero();
+    all.covariance.bottomRightCorner(rest, rest) =
+        predict_unseen(model, c, conditions_of(part(c.readings, c.fitted, c.readings.size())))
+            .covariance;
+    return all;
+}
+
+void draw_cohesion_lines(Calibration& c) {
+    c.cohesion_lines.clear();
+    c.cohesion_notes.clear();
+    if (dry_count(c.readings) == c.readings.size()) {
+        return;
+    }
+    c.cohesion_lines =
+        cohesion_lines(c.readings, c.grains, *c.liquid, c.cohesion, c.cohesion_notes);
+    std::vector<std::string> same_notes;
+    std::ranges::copy(
+        cohesion_lines(c.readings, c.prediction, c.grains, *c.liquid, c.cohesion, same_notes),
+        std::back_inserter(c.cohesion_lines));
+}
+
+Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& measurements,
+                            const CalibrationRequest& request, const Workers& workers,
+                            const CalibrationReport& report) {
+    const Study& study = resolved;
+    Calibration c{.readings = dry_first(measurements),
+                  .grains = study.grains,
+                  .liquid = study.liquid,
+                  .model = study.model,
+                  .written_effects = study.written_effects,
+                  .fidelity = request.fidelity,
+                  .seed = request.seed,
+                  .cold = request.known.runs.empty()};
+    c.fitted = fitted_count(resolved, c.readings);
+    check_fitted(study, measurements, c);
+    check_range(c.readings, study, c.fidelity);
+    check_effects(resolved.effects(), request);
+    RunPlanner planner(study, conditions_of(c.readings), request.fidelity, request.seed, workers,
+                       request.known);
+    PlannedModel model(resolved, planner);
+    c.direct = resolved.direct();
+    const auto counting = [&](int round, const Fit& fit) {
+        c.rounds = round;
+        if (report) {
+            report(round, fit);
+        }
+    };
+    CalibrationOptions options = request.options;
+    const auto dry = part(c.readings, 0, dry_count(c.readings));
+    c.parameters = model.whole().model().parameters();
+    if (c.fitted > dry.size() && !dry.empty() && c.parameters.size() == 1) {
+        // Joint fits begin where the dry readings alone lead, so that wet runs are made there;
+        // those of effects need not show in dry readings at all.
+        options.start = model.fit_to(dry, request.options, counting).parameters;
+    }
+    const auto fitted = part(c.readings, 0, c.fitted);
+    c.fit = model.fit_to(fitted, options, counting);
+    bool wet_known = true;
+    if (c.fitted < c.readings.size()) {
+        if (request.stage) {
+            request.stage("wet readings");
+        }
+        wet_known = learn_wet(model, c);
+        // An emulator learns of dry flow from wet runs too, and the friction with it.
+        c.fit = model.fit_again(fitted, c.fit.parameters);
+    }
+    c.prediction = predict_readings(model.whole().model(), c);
+    const Emulator& emulator = planner.simulation()->emulator();
+    c.runs = emulator.runs();
+    c.scales = emulator.scales();
+    c.orders = planner.orders();
+    c.notes = notes_on(c, resolved, planner, wet_known);
+    c.cohesion = request.cohesion;
+    draw_cohesion_lines(c);
+    if (request.profile) {
+        c.profile = profile_interval(model.whole().at(fitted), stack(fitted, c.direct), c.fit, 0);
+    }
+    return c;
+}
+
+}  // namespace pendular

@@ -1,0 +1,160 @@
+#include "calib/fit/calibration_notes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "calib/emulator/known_range.h"
+#include "calib/fit/reading_order.h"
+#include "calib/fit/undetermined.h"
+#include "data/input_error.h"
+
+namespace pendular {
+namespace {
+
+/// Below this reduced pressure the source saw the flow localise.
+constexpr double uniform_reduced_pressure = 0.5;
+/// What lowers the errors of a model whose runs know too little of the readings.
+std::string remedy(const Calibration& c) {
+    return c.orders.empty() ? "fresh runs there help, which 'calibrate' and 'add --confirm' make"
+                            : "a higher fidelity helps";
+}
+
+/// Names the readings whose predictions the known runs do not support.
+std::optional<std::string> unsupported_note(const Calibration& c, const RunPlanner& planner) {
+    constexpr std::size_t most_named = 5;
+    const KnownRange known(planner.simulation()->emulator());
+    std::vector<std::string> readings;
+    for (const Reading& reading : c.readings) {
+        const FlowState state =
+            planner.simulation()->state_of(c.fit.parameters(0), reading.condition);
+        if (const std::string why = known.why_unsupported(state); !why.empty()) {
+            const auto file = std::filesystem::path(reading.origin.file).filename().string();
+            const std::string place = reading.step > 0
+                                          ? fmt::format("{} step {}", file, reading.step)
+                                          : fmt::format("{}:{}", file, reading.origin.line);
+            readings.push_back(
+                fmt::format("{} ({})", to_string(Position{file, reading.origin.line, 0}), why));
+        }
+    }
+    if (readings.empty()) {
+        return std::nullopt;
+    }
+    const std::size_t count = readings.size(), named = std::min(count, most_named);
+    readings.resize(named);
+    return fmt::format(
+        "The known runs do not support the predictions of {} of {} readings: {}{}. {}.", count,
+        c.readings.size(), fmt::join(readings, "; "),
+        count > named ? fmt::format("; and {} more", count - named) : "",
+        planner.orders_more()
+            ? "More runs there help ('pendular campaign'), or leave these readings out"
+            : "'pendular calibrate' without --no-confirm simulates there");
+}
+
+/// Says so where the model is less sure of the fitted readings than they are themselves.
+std::optional<std::string> unsure_note(const Calibration& c) {
+    const Measured readings = stack(part(c.readings, 0, c.fitted));
+    const auto rms_percent = [&](const Eigen::MatrixXd& covariance, int first) {
+        const Eigen::ArrayXd relative = covariance.diagonal().head(readings.value.size()).array() /
+                                        readings.value.array().square();
+        return 100 * std::sqrt(relative(Eigen::seq(first, Eigen::last, 2)).mean());
+    };
+    for (const auto& [first, observable] : {std::pair(0, "shear stress"), {1, "solid fraction"}}) {
+        const double simulated = rms_percent(c.fit.prediction.run_noise, first),
+                     measured = rms_percent(readings.covariance, first);
+        if (simulated > measured) {
+            return fmt::format(
+                "the runs that are known tell the {} of the readings to {:.2g} %, they themselves "
+                "to {:.2g} %: {}",
+                observable, simulated, measured, remedy(c));
+        }
+    }
+    return std::nullopt;
+}
+
+/// What a parameter at a bound of its range means: that an effect is not needed where the bound is
+/// its neutral value, else that the readings ask for more than it can give.
+std::string bound_note(const Parameter& parameter, double value, const ResolvedStudy& resolved) {
+    const Study& study = resolved;
+    const auto dot = parameter.name.rfind('.');
+    const double close = 1e-6 * (parameter.upper - parameter.lower);
+    if (dot != std::string::npos) {
+        const std::string name = parameter.name.substr(0, dot);
+        const Effect& effect = resolved.catalogue().find(name);
+        const double neutral =
+            effect.parameters[effect.parameter(parameter.name.substr(dot + 1))].neutral;
+        // Without being listed it is on all the same, at what the study gives.
+        const bool stays_on = effect.given_by_liquid && study.liquid;
+        if (!stays_on && std::abs(value - neutral) <= close) {
+            const auto folder = study.file.parent_path();
+            return fmt::format(
+                "The readings show no sign of {0}: {1} ended at {2:.3g}, where it has no effect, "
+                "and is not needed. To leave it out: pendular drop {3} {0}",
+                name, parameter.name, neutral, folder.empty() ? "." : folder.string());
+        }
+    }
+    return fmt::format(
+        "{} ended at the bound of its range, {:.3g} to {:.3g}: the readings ask for more than it "
+        "can give",
+        parameter.name, parameter.lower, parameter.upper);
+}
+
+std::vector<std::string> warnings(const Calibration& c, const ResolvedStudy& study) {
+    std::vector<std::string> notes;
+    if (const auto note = unsure_note(c)) {
+        notes.push_back(*note);
+    }
+    const Eigen::MatrixXd corrections = c.fit.covariance - c.fit.measurement_part - c.fit.run_part;
+    if (corrections(0, 0) > 0.3 * c.fit.covariance(0, 0)) {
+        notes.push_back(fmt::format(
+            "{:.0f} % of the variance comes from the corrections to the study's stiffness and to "
+            "the quasi-static limit; a stiffer, slower fidelity lowers it",
+            100 * corrections(0, 0) / c.fit.covariance(0, 0)));
+    }
+    const auto localised = std::ranges::count_if(c.readings, [&](const Reading& r) {
+        return !r.condition.dry() && reduced_pressure(r.condition.normal_stress, c.grains,
+                                                      *c.liquid) < uniform_reduced_pressure;
+    });
+    if (localised > 0) {
+        notes.push_back(
+            fmt::format("{} readings have a reduced pressure below {}, where wet beads tend to "
+                        "shear in bands: neither cell nor simulation need be uniform there",
+                        localised, uniform_reduced_pressure));
+    }
+    for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+        if (c.fit.at_bound[k]) {
+            notes.push_back(
+                bound_note(c.parameters[k], c.fit.parameters(static_cast<Eigen::Index>(k)), study));
+        }
+    }
+    return notes;
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on(const Calibration& c, const ResolvedStudy& study,
+                                  const RunPlanner& planner, bool wet_known) {
+    std::vector<std::string> notes;
+    if (const auto note = unsupported_note(c, planner)) {
+        notes.push_back(*note);
+    }
+    if (!wet_known) {
+        notes.push_back(
+            "the noise of the wet runs is not small beside the errors of the wet readings: their "
+            "predictions are less sharp than the readings; " +
+            remedy(c));
+    }
+    std::ranges::copy(planner.notes(), std::back_inserter(notes));
+    std::ranges::copy(warnings(c, study), std::back_inserter(notes));
+    std::ranges::copy(undetermined(c.fit, c.parameters), std::back_inserter(notes));
+    return notes;
+}
+
+}  // namespace pendular

@@ -1,0 +1,244 @@
+#include "calib/fit/cohesion_lines.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "calib/fit/fit.h"
+#include "calib/fit/wet_groups.h"
+#include "data/input_error.h"
+
+namespace pendular {
+namespace {
+
+constexpr double reduced_pressure_tolerance = 0.02;
+
+/// Points of a group: stress ratios over 1/P*, with their covariance.
+struct Points {
+    Eigen::VectorXd inverse_pressure;  ///< 1/P*
+    Eigen::VectorXd stress_ratio;
+    Eigen::MatrixXd covariance;  ///< of the stress ratios
+    Eigen::MatrixXd weighting;   ///< covariance whose inverse weighs the points: the measured one
+
+    Eigen::Index size() const { return inverse_pressure.size(); }
+    double reduced_pressure(Eigen::Index k) const { return 1 / inverse_pressure(k); }
+    Points only(const std::vector<Eigen::Index>& which) const {
+        return {inverse_pressure(which), stress_ratio(which), covariance(which, which),
+                weighting(which, which)};
+    }
+};
+
+const Condition& condition(const std::vector<Reading>& readings, Eigen::Index k) {
+    return readings[static_cast<std::size_t>(k)].condition;
+}
+
+std::string name_of(const WetGroup& group) {
+    return group.inertial_number == 0
+               ? fmt::format("liquid content {:.3g}, quasi-static", group.liquid_content)
+               : fmt::format("liquid content {:.3g}, inertial number {:.2g}", group.liquid_content,
+                             group.inertial_number);
+}
+
+/// What a kind of lines needs beside the readings.
+struct Task {
+    std::string source;
+    Measured values;            ///< stacked as those of a model
+    Eigen::MatrixXd weighting;  ///< covariance of the readings
+};
+
+/// Readings of a group as points, by falling P*.
+Points points_of(const WetGroup& group, const std::vector<Reading>& readings, const Task& task,
+                 const Grains& grains, const Liquid& liquid) {
+    std::vector<Eigen::Index> order(group.members.begin(), group.members.end());
+    std::ranges::stable_sort(order, std::greater<>(),
+                             [&](Eigen::Index k) { return condition(readings, k).normal_stress; });
+    const auto n = std::ssize(order);
+    Points points{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::MatrixXd(n, n),
+                  Eigen::MatrixXd(n, n)};
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index k = order[static_cast<std::size_t>(i)];
+        const double normal_stress = condition(readings, k).normal_stress;
+        points.inverse_pressure(i) = 1 / reduced_pressure(normal_stress, grains, liquid);
+        points.stress_ratio(i) = task.values.value(2 * k) / normal_stress;
+        for (Eigen::Index j = 0; j < n; ++j) {
+            const Eigen::Index l = order[static_cast<std::size_t>(j)];
+            const double unit = normal_stress * condition(readings, l).normal_stress;
+            points.covariance(i, j) = task.values.covariance(2 * k, 2 * l) / unit;
+            points.weighting(i, j) = task.weighting(2 * k, 2 * l) / unit;
+        }
+    }
+    return points;
+}
+
+/// Intercept and reduced cohesion as a model of stress ratios: here the entries of a prediction are
+/// those alone.
+class StraightLine : public Model {
+  public:
+    explicit StraightLine(const Eigen::VectorXd& inverse_pressure)
+        : matrix_(inverse_pressure.size(), 2) {
+        matrix_ << Eigen::VectorXd::Ones(inverse_pressure.size()), inverse_pressure;
+    }
+    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    Prediction predict(const Eigen::VectorXd& line, Ask /*what*/) const override {
+        const Eigen::MatrixXd exact = Eigen::MatrixXd::Zero(matrix_.rows(), matrix_.rows());
+        return {matrix_ * line, matrix_, exact, exact};
+    }
+    Supported supported() const override {
+        return {Eigen::Vector2d::Constant(-unbounded), Eigen::Vector2d::Constant(unbounded)};
+    }
+    const Eigen::MatrixXd& matrix() const { return matrix_; }
+
+  private:
+    static constexpr double unbounded = 1e9;  // far beyond any stress ratio
+    std::vector<Parameter> parameters_ = {
+        {.name = "intercept", .lower = -unbounded, .upper = unbounded},
+        {.name = "reduced cohesion", .lower = -unbounded, .upper = unbounded}};
+    Eigen::MatrixXd matrix_;
+};
+
+/// Points at or above the limit, and those below it.
+struct Split {
+    std::vector<Eigen::Index> fitted, below;
+};
+
+Split split(const Points& points, const CohesionOptions& options) {
+    Split result;
+    for (Eigen::Index k = 0; k < points.size(); ++k) {
+        (options.fits(points.reduced_pressure(k)) ? result.fitted : result.below).push_back(k);
+    }
+    return result;
+}
+
+/// (line - value)/value at the points below, whose errors may depend on those of the points the
+/// line goes through: the line there is [1 1/P*] K y.
+std::vector<Overestimate> overestimates(const Points& all, const Split& which,
+                                        const Eigen::MatrixXd& estimator,
+                                        const Eigen::Vector2d& line) {
+    std::vector<Overestimate> result;
+    for (const Eigen::Index k : which.below) {
+        const Eigen::RowVector2d at(1, all.inverse_pressure(k));
+        const double value = all.stress_ratio(k), predicted = at * line;
+        Eigen::RowVectorXd slope = Eigen::RowVectorXd::Zero(all.size());
+        slope(which.fitted) = at * estimator / value;
+        slope(k) = -predicted / (value * value);
+        const double variance = slope * all.covariance * slope.transpose();
+        result.push_back(
+            {all.reduced_pressure(k), {(predicted - value) / value, std::sqrt(variance)}});
+    }
+    return result;
+}
+
+/// The line with the errors that the points' own covariance causes: K C K', K = (A'WA)^-1 A'W.
+CohesionLine line_through(const Points& all, const Split& which) {
+    const Points fitted = all.only(which.fitted);
+    const StraightLine line(fitted.inverse_pressure);
+    const Fit fit =
+        pendular::fit(line, {fitted.stress_ratio, fitted.weighting}, Eigen::Vector2d::Zero());
+    const Eigen::MatrixXd estimator =
+        fit.covariance * line.matrix().transpose() * fitted.weighting.inverse();
+    const Eigen::Matrix2d covariance = estimator * fitted.covariance * estimator.transpose();
+    const Eigen::Vector2d error = covariance.diagonal().cwiseSqrt();
+    CohesionLine result;
+    result.stress_ratio_intercept = {fit.parameters(0), error(0)};
+    result.reduced_cohesion = {fit.parameters(1), error(1)};
+    result.correlation = covariance(0, 1) / (error(0) * error(1));
+    result.points = static_cast<int>(fitted.size());
+    result.chi2 = fit.chi2;
+    result.dof = fit.dof;
+    result.lowest_reduced_pressure = 1 / fitted.inverse_pressure.maxCoeff();
+    result.below = overestimates(all, which, estimator, fit.parameters);
+    return result;
+}
+
+bool has_two_distinct(const Points& points) {
+    return points.size() > 1 &&
+           !agree(points.inverse_pressure.minCoeff(), points.inverse_pressure.maxCoeff(),
+                  reduced_pressure_tolerance);
+}
+
+std::string list_of_pressures(const Points& points, const std::vector<Eigen::Index>& which) {
+    std::vector<std::string> texts;
+    for (const Eigen::Index k : which) {
+        const std::string text = fmt::format("{:.3g}", points.reduced_pressure(k));
+        if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);  // replicates
+    }
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& readings,
+                                const Grains& grains, const Liquid& liquid,
+                                const CohesionOptions& options, std::vector<std::string>& notes) {
+    std::vector<CohesionLine> result;
+    const double limit = options.lowest_reduced_pressure;
+    for (const WetGroup& group : wet_groups(readings)) {
+        const auto note = [&](const std::string& text) {
+            notes.push_back(
+                fmt::format("{} cohesion line, {}: {}", task.source, name_of(group), text));
+        };
+        const Points all = points_of(group, readings, task, grains, liquid);
+        const Split which = split(all, options);
+        if (!has_two_distinct(all.only(which.fitted))) {
+            std::vector<Eigen::Index> every = which.fitted;
+            every.insert(every.end(), which.below.begin(), which.below.end());
+            note(
+                fmt::format("none, it needs two reduced pressures 2 % apart at or above {:.3g}; "
+                            "there are {}",
+                            limit, list_of_pressures(all, every)));
+            continue;
+        }
+        if (!which.below.empty())
+            note(fmt::format("leaves out the reduced pressures below {:.3g}: {}", limit,
+                             list_of_pressures(all, which.below)));
+        CohesionLine line = line_through(all, which);
+        line.source = task.source;
+        line.liquid_content = group.liquid_content;
+        line.inertial_number = group.inertial_number;
+        const double unit = pull_off_force(grains, liquid) / (grains.diameter * grains.diameter);
+        line.cohesion = {line.reduced_cohesion.value * unit,
+                         line.reduced_cohesion.standard_error * unit};
+        result.push_back(std::move(line));
+    }
+    return result;
+}
+
+}  // namespace
+
+void check(const CohesionOptions& options) {
+    if (!(options.lowest_reduced_pressure > 0) || !std::isfinite(options.lowest_reduced_pressure)) {
+        throw InputError(fmt::format("lowest reduced pressure {}: it must be above 0",
+                                     options.lowest_reduced_pressure));
+    }
+}
+
+bool CohesionOptions::fits(double reduced_pressure) const {
+    constexpr double rounding = 1e-9;
+    return reduced_pressure >= lowest_reduced_pressure * (1 - rounding);
+}
+
+double stress_ratio(const CohesionLine& line, double reduced_pressure) {
+    return line.stress_ratio_intercept.value + line.reduced_cohesion.value / reduced_pressure;
+}
+
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const Grains& grains,
+                                         const Liquid& liquid, const CohesionOptions& options,
+                                         std::vector<std::string>& notes) {
+    const Measured measured = stack(readings);
+    return lines({"measured",
+                  {measured.value, measured.covariance + measured.widening},
+                  measured.covariance},
+                 readings, grains, liquid, options, notes);
+}
+
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
+                                         const Prediction& predicted, const Grains& grains,
+                                         const Liquid& liquid, const CohesionOptions& options,
+                                         std::vector<std::string>& notes) {
+    return lines({"simulated", {predicted.value, predicted.covariance}, stack(readings).covariance},
+                 readings, grains, liquid, options, notes);
+}
+
+}  // namespace pendular

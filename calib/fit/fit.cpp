@@ -1,0 +1,438 @@
+#include "calib/fit/fit.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+namespace pendular {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Inverse Cholesky factor of a covariance, applied to residuals and derivatives.
+class Whitening {
+  public:
+    explicit Whitening(const Eigen::MatrixXd& covariance) : llt_(covariance) {
+        if (llt_.info() != Eigen::Success) {
+            throw std::logic_error("the covariance of the readings is not positive definite");
+        }
+    }
+    template <typename Matrix>
+    Eigen::MatrixXd apply(const Matrix& matrix) const {
+        return llt_.matrixL().solve(Eigen::MatrixXd(matrix));
+    }
+
+  private:
+    Eigen::LLT<Eigen::MatrixXd> llt_;
+};
+
+/// Where both the parameter's own range and the model's support allow it.
+Supported allowed(const Model& model) {
+    Supported range = model.supported();
+    for (Eigen::Index k = 0; k < range.lower.size(); ++k) {
+        const Parameter& p = model.parameters()[static_cast<std::size_t>(k)];
+        range.lower(k) = std::max(range.lower(k), p.lower);
+        range.upper(k) = std::min(range.upper(k), p.upper);
+    }
+    return range;
+}
+
+bool contains(const Supported& range, const Eigen::VectorXd& parameters) {
+    return (parameters.array() >= range.lower.array()).all() &&
+           (parameters.array() <= range.upper.array()).all();
+}
+
+/// Whitened residuals and their derivatives as Ceres wants them; none outside the range.
+class WhitenedResiduals : public ceres::CostFunction {
+  public:
+    WhitenedResiduals(const Model& model, const Measured& measured, const Whitening& whitening,
+                      const Supported& range)
+        : model_(model), measured_(measured), whitening_(whitening), range_(range) {
+        set_num_residuals(static_cast<int>(measured.value.size()));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(model.parameters().size()));
+    }
+    bool Evaluate(const double* const* parameters, double* residuals,
+                  double** jacobians) const override {
+        const auto n = static_cast<Eigen::Index>(model_.parameters().size());
+        const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(parameters[0], n);
+        if (!contains(range_, at)) {
+            ++refused_;
+            return false;
+        }
+        const bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
+        Prediction prediction;
+        try {
+            prediction = model_.predict(at, derivatives ? Ask::slopes : Ask::values);
+        } catch (const std::domain_error&) {
+            return false;  // an effect so large that nothing real could show the readings
+        }
+        if (!prediction.value.allFinite() || !prediction.jacobian.allFinite()) {
+            return false;  // an empty matrix is finite
+        }
+        Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) =
+            whitening_.apply(measured_.value - prediction.value);
+        if (derivatives) {
+            Eigen::Map<RowMajor>(jacobians[0], num_residuals(), n) =
+                -whitening_.apply(prediction.jacobian);
+        }
+        return true;
+    }
+    /// How often a step led out of the range.
+    int refused() const { return refused_; }
+
+  private:
+    const Model& model_;
+    const Measured& measured_;
+    const Whitening& whitening_;
+    const Supported& range_;
+    mutable int refused_ = 0;
+};
+
+/// Ends a search that keeps running against the end of the range.
+class StopAtTheEnd : public ceres::IterationCallback {
+  public:
+    explicit StopAtTheEnd(const WhitenedResiduals& residuals) : residuals_(residuals) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+        return residuals_.refused() > 20 ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                         : ceres::SOLVER_CONTINUE;
+    }
+
+  private:
+    const WhitenedResiduals& residuals_;
+};
+
+struct Minimum {
+    Eigen::VectorXd parameters;
+    double chi2 = 0;
+    bool usable = false;
+    bool converged = false;
+    std::string message;
+};
+
+/// How to search for a minimum.
+struct Search {
+    double radius = 1e4;   ///< of the first step, in lengths of the columns of the derivatives
+    bool bounded = false;  ///< Ceres knows of the range from the start
+};
+
+/// Minimises with Ceres within the range, one parameter held if wanted. Where Ceres knows of bounds
+/// it looks along each step, however long, which leads far astray in curved valleys; so it first
+/// goes without, by steps that are refused where they leave the range, and with them only if some
+/// were.
+Minimum minimise(const Model& model, const Measured& measured, const Whitening& whitening,
+                 const Supported& range, const Eigen::VectorXd& start, const FitEffort& effort,
+                 const Search& search = {}, std::optional<Eigen::Index> held = {}) {
+    Minimum minimum{.parameters = start};
+    double* block = minimum.parameters.data();
+    const auto count = static_cast<int>(start.size());
+    auto* residuals = new WhitenedResiduals(model, measured, whitening, range);
+    ceres::Problem problem;
+    problem.AddResidualBlock(residuals, nullptr, block);
+    if (held) {
+        problem.SetManifold(block, new ceres::SubsetManifold(count, {static_cast<int>(*held)}));
+    }
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.logging_type = ceres::SILENT;
+    options.initial_trust_region_radius = search.radius;
+    options.max_num_iterations = effort.most_steps;
+    options.function_tolerance = effort.tolerance;
+    options.gradient_tolerance = 1e-12;
+    options.parameter_tolerance = 1e-12;
+    if (!effort.elsewhere) {
+        // Along each step at bounds; its standard of 20 evaluations is for cheap models.
+        options.max_num_line_search_step_size_iterations = 3;
+    }
+    ceres::Solver::Summary summary;
+    if (!search.bounded) {
+        StopAtTheEnd stop(*residuals);
+        options.callbacks = {&stop};
+        ceres::Solve(options, &problem, &summary);
+        options.callbacks.clear();
+    }
+    if (search.bounded || residuals->refused() > 0) {
+        for (int k = 0; k < count; ++k) {
+            problem.SetParameterLowerBound(block, k, range.lower(k));
+            problem.SetParameterUpperBound(block, k, range.upper(k));
+        }
+        ceres::Solve(options, &problem, &summary);
+    }
+    minimum.chi2 = 2 * summary.final_cost;
+    minimum.usable = summary.IsSolutionUsable();
+    minimum.converged = minimum.usable && summary.termination_type == ceres::CONVERGENCE;
+    minimum.message = summary.message;
+    return minimum;
+}
+
+/// Derivatives whose columns have length 1, as parameters of any units make them comparable.
+struct Scaled {
+    Eigen::MatrixXd jacobian;
+    Eigen::VectorXd length;  ///< of the columns; 1 for one of zeros
+
+    explicit Scaled(Eigen::MatrixXd whitened) : jacobian(std::move(whitened)) {
+        length = jacobian.colwise().norm();
+        length = (length.array() > 0).select(length, 1.0);
+        jacobian *= length.cwiseInverse().asDiagonal();
+    }
+};
+
+/// Goes on from where Ceres stopped, since chi2 is too flat there to tell where its minimum is:
+/// steps of Gauss and Newton, as long as they become shorter.
+void polish(const Model& model, const Measured& measured, const Whitening& whitening,
+            const Supported& range, double settled, Minimum& minimum) {
+    Eigen::VectorXd at = minimum.parameters;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int turn = 0; turn < 100; ++turn) {
+        const Prediction prediction = model.predict(at, Ask::slopes);
+        const Eigen::VectorXd residuals = whitening.apply(measured.value - prediction.value);
+        const double chi2 = residuals.squaredNorm();
+        const Scaled scaled(whitening.apply(prediction.jacobian));
+        const auto qr = scaled.jacobian.colPivHouseholderQr();
+        const Eigen::VectorXd step = qr.solve(residuals);
+        const double length = (scaled.jacobian * step).norm();
+        if (!(chi2 <= minimum.chi2 * (1 + 1e-9)) || !(length < shortest)) {
+            return;
+        }
+        minimum.parameters = at;
+        minimum.chi2 = chi2;
+        shortest = length;
+        at += step.cwiseQuotient(scaled.length);
+        if (!contains(range, at)) {
+            return;
+        }
+        if (length <= settled * std::sqrt(chi2)) {
+            minimum.parameters = at;
+            minimum.converged = true;
+            return;
+        }
+    }
+}
+
+/// Covariance of the parameters, (J' J)^-1 of the whitened derivatives by singular values, with
+/// columns of length 1, so that it does not depend on units; what the residuals do not determine
+/// has errors beyond any range.
+Eigen::MatrixXd parameter_covariance(const Eigen::MatrixXd& whitened_jacobian) {
+    const Scaled scaled(whitened_jacobian);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.jacobian, Eigen::ComputeThinV);
+    const Eigen::VectorXd& s = svd.singularValues();
+    const double least = s(0) > 0 ? 1e-10 * s(0) : 1e-10;
+    const Eigen::VectorXd inverse = s.cwiseMax(least).cwiseInverse();
+    const Eigen::MatrixXd root =
+        scaled.length.cwiseInverse().asDiagonal() * svd.matrixV() * inverse.asDiagonal();
+    return root * root.transpose();
+}
+
+/// Whether each parameter's error, by the scatter of the residuals, is smaller than its range.
+bool determined(const Fit& fit, const Supported& range) {
+    const Eigen::ArrayXd variance = fit.covariance.diagonal();
+    return (variance > 0).all() && (variance * fit.chi2 / std::max(fit.dof, 1) <
+                                    (range.upper - range.lower).array().square())
+                                       .all();
+}
+
+/// Share of the parameters' covariance that comes from a part S of the readings' covariance: K S K'
+/// with the estimator K = C J' Sigma^-1.
+Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const Whitening& whitening,
+                        const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& part) {
+    const Eigen::MatrixXd whitened_jacobian = whitening.apply(jacobian);
+    const Eigen::MatrixXd half = whitening.apply(part);                  // L^-1 S
+    const Eigen::MatrixXd whitened = whitening.apply(half.transpose());  // L^-1 S L^-T
+    return covariance * whitened_jacobian.transpose() * whitened * whitened_jacobian * covariance;
+}
+
+/// Adds what errors that readings share put between them; that of each alone is there.
+void add_shared_errors(const std::vector<Reading>& readings, Measured& measured) {
+    struct Part {
+        Eigen::Index entry;
+        Eigen::Vector2d estimated, size;
+    };
+    std::map<std::size_t, std::vector<Part>> sources;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        for (const SharedError& error : readings[k].shared) {
+            sources[error.source].push_back(
+                {2 * static_cast<Eigen::Index>(k), error.estimated, error.size});
+        }
+    }
+    for (const auto& [source, parts] : sources) {
+        for (const Part& a : parts) {
+            for (const Part& b : parts) {
+                if (a.entry == b.entry) continue;
+                const Eigen::Matrix2d estimated = a.estimated * b.estimated.transpose();
+                measured.covariance.block<2, 2>(a.entry, b.entry) += estimated;
+                measured.widening.block<2, 2>(a.entry, b.entry) +=
+                    a.size * b.size.transpose() - estimated;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Measured stack(const std::vector<Reading>& readings, const std::vector<DirectMeasurement>& direct) {
+    const auto n = static_cast<Eigen::Index>(readings.size());
+    const auto all = 2 * n + static_cast<Eigen::Index>(direct.size());
+    Measured measured{Eigen::VectorXd(all), Eigen::MatrixXd::Zero(all, all),
+                      Eigen::MatrixXd::Zero(all, all)};
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Reading& reading = readings[static_cast<std::size_t>(k)];
+        measured.value.segment<2>(2 * k) = reading.value;
+        measured.covariance.block<2, 2>(2 * k, 2 * k) = reading.estimated_covariance();
+        measured.widening.block<2, 2>(2 * k, 2 * k) = reading.widened_by;
+    }
+    add_shared_errors(readings, measured);
+    for (std::size_t k = 0; k < direct.size(); ++k) {
+        const auto entry = 2 * n + static_cast<Eigen::Index>(k);
+        measured.value(entry) = direct[k].value;
+        measured.covariance(entry, entry) = std::pow(direct[k].standard_error, 2);
+    }
+    return measured;
+}
+
+double Fit::standard_error(Eigen::Index k) const {
+    return std::sqrt(covariance(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
+}
+double Fit::measurement_error(Eigen::Index k) const {
+    return std::sqrt(measurement_part(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
+}
+double Fit::simulation_error(Eigen::Index k) const {
+    return std::sqrt(std::max(0.0, covariance(k, k) - measurement_part(k, k)));
+}
+
+Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
+        const FitEffort& effort) {
+    const Supported range = allowed(model);
+    const Eigen::VectorXd from = start.cwiseMax(range.lower).cwiseMin(range.upper);
+    const Whitening whitening(measured.covariance + model.predict(from).covariance);
+
+    Fit result;
+    result.dof = static_cast<int>(measured.value.size() - from.size());
+    result.chi2 = std::numeric_limits<double>::infinity();
+    // A search may run onto a plateau, from where it does not see the valley; others may not.
+    for (const Search& search : {Search{}, Search{.bounded = true}, Search{.radius = 1}}) {
+        Minimum minimum = minimise(model, measured, whitening, range, from, effort, search);
+        if (minimum.usable) {
+            polish(model, measured, whitening, range, effort.settled, minimum);
+        }
+        if (minimum.chi2 < result.chi2) {
+            result.parameters = minimum.parameters;
+            result.chi2 = minimum.chi2;
+            result.converged = minimum.converged;
+            result.message = minimum.message;
+            result.prediction = model.predict(minimum.parameters);
+            result.covariance = parameter_covariance(whitening.apply(result.prediction.jacobian));
+        }
+        if (determined(result, range) || !effort.elsewhere) {
+            break;
+        }
+    }
+    const Eigen::VectorXd& parameters = result.parameters;
+    const auto caused_by = [&](const Eigen::MatrixXd& part) {
+        return part_of(result.covariance, whitening, result.prediction.jacobian, part);
+    };
+    result.measurement_part = caused_by(measured.covariance);
+    if (measured.widening.size() > 0) result.widening = caused_by(measured.widening);
+    result.run_part = caused_by(result.prediction.run_noise);
+    for (Eigen::Index k = 0; k < parameters.size(); ++k) {
+        if (!(result.prediction.jacobian.col(k).squaredNorm() > 0)) {
+            result.converged = false;
+            result.message = "the readings do not determine " +
+                             model.parameters()[static_cast<std::size_t>(k)].name;
+        }
+    }
+    for (Eigen::Index k = 0; k < parameters.size(); ++k) {
+        const double close = 1e-6 * (range.upper(k) - range.lower(k));
+        result.at_bound.push_back(parameters(k) - range.lower(k) < close ||
+                                  range.upper(k) - parameters(k) < close);
+    }
+    return result;
+}
+
+std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
+                                           const Fit& best, Eigen::Index which, double rise) {
+    const Whitening whitening(measured.covariance + best.prediction.covariance);
+    const Supported range = allowed(model);
+    const auto chi2_at = [&](double value) {
+        Eigen::VectorXd parameters = best.parameters;
+        parameters(which) = value;
+        if (parameters.size() == 1) {
+            return whitening.apply(measured.value - model.predict(parameters).value).squaredNorm();
+        }
+        return minimise(model, measured, whitening, range, parameters, {}, {}, which).chi2;
+    };
+    const double limit = chi2_at(best.parameters(which)) + rise;
+    const auto end = [&](double inside, double outside) {
+        if (chi2_at(outside) < limit) {
+            return outside;
+        }
+        for (int halving = 0; halving < 50; ++halving) {
+            const double middle = 0.5 * (inside + outside);
+            (chi2_at(middle) < limit ? inside : outside) = middle;
+        }
+        return 0.5 * (inside + outside);
+    };
+    return {end(best.parameters(which), range.lower(which)),
+            end(best.parameters(which), range.upper(which))};
+}
+
+Eigen::VectorXd start_of(const Model& model) {
+    const auto& parameters = model.parameters();
+    Eigen::VectorXd start(static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        start(static_cast<Eigen::Index>(k)) = parameters[k].start;
+    }
+    return start;
+}
+
+Fit calibrate(LearningModel& learning, const Measured& measured, const CalibrationOptions& options,
+              const CalibrationReport& report) {
+    Eigen::VectorXd at = options.start.value_or(start_of(learning.model()));
+    // Largest ratio of the variance that the runs' noise causes in a parameter to what is allowed.
+    const auto excess_of = [&](const Fit& fit) {
+        const double allowed = options.simulation_share / (1 - options.simulation_share);
+        double excess = 0;
+        for (Eigen::Index k = 0; k < at.size(); ++k) {
+            const double noise = fit.run_part(k, k), rest = fit.covariance(k, k) - noise;
+            excess = std::max(excess, rest > 0 ? noise / rest / allowed : 1e3);
+        }
+        return excess;
+    };
+    const auto settled = [&](const Fit& fit) {
+        return ((fit.parameters - at).cwiseAbs().array() <=
+                options.settled * fit.covariance.diagonal().cwiseSqrt().array())
+            .all();
+    };
+    Fit best;
+    double excess = 1;
+    for (int round = 1; round <= options.most_rounds; ++round) {
+        learning.improve(at, excess);
+        const Model& model = learning.model();
+        best = fit(model, measured, at);
+        // Once more with the weights of the answer itself.
+        best = fit(model, measured, best.parameters);
+        if (report) {
+            report(round, best);
+        }
+        excess = excess_of(best);
+        const bool done =
+            round >= options.fewest_rounds && settled(best) && excess <= 1 && learning.confirmed();
+        at = best.parameters;
+        // What the readings do not determine, more simulation cannot.
+        if (done || (round >= options.fewest_rounds && !best.converged)) {
+            return best;
+        }
+    }
+    if (options.most_rounds == 1) {
+        return best;
+    }
+    best.converged = false;
+    best.message = "the parameters had not settled after the last round of simulations";
+    return best;
+}
+
+}  // namespace pendular

@@ -1,0 +1,53 @@
+#include "calib/fit/study_model.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "calib/fit/calibration.h"
+
+namespace pendular {
+namespace {
+
+std::shared_ptr<const EmulatedSimulation> simulation_of(const Study& study, const Calibration& c) {
+    const double structure_stiffness =
+        c.cold ? c.fidelity.stiffness_number : emulated::reference_stiffness;
+    return std::make_shared<EmulatedSimulation>(study, c.fidelity,
+                                                Emulator(c.runs, c.scales, structure_stiffness));
+}
+
+}  // namespace
+
+StudyModel::StudyModel(const ResolvedStudy& study,
+                       std::shared_ptr<const EmulatedSimulation> simulation)
+    : study_(study),
+      simulation_(std::move(simulation)),
+      model_(assemble_model(study, simulation_, study.effects())) {
+    std::vector<const Effect*> of_flow = effects();
+    std::erase_if(of_flow, [](const Effect* effect) { return effect->of_instrument(); });
+    flow_ = assemble_model(study, simulation_, of_flow);
+}
+
+StudyModel::StudyModel(const ResolvedStudy& study, const Calibration& c)
+    : StudyModel(study, simulation_of(study, c)) {}
+
+ModelOfReadings StudyModel::at(const std::vector<Reading>& readings) const {
+    return {model_, conditions_of(readings), direct()};
+}
+
+Eigen::VectorXd StudyModel::flow_parameters(const Eigen::VectorXd& parameters) const {
+    const std::vector<Parameter>&all = model_->parameters(), &own = flow_->parameters();
+    Eigen::VectorXd values(std::ssize(own));
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+        const std::string& name = own[static_cast<std::size_t>(k)].name;
+        values(k) = parameters(std::ranges::find(all, name, &Parameter::name) - all.begin());
+    }
+    return values;
+}
+
+std::vector<EffectiveCondition> StudyModel::imposed(
+    const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions) const {
+    return flow_->imposed(flow_parameters(parameters), conditions);
+}
+
+}  // namespace pendular

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "calib/model/assemble_model.h"
+#include "calib/model/predictor.h"
+#include "sim/catalogue/resolved_study.h"
+
+namespace pendular {
+
+struct Calibration;
+
+/// The model of a study: the simulation behind it, the base that it names and its effects. A value;
+/// copies share what never changes.
+class StudyModel {
+  public:
+    StudyModel(const ResolvedStudy& study, std::shared_ptr<const EmulatedSimulation> simulation);
+    /// The model of a finished calibration, made again from its runs.
+    StudyModel(const ResolvedStudy& study, const Calibration& calibration);
+
+    /// What the instrument shows, all effects included.
+    const EffectModel& model() const { return *model_; }
+    std::shared_ptr<const EffectModel> predictor() const { return model_; }
+    const EmulatedSimulation& simulation() const { return *simulation_; }
+    /// The same model on an instrument that shows the truth: without the study's effects on the
+    /// instrument. What grains and liquid do is all in it.
+    const EffectModel& flow() const { return *flow_; }
+    /// model() at readings and, after them, the study's direct measurements.
+    ModelOfReadings at(const std::vector<Reading>& readings) const;
+    /// Values of the parameters of flow(), from values of those of model().
+    Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
+    /// Conditions as the study's effects on grains and liquid make them at these values of the
+    /// parameters of model(), where the instrument shows the truth.
+    std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
+                                            const std::vector<Condition>& conditions) const;
+    /// The effects that the study lists, in its order.
+    const std::vector<const Effect*>& effects() const { return study_.effects(); }
+    /// The study's direct measurements, which the model predicts too.
+    const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
+
+  private:
+    ResolvedStudy study_;
+    std::shared_ptr<const EmulatedSimulation> simulation_;
+    std::shared_ptr<const EffectModel> model_, flow_;
+};
+
+}  // namespace pendular

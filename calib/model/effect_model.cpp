@@ -1,0 +1,279 @@
+#include "calib/model/effect_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/catalogue/instrument.h"
+
+namespace pendular {
+namespace {
+
+/// Where a fit begins, of the size that matters: off neutral, where some effects have no slope.
+constexpr double start_share = 0.3;
+/// Step of the difference quotients, of the size that matters.
+constexpr double step_share = 1e-3;
+
+/// Of readings that tell no height: what they are taken at.
+constexpr double typical_solid_fraction = 0.6, typical_stress_ratio = 0.3;
+
+double start_of(const Effect& effect, const EffectParameter& p, const Study& study) {
+    if (effect.given_by_liquid && study.liquid) {
+        return effect.unlisted_value(study.liquid);
+    }
+    return std::clamp(p.neutral + start_share * p.matters, p.lower, p.upper);
+}
+
+}  // namespace
+
+/// What is truly there where readings are shown.
+struct EffectModel::Truths {
+    std::vector<ActiveEffect> effects;
+    std::vector<InstrumentMap> maps;          ///< one a reading; empty where none touches it
+    std::vector<CellState> states;            ///< likewise
+    std::vector<Condition> shown;             ///< as recorded
+    std::vector<EffectiveCondition> imposed;  ///< what the model inside is asked
+};
+
+EffectModel::EffectModel(std::shared_ptr<const FlowPredictor> inside, const Study& study,
+                         std::vector<const Effect*> effects)
+    : inside_(std::move(inside)),
+      study_(study),
+      effects_(std::move(effects)),
+      parameters_(inside_->parameters()) {
+    for (const Effect* effect : effects_) {
+        for (const EffectParameter& p : effect->parameters) {
+            if (!p.is_switch()) {
+                parameters_.push_back({.name = fmt::format("{}.{}", effect->name, p.name),
+                                       .unit = p.unit,
+                                       .lower = p.lower,
+                                       .upper = p.upper,
+                                       .start = start_of(*effect, p, study)});
+            }
+        }
+    }
+}
+
+std::vector<ActiveEffect> EffectModel::effects_at(const Eigen::VectorXd& parameters) const {
+    std::vector<ActiveEffect> active;
+    auto next = static_cast<Eigen::Index>(inside_->parameters().size());
+    for (const Effect* effect : effects_) {
+        std::vector<double> values;
+        for (const EffectParameter& p : effect->parameters) {
+            values.push_back(p.is_switch() ? 1 : parameters(next++));
+        }
+        active.push_back({effect, std::move(values)});
+    }
+    return active;
+}
+
+EffectModel::Truths EffectModel::truths_at(const Eigen::VectorXd& parameters,
+                                           const std::vector<Condition>& conditions) const {
+    Truths truths{.effects = effects_at(parameters),
+                  .maps = {},
+                  .states = {},
+                  .shown = conditions,
+                  .imposed = {}};
+    for (const Condition& condition : conditions) {
+        Condition imposed = condition;
+        InstrumentMap map(touching(truths.effects, condition.dry()));
+        CellState state;
+        if (!map.empty()) {
+            state =
+                map.truth(shown_state(condition, typical_stress_ratio * condition.normal_stress,
+                                      typical_solid_fraction, study_.cell.value(), study_.grains));
+            imposed = true_condition(condition, state, map);
+        }
+        truths.imposed.push_back(changed_condition(imposed, truths.effects, study_.liquid));
+        truths.maps.push_back(std::move(map));
+        truths.states.push_back(state);
+    }
+    return truths;
+}
+
+std::vector<EffectiveCondition> EffectModel::imposed(
+    const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions) const {
+    return truths_at(parameters, conditions).imposed;
+}
+
+Eigen::VectorXd EffectModel::shown(const Truths& truths, const Eigen::VectorXd& predicted) const {
+    Eigen::VectorXd result = predicted;
+    for (std::size_t k = 0; k < truths.maps.size(); ++k) {
+        const auto at = 2 * static_cast<Eigen::Index>(k);
+        Eigen::Vector2d reading = predicted.segment<2>(at);
+        const Condition& imposed = truths.imposed[k];
+        for (const ActiveEffect& active : touching(truths.effects, truths.shown[k].dry())) {
+            if (const auto* change = std::get_if<ChangeFlow>(&active.effect->change)) {
+                const FlowPoint point = change->change(
+                    {reading(0) / imposed.normal_stress, reading(1)}, imposed, active.by_name());
+                reading << point.stress_ratio * imposed.normal_stress, point.solid_fraction;
+            }
+        }
+        if (!truths.maps[k].empty()) {
+            reading = shown_reading(reading, truths.states[k], truths.maps[k], study_.cell.value());
+        }
+        result.segment<2>(at) = reading;
+    }
+    return result;
+}
+
+Eigen::MatrixXd EffectModel::shown_by_predicted(const Truths& truths,
+                                                const Eigen::VectorXd& predicted) const {
+    // Of each reading by its own two predictions.
+    const Eigen::Index n = predicted.size();
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(n, n);
+    constexpr double step = 1e-5;
+    for (const Eigen::Index of : {0, 1}) {
+        Eigen::VectorXd above = predicted, below = predicted;
+        for (Eigen::Index k = of; k < n; k += 2) {
+            above(k) *= 1 + step;
+            below(k) *= 1 - step;
+        }
+        const Eigen::VectorXd difference = shown(truths, above) - shown(truths, below);
+        for (Eigen::Index k = 0; k < n; k += 2) {
+            slopes.block<2, 1>(k, k + of) =
+                difference.segment<2>(k) / (above(k + of) - below(k + of));
+        }
+    }
+    return slopes;
+}
+
+void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
+                             const std::vector<Condition>& conditions, const Truths& truths,
+                             const Eigen::VectorXd& predicted, Prediction& result) const {
+    const auto inside = static_cast<Eigen::Index>(inside_->parameters().size());
+    const Eigen::VectorXd own = inside_parameters(parameters);
+    const auto values_at = [&](const Eigen::VectorXd& at) {
+        // The model inside is asked only for what has changed.
+        const Truths there = truths_at(at, conditions);
+        const Eigen::VectorXd own_there = inside_parameters(at);
+        std::vector<EffectiveCondition> changed;
+        std::vector<Eigen::Index> places;
+        for (std::size_t k = 0; k < conditions.size(); ++k) {
+            if (own_there != own || !(there.imposed[k] == truths.imposed[k])) {
+                changed.push_back(there.imposed[k]);
+                places.push_back(2 * static_cast<Eigen::Index>(k));
+            }
+        }
+        Eigen::VectorXd values = predicted;
+        if (!changed.empty()) {
+            const Eigen::VectorXd anew =
+                inside_->predict_flow(own_there, changed, Ask::values).value;
+            for (std::size_t k = 0; k < places.size(); ++k) {
+                values.segment<2>(places[k]) = anew.segment<2>(2 * static_cast<Eigen::Index>(k));
+            }
+        }
+        return shown(there, values);
+    };
+    const auto quotient = [&](Eigen::Index k, double step) {
+        const Parameter& p = parameters_[static_cast<std::size_t>(k)];
+        Eigen::VectorXd above = parameters, below = parameters;
+        above(k) = std::min(parameters(k) + step, p.upper);
+        below(k) = std::max(parameters(k) - step, p.lower);
+        return Eigen::VectorXd((values_at(above) - values_at(below)) / (above(k) - below(k)));
+    };
+    // The model inside knows its own slopes but for how effects on grains change with them.
+    const bool grains = std::ranges::any_of(effects_, &Effect::of_grains);
+    for (Eigen::Index k = 0; grains && k < inside; ++k) {
+        result.jacobian.col(k) = quotient(k, step_share * std::max(0.1, parameters(k)));
+    }
+    Eigen::Index next = inside;
+    for (const Effect* effect : effects_) {
+        for (const EffectParameter& p : effect->parameters) {
+            if (!p.is_switch()) {
+                result.jacobian.col(next) = quotient(next, step_share * p.matters);
+                ++next;
+            }
+        }
+    }
+}
+
+Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
+                                const std::vector<Condition>& conditions, Ask what) const {
+    const Truths truths = truths_at(parameters, conditions);
+    const Prediction inside =
+        inside_->predict_flow(inside_parameters(parameters), truths.imposed, what);
+    Prediction result{
+        .value = shown(truths, inside.value), .jacobian = {}, .covariance = {}, .run_noise = {}};
+    if (what == Ask::values) {
+        return result;
+    }
+    const Eigen::MatrixXd slopes = shown_by_predicted(truths, inside.value);
+    if (what == Ask::covariance) {
+        result.covariance = slopes * inside.covariance * slopes.transpose();
+        result.run_noise = slopes * inside.run_noise * slopes.transpose();
+    }
+    result.jacobian = Eigen::MatrixXd::Zero(inside.value.size(), parameters.size());
+    result.jacobian.leftCols(inside.jacobian.cols()) = slopes * inside.jacobian;
+    add_slopes(parameters, conditions, truths, inside.value, result);
+    return result;
+}
+
+ModelSpace::ChangeErrors EffectModel::change_errors(
+    const Eigen::VectorXd& parameters, const EffectModel& without,
+    const Eigen::VectorXd& parameters_without, const std::vector<Condition>& conditions) const {
+    const Truths here = truths_at(parameters, conditions);
+    const Truths there = without.truths_at(parameters_without, conditions);
+    const Eigen::VectorXd own = inside_parameters(parameters);
+    const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
+    const auto grains = [](const EffectModel& model) {
+        return std::ranges::count_if(model.effects_, &Effect::of_grains);
+    };
+    if (grains(*this) > grains(without)) {
+        const auto covariance = [&](const Truths& truths) {
+            const Prediction inside = inside_->predict_flow(own, truths.imposed);
+            const Eigen::MatrixXd slopes = shown_by_predicted(truths, inside.value);
+            return Eigen::MatrixXd(slopes * inside.run_noise * slopes.transpose());
+        };
+        return {covariance(here) - covariance(there), Eigen::MatrixXd::Zero(n, n)};
+    }
+    // Predictions without, then those of the conditions that are others with.
+    std::vector<EffectiveCondition> asked = there.imposed;
+    std::vector<Eigen::Index> place;  // of a reading's prediction with
+    for (std::size_t k = 0; k < here.imposed.size(); ++k) {
+        const bool same = here.imposed[k] == there.imposed[k];
+        place.push_back(static_cast<Eigen::Index>(same ? k : asked.size()));
+        if (!same) asked.push_back(here.imposed[k]);
+    }
+    const Prediction inside = inside_->predict_flow(own, asked);
+    Eigen::VectorXd with_values(n);
+    for (std::size_t k = 0; k < place.size(); ++k) {
+        with_values.segment<2>(2 * static_cast<Eigen::Index>(k)) =
+            inside.value.segment<2>(2 * place[k]);
+    }
+    const Eigen::MatrixXd with_slopes = shown_by_predicted(here, with_values);
+    const Eigen::MatrixXd slopes = without.shown_by_predicted(there, inside.value.head(n));
+    Eigen::MatrixXd with_by_asked = Eigen::MatrixXd::Zero(n, inside.value.size());
+    for (std::size_t k = 0; k < place.size(); ++k) {
+        with_by_asked.middleCols<2>(2 * place[k]) +=
+            with_slopes.middleCols<2>(2 * static_cast<Eigen::Index>(k));
+    }
+    Eigen::MatrixXd without_by_asked = Eigen::MatrixXd::Zero(n, inside.value.size());
+    without_by_asked.leftCols(n) = slopes;
+    const Eigen::MatrixXd change = with_by_asked - without_by_asked;
+    const Eigen::MatrixXd half = inside.covariance * change.transpose();
+    return {change * half, without_by_asked * half};
+}
+
+Supported EffectModel::supported() const {
+    Supported range = inside_->supported();
+    const Eigen::Index inside = range.lower.size();
+    const auto all = static_cast<Eigen::Index>(parameters_.size());
+    range.lower.conservativeResize(all);
+    range.upper.conservativeResize(all);
+    for (Eigen::Index k = inside; k < all; ++k) {
+        range.lower(k) = parameters_[static_cast<std::size_t>(k)].lower;
+        range.upper(k) = parameters_[static_cast<std::size_t>(k)].upper;
+    }
+    return range;
+}
+
+bool needs_joint_fit(const std::vector<const Effect*>& effects) {
+    return std::ranges::any_of(effects, [](const Effect* effect) {
+        return effect->touches != Touches::wet || !effect->is_switch();
+    });
+}
+
+}  // namespace pendular

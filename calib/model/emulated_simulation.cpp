@@ -1,0 +1,252 @@
+#include "calib/model/emulated_simulation.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "calib/emulator/emulated_observables.h"
+#include "calib/emulator/emulated_structure.h"
+#include "calib/model/study_state.h"
+#include "sim/catalogue/effect.h"
+
+namespace pendular {
+namespace {
+
+using dem::Observable;
+using emulated::pairs_at;
+
+/// States kept with their bridge volume: some hundred times the readings of a study.
+constexpr std::size_t most_filled = 20000;
+
+std::size_t hash_of(const FlowState& state, double liquid_content) {
+    std::size_t hash = 0;
+    const auto mix = [&](double value) {
+        hash = hash * 0x9e3779b97f4a7c15u + std::hash<double>()(value);
+    };
+    mix(liquid_content), mix(state.friction), mix(state.inertial_number);
+    mix(state.inverse_pressure);
+    for (const EffectValues& effect : state.effects) {
+        std::ranges::for_each(effect.values, mix);
+    }
+    return hash;
+}
+
+bool same_but_for_volume(const FlowState& a, const FlowState& b) {
+    return a.friction == b.friction && a.inertial_number == b.inertial_number &&
+           a.inverse_pressure == b.inverse_pressure && a.effects == b.effects;
+}
+
+}  // namespace
+
+EmulatedSimulation::EmulatedSimulation(const Study& study, const Fidelity& fidelity,
+                                       Emulator emulator)
+    : study_(study), fidelity_(fidelity), emulator_(std::move(emulator)) {}
+
+double EmulatedSimulation::allowed(double friction) const {
+    return std::clamp(friction, parameters_[0].lower, parameters_[0].upper);
+}
+
+FlowState EmulatedSimulation::filled(const FlowState& state, double liquid_content) const {
+    const std::size_t hash = hash_of(state, liquid_content);
+    {
+        const std::scoped_lock lock(memory_->mutex);
+        const auto [begin, end] = memory_->filled.equal_range(hash);
+        for (auto known = begin; known != end; ++known) {
+            if (known->second.liquid_content == liquid_content &&
+                same_but_for_volume(known->second.state, state)) {
+                return known->second.state;
+            }
+        }
+    }
+    FlowState result = state;
+    result.bridge_volume = bridge_volume_of(emulator_, liquid_content, state);
+    const std::scoped_lock lock(memory_->mutex);
+    if (memory_->filled.size() >= most_filled) {
+        memory_->filled.clear();
+    }
+    memory_->filled.emplace(hash, Filled{liquid_content, result});
+    return result;
+}
+
+FlowState EmulatedSimulation::state_of(double friction, const EffectiveCondition& condition) const {
+    FlowState state{allowed(friction + condition.friction_difference), condition.inertial_number};
+    for (const EffectValues& effect : condition.grain_effects) {
+        state.effects.push_back(in_run_units(effect, condition.normal_stress, study_.grains));
+    }
+    if (!condition.dry()) {
+        state.inverse_pressure = inverse_pressure_of(condition, study_);
+        state = filled(state, condition.liquid_content);
+    }
+    return state;
+}
+
+StructureResponse EmulatedSimulation::at_constant_content(StructureResponse response,
+                                                          const FlowState& state) const {
+    const StructureResponse z = coordination(emulator_, state);
+    response.by_friction -= response.by_log_volume * z.by_friction / (z.value + z.by_log_volume);
+    return response;
+}
+
+StructureResponse EmulatedSimulation::effective_coordination(
+    double friction, const EffectiveCondition& condition) const {
+    const FlowState state = state_of(friction, condition);
+    return at_constant_content(respond(emulator_, {Observable::effective_coordination}, state),
+                               state);
+}
+
+StructureResponse EmulatedSimulation::capillary_shear_stress(
+    double friction, const EffectiveCondition& condition) const {
+    const FlowState state = state_of(friction, condition);
+    StructureResponse stress =
+        at_constant_content(respond(emulator_, {Observable::capillary_shear_stress}, state), state);
+    stress.value /= state.inverse_pressure;  // over s22; wanted over F0/a^2
+    stress.by_friction /= state.inverse_pressure;
+    stress.by_log_volume /= state.inverse_pressure;
+    return stress;
+}
+
+struct EmulatedSimulation::Errors {
+    std::vector<Query> coordinations;  ///< two a wet condition
+    Eigen::MatrixXd by_coordination;   ///< derivatives of all predictions by those
+    Eigen::VectorXd stiffness;         ///< standard error of the correction, common to all
+};
+
+double EmulatedSimulation::stiffness_left(const EffectiveCondition& condition) const {
+    return stiffness_share(emulated::reference_stiffness, condition, study_.grains, fidelity_);
+}
+
+Prediction EmulatedSimulation::predict_slopes(const std::vector<FlowState>& states,
+                                              const std::vector<EffectiveCondition>& conditions,
+                                              Errors* errors) const {
+    const auto n = static_cast<Eigen::Index>(conditions.size());
+    // Stress ratio, solid fraction and overlap; by friction; by bridge volume.
+    std::vector<Query> queries;
+    for (const FlowState& state : states) {
+        for (const std::optional<Input> by :
+             {std::optional<Input>(), std::optional(Input::friction),
+              std::optional(Input::bridge_volume)}) {
+            for (const Observable which :
+                 {Observable::stress_ratio, Observable::solid_fraction, Observable::mean_overlap}) {
+                queries.push_back({state, which, by});
+            }
+        }
+    }
+    const Eigen::VectorXd said = emulator_.mean(queries);
+    Prediction prediction{.value = Eigen::VectorXd(2 * n),
+                          .jacobian = Eigen::MatrixXd(2 * n, 1),
+                          .covariance = {},
+                          .run_noise = {}};
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const EffectiveCondition& condition = conditions[static_cast<std::size_t>(k)];
+        const FlowState& state = states[static_cast<std::size_t>(k)];
+        const Eigen::Vector3d value = said.segment<3>(9 * k), slope = said.segment<3>(9 * k + 3);
+        const Eigen::Vector3d by_log_volume =
+            state.dry() ? Eigen::Vector3d::Zero()
+                        : Eigen::Vector3d(state.bridge_volume * said.segment<3>(9 * k + 6));
+        // From rigid beads to those of the study: of the shift at the reference stiffness a part
+        // 1 - share is there.
+        const double share = stiffness_left(condition);
+        const double shift = dem::rigidity_shift(value(1), value(2));
+        const auto with_stiffness = [&](const Eigen::Vector3d& change) {
+            return Eigen::Vector2d(
+                change(0),
+                change(1) + (1 - share) * shift * (change(1) / value(1) + change(2) / value(2)));
+        };
+        const Eigen::Vector2d volume_slope = with_stiffness(by_log_volume);
+        Eigen::Vector2d total = with_stiffness(slope);
+        const Eigen::Vector2d unit(condition.normal_stress, 1);
+        if (!state.dry()) {
+            const StructureResponse z = coordination(emulator_, state);
+            const double log_volume_by_coordination = -1 / (z.value + z.by_log_volume);
+            total += volume_slope * log_volume_by_coordination * z.by_friction;
+            if (errors != nullptr) {
+                const auto column = static_cast<Eigen::Index>(errors->coordinations.size());
+                errors->by_coordination.block<2, 1>(2 * k, column) =
+                    unit.cwiseProduct(volume_slope) * log_volume_by_coordination;
+                errors->by_coordination.col(column + 1) = errors->by_coordination.col(column);
+                errors->coordinations.push_back({state, Observable::contact_coordination});
+                errors->coordinations.push_back({state, Observable::distant_coordination});
+            }
+        }
+        prediction.value.segment<2>(2 * k) << unit(0) * value(0), value(1) + (1 - share) * shift;
+        prediction.jacobian.block<2, 1>(2 * k, 0) = unit.cwiseProduct(total);
+        if (errors != nullptr) {
+            errors->stiffness(2 * k + 1) =
+                share * shift * dem::rigidity_factor_error / dem::rigidity_factor;
+        }
+    }
+    return prediction;
+}
+
+Prediction EmulatedSimulation::predict_flow(const Eigen::VectorXd& parameters,
+                                            const std::vector<EffectiveCondition>& conditions,
+                                            Ask what) const {
+    std::vector<FlowState> states;
+    for (const EffectiveCondition& condition : conditions) {
+        states.push_back(state_of(parameters(0), condition));
+    }
+    switch (what) {
+        case Ask::values:
+            return {.value = predict_values(states, conditions),
+                    .jacobian = {},
+                    .covariance = {},
+                    .run_noise = {}};
+        case Ask::slopes:
+            return predict_slopes(states, conditions, nullptr);
+        default:
+            return predict_all(states, conditions);
+    }
+}
+
+Eigen::VectorXd EmulatedSimulation::predict_values(
+    const std::vector<FlowState>& states, const std::vector<EffectiveCondition>& conditions) const {
+    std::vector<Query> queries;
+    for (const FlowState& state : states) {
+        for (const Observable which :
+             {Observable::stress_ratio, Observable::solid_fraction, Observable::mean_overlap}) {
+            queries.push_back({state, which});
+        }
+    }
+    const Eigen::VectorXd said = emulator_.mean(queries);
+    const auto n = static_cast<Eigen::Index>(conditions.size());
+    Eigen::VectorXd values(2 * n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const EffectiveCondition& condition = conditions[static_cast<std::size_t>(k)];
+        const Eigen::Vector3d value = said.segment<3>(3 * k);
+        const double shift = dem::rigidity_shift(value(1), value(2));
+        values.segment<2>(2 * k) << condition.normal_stress * value(0),
+            value(1) + (1 - stiffness_left(condition)) * shift;
+    }
+    return values;
+}
+
+Prediction EmulatedSimulation::predict_all(
+    const std::vector<FlowState>& states, const std::vector<EffectiveCondition>& conditions) const {
+    const auto n = static_cast<Eigen::Index>(conditions.size());
+    Errors errors{.coordinations = {},
+                  .by_coordination = Eigen::MatrixXd::Zero(2 * n, 2 * n),
+                  .stiffness = Eigen::VectorXd::Zero(2 * n)};
+    Prediction prediction = predict_slopes(states, conditions, &errors);
+    Eigen::VectorXd unit = Eigen::VectorXd::Ones(2 * n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        unit(2 * k) = conditions[static_cast<std::size_t>(k)].normal_stress;
+    }
+    const auto through_volume =
+        errors.by_coordination.leftCols(static_cast<Eigen::Index>(errors.coordinations.size()));
+    prediction.run_noise =
+        unit.asDiagonal() * emulator_.covariance(pairs_at(states)) * unit.asDiagonal();
+    prediction.run_noise +=
+        through_volume * emulator_.covariance(errors.coordinations) * through_volume.transpose();
+    prediction.covariance = prediction.run_noise + errors.stiffness * errors.stiffness.transpose();
+    return prediction;
+}
+
+Supported EmulatedSimulation::supported() const {
+    const auto [least, greatest] = std::ranges::minmax(
+        emulator_.runs(), {}, [](const dem::RunResult& run) { return run.parameters.friction; });
+    return {Eigen::VectorXd::Constant(1, least.parameters.friction),
+            Eigen::VectorXd::Constant(1, greatest.parameters.friction)};
+}
+
+}  // namespace pendular

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+#include "calib/emulator/emulator.h"
+#include "calib/emulator/structure_response.h"
+#include "calib/model/predictor.h"
+#include "data/study/study.h"
+#include "sim/runs/fidelity.h"
+
+namespace pendular {
+
+/// The emulator as a predictor of dry and wet readings; its parameter is the friction.
+///
+/// A solid fraction is that of rigid beads less what the study's stiffness adds, known from the
+/// overlaps. A liquid content is turned into a bridge volume with the emulated coordination.
+class EmulatedSimulation : public FlowPredictor {
+  public:
+    EmulatedSimulation(const Study& study, const Fidelity& fidelity, Emulator emulator);
+
+    const std::vector<Parameter>& parameters() const override { return parameters_; }
+    Prediction predict_flow(const Eigen::VectorXd& parameters,
+                            const std::vector<EffectiveCondition>& conditions,
+                            Ask what = Ask::covariance) const override;
+    Supported supported() const override;
+
+    /// State to simulate for a condition: a wet one at the bridge volume that has its liquid
+    /// content.
+    FlowState state_of(double friction, const EffectiveCondition& condition) const;
+    /// A wet state with the bridge volume that this liquid content makes.
+    FlowState filled(const FlowState& state, double liquid_content) const;
+    /// Z* and a^2 s12cap/F0 at a wet condition; derivatives by friction at constant liquid content.
+    StructureResponse effective_coordination(double friction,
+                                             const EffectiveCondition& condition) const;
+    StructureResponse capillary_shear_stress(double friction,
+                                             const EffectiveCondition& condition) const;
+
+    const Emulator& emulator() const { return emulator_; }
+    /// The nearest friction that the parameter may take.
+    double allowed(double friction) const;
+
+  private:
+    /// What the errors of predictions are made of.
+    struct Errors;
+    Prediction predict_slopes(const std::vector<FlowState>& states,
+                              const std::vector<EffectiveCondition>& conditions,
+                              Errors* errors) const;
+    Eigen::VectorXd predict_values(const std::vector<FlowState>& states,
+                                   const std::vector<EffectiveCondition>& conditions) const;
+    Prediction predict_all(const std::vector<FlowState>& states,
+                           const std::vector<EffectiveCondition>& conditions) const;
+    /// Of the shift of the solid fraction at the reference stiffness, the part that the beads of a
+    /// reading do not show.
+    double stiffness_left(const EffectiveCondition& condition) const;
+    StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;
+
+    Study study_;
+    Fidelity fidelity_;
+    Emulator emulator_;
+    std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
+
+    /// Bridge volumes that `filled` found, which derivatives and covariances ask for again. They
+    /// are the same whoever asks first.
+    struct Filled {
+        double liquid_content;
+        FlowState state;
+    };
+    struct Memory {
+        std::mutex mutex;
+        std::unordered_multimap<std::size_t, Filled> filled;
+    };
+    std::unique_ptr<Memory> memory_ = std::make_unique<Memory>();
+};
+
+}  // namespace pendular

@@ -1,0 +1,28 @@
+#include "calib/model/model.h"
+
+#include <algorithm>
+
+namespace pendular {
+
+void widen(Eigen::MatrixXd& square, Eigen::Index by) {
+    if (square.size() == 0) return;  // not asked for
+    const Eigen::Index n = square.rows();
+    square.conservativeResize(n + by, n + by);
+    square.rightCols(by).setZero();
+    square.bottomRows(by).setZero();
+}
+
+std::optional<Eigen::Index> place_of(const DirectMeasurement& direct,
+                                     const std::vector<Parameter>& parameters) {
+    const auto found = std::ranges::find(parameters, direct.parameter, &Parameter::name);
+    if (found == parameters.end()) return std::nullopt;
+    return found - parameters.begin();
+}
+
+double predicted_value(const DirectMeasurement& direct, const std::vector<Parameter>& parameters,
+                       const Eigen::VectorXd& values) {
+    const auto place = place_of(direct, parameters);
+    return place ? values(*place) : direct.neutral;
+}
+
+}  // namespace pendular

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/reading.h"
+#include "sim/catalogue/direct_measurement.h"
+
+namespace pendular {
+
+/// A parameter that a fit may change.
+struct Parameter {
+    std::string name;
+    std::string unit = "1";
+    double lower = 0;
+    double upper = 0;
+    double start = 0;
+};
+
+/// What of a prediction is wanted; each includes those before it.
+enum class Ask { values, slopes, covariance };
+
+/// What a model says of n readings, and how sure it is. Entries 2 k and 2 k + 1 belong to reading
+/// k: its shear stress magnitude [Pa] and its solid fraction [1]. Where a model is asked for a
+/// study's direct measurements too, m entries follow, one each in its unit. What was not asked for
+/// is empty.
+struct Prediction {
+    Eigen::VectorXd value;     ///< 2 n + m
+    Eigen::MatrixXd jacobian;  ///< 2 n + m x parameters
+    /// 2 n + m squared, of `value`: noise of the runs and the error of every correction.
+    Eigen::MatrixXd covariance;
+    Eigen::MatrixXd run_noise;  ///< the part of `covariance` that more runs would reduce
+};
+
+/// Place of what was measured directly among parameters; none where it is not among them.
+std::optional<Eigen::Index> place_of(const DirectMeasurement& direct,
+                                     const std::vector<Parameter>& parameters);
+
+/// What a model with these parameters at these values says of a direct measurement: the parameter,
+/// or neutral where it has none of that name.
+double predicted_value(const DirectMeasurement& direct, const std::vector<Parameter>& parameters,
+                       const Eigen::VectorXd& values);
+
+/// Puts as many rows and columns of zeros to the end of a square matrix; an empty one stays so.
+void widen(Eigen::MatrixXd& square, Eigen::Index by);
+
+/// The range of parameters over which a model's predictions are supported by simulation.
+struct Supported {
+    Eigen::VectorXd lower, upper;
+};
+
+/// Predicts the readings of a study as functions of its parameters. The derivatives are those of
+/// the value returned, so that a least-squares solver never differentiates noise. A model never
+/// changes: any number of threads may ask it at once.
+class Model {
+  public:
+    virtual ~Model() = default;
+
+    virtual const std::vector<Parameter>& parameters() const = 0;
+
+    /// Predictions at `parameters` (in the order of parameters()).
+    virtual Prediction predict(const Eigen::VectorXd& parameters,
+                               Ask what = Ask::covariance) const = 0;
+
+    virtual Supported supported() const = 0;
+};
+
+}  // namespace pendular

@@ -1,0 +1,40 @@
+#include "calib/model/predictor.h"
+
+namespace pendular {
+
+Predictor::Point Predictor::predict_at(const Eigen::VectorXd& parameters,
+                                       const Condition& condition) const {
+    const Prediction prediction = predict(parameters, {condition});
+    const Eigen::Vector2d scale(1 / condition.normal_stress, 1);
+    return {scale.cwiseProduct(Eigen::Vector2d(prediction.value)),
+            scale.asDiagonal() * Eigen::Matrix2d(prediction.covariance) * scale.asDiagonal()};
+}
+
+Prediction FlowPredictor::predict(const Eigen::VectorXd& parameters,
+                                  const std::vector<Condition>& conditions, Ask what) const {
+    return predict_flow(parameters, without_effects(conditions), what);
+}
+
+Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,
+                       const std::vector<Parameter>& parameters, const Eigen::VectorXd& values) {
+    if (direct.empty()) return readings;
+    const auto more = static_cast<Eigen::Index>(direct.size());
+    const Eigen::Index n = readings.value.size();
+    readings.value.conservativeResize(n + more);
+    const bool slopes = readings.jacobian.size() > 0;
+    if (slopes) {
+        readings.jacobian.conservativeResize(n + more, Eigen::NoChange);
+        readings.jacobian.bottomRows(more).setZero();
+    }
+    widen(readings.covariance, more);
+    widen(readings.run_noise, more);
+    for (Eigen::Index k = 0; k < more; ++k) {
+        const DirectMeasurement& each = direct[static_cast<std::size_t>(k)];
+        readings.value(n + k) = predicted_value(each, parameters, values);
+        const auto place = place_of(each, parameters);
+        if (slopes && place) readings.jacobian(n + k, *place) = 1;
+    }
+    return readings;
+}
+
+}  // namespace pendular

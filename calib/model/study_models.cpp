@@ -1,0 +1,125 @@
+#include "calib/model/study_models.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "data/input_error.h"
+
+namespace pendular {
+
+Study StudyModels::with_all_effects(const ResolvedStudy& study) {
+    Study all = study;
+    all.model.effects.clear();
+    for (const Effect& effect : study.catalogue().all()) {
+        all.model.effects.push_back({effect.name, {}});
+    }
+    return all;
+}
+
+StudyModels::StudyModels(const ResolvedStudy& study, std::vector<Condition> conditions,
+                         const Fidelity& fidelity, KnownRuns known)
+    : study_(study), conditions_(std::move(conditions)) {
+    simulation_ = std::make_shared<EmulatedSimulation>(
+        study, fidelity, Emulator(known.runs, std::move(known.scales)));
+    known_range_ = std::make_unique<KnownRange>(simulation_->emulator());
+    const std::vector<const Effect*>& listed = study_.effects();
+    for (std::size_t k = 0; k < listed.size(); ++k) {
+        if (!told(*listed[k])) {
+            throw InputError(study_.study().model.effects[k].position,
+                             fmt::format("'effects': no known run has {} alone, so that the "
+                                         "emulator cannot tell what it does; 'pendular campaign' "
+                                         "makes such runs",
+                                         listed[k]->name));
+        }
+    }
+    for (const StatedDirect& stated : study_.study().direct) {
+        if (!told(study_.catalogue().find(stated.effect))) {
+            throw InputError(stated.effect_position,
+                             fmt::format("'effect': no known run has {} alone, so that the "
+                                         "emulator cannot tell what it does; 'pendular campaign' "
+                                         "makes such runs, or leave this entry out",
+                                         stated.effect));
+        }
+    }
+    for (const Effect& effect : study_.catalogue().all()) {
+        if (std::ranges::find(listed, &effect) == listed.end()) {
+            add_candidate(effect);
+        }
+    }
+}
+
+std::vector<std::string> StudyModels::why_unsupported(double friction) const {
+    std::vector<std::string> texts;
+    for (const Condition& condition : conditions_) {
+        const std::string text = why_unsupported(friction, condition);
+        if (!text.empty() && std::ranges::find(texts, text) == texts.end()) {
+            texts.push_back(text);
+        }
+    }
+    return texts;
+}
+
+std::string StudyModels::why_unsupported(double friction, const Condition& condition) const {
+    return known_range_->why_unsupported(simulation_->state_of(friction, condition));
+}
+
+bool StudyModels::told(const Effect& effect) const {
+    return !effect.of_grains() ||
+           std::ranges::any_of(simulation_->emulator().runs(), [&](const dem::RunResult& run) {
+               const auto& effects = run.parameters.effects;
+               return effects.size() == 1 && effects[0].effect == effect.name;
+           });
+}
+
+void StudyModels::add_candidate(const Effect& effect) {
+    if (const auto why = why_not(effect, study_)) {
+        left_aside_.push_back({effect.name, *why});
+    } else if (!told(effect)) {
+        left_aside_.push_back(
+            {effect.name, "no known run has it alone; 'pendular campaign' makes such runs", true});
+    } else {
+        Candidate candidate{effect.name, effect.parameters};
+        // Where it is on in any case, what may be wrong is the value that the study gives.
+        candidate.parameters.front().neutral = effect.unlisted_value(study_.study().liquid);
+        offered_.push_back(&effect);
+        candidates_.push_back(std::move(candidate));
+    }
+}
+
+std::shared_ptr<const EffectModel> StudyModels::predictor(const Choice& chosen) const {
+    std::vector<const Effect*> effects = study_.effects();
+    for (const std::size_t k : chosen) {
+        effects.push_back(offered_.at(k));
+    }
+    return assemble_model(study_, simulation_, effects);
+}
+
+std::shared_ptr<const Model> StudyModels::with(const Choice& chosen) const {
+    return std::make_shared<ModelOfReadings>(predictor(chosen), conditions_, direct());
+}
+
+ModelSpace::ChangeErrors StudyModels::change_errors(const Choice& chosen,
+                                                    const Eigen::VectorXd& parameters,
+                                                    std::size_t added, double value) const {
+    if (offered_[added]->of_closure()) {
+        return {};  // of the terms of a closure, which are known far better than what they add to
+    }
+    Choice more = chosen;
+    more.push_back(added);
+    Eigen::VectorXd with_it = parameters;
+    if (!candidates_[added].is_switch()) {
+        with_it.conservativeResize(parameters.size() + 1);
+        with_it(parameters.size()) = value;
+    }
+    ChangeErrors errors =
+        predictor(more)->change_errors(with_it, *predictor(chosen), parameters, conditions_);
+    // No error of the simulation is in a direct measurement.
+    widen(errors.change, std::ssize(direct()));
+    widen(errors.with_without, std::ssize(direct()));
+    return errors;
+}
+
+}  // namespace pendular

@@ -1,0 +1,30 @@
+#include "calib/model/study_state.h"
+
+namespace pendular {
+
+double inverse_pressure_of(const EffectiveCondition& condition, const Study& study) {
+    const Liquid& liquid = condition.liquid ? *condition.liquid : study.liquid.value();
+    return 1 / reduced_pressure(condition.normal_stress, study.grains, liquid);
+}
+
+dem::RunParameters run_at(const FlowState& state, const Study& study, const Fidelity& fidelity) {
+    dem::RunParameters run{.friction = state.friction,
+                           .inertial_number = state.inertial_number,
+                           .stiffness_number = fidelity.stiffness_number,
+                           .poisson_ratio = study.grains.poisson_ratio,
+                           .beads = fidelity.beads,
+                           .strain = fidelity.strain,
+                           .effects = state.effects};
+    if (!state.dry()) {
+        run.wetting = {1 / state.inverse_pressure, state.bridge_volume, study.model.bridge_force};
+    }
+    return run;
+}
+
+double stiffness_share(double simulated, const Condition& condition, const Grains& grains,
+                       const Fidelity& fidelity) {
+    const auto studied = stiffness_number(condition.normal_stress, grains);
+    return 1 - simulated / studied.value_or(fidelity.stiffness_number);
+}
+
+}  // namespace pendular

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "calib/emulator/basis.h"
+#include "data/study/study.h"
+#include "sim/catalogue/effective_condition.h"
+#include "sim/dem/run.h"
+#include "sim/runs/fidelity.h"
+
+namespace pendular {
+
+/// 1/P* of a wet condition, with the liquid that effects make of the study's.
+double inverse_pressure_of(const EffectiveCondition& condition, const Study& study);
+
+/// A run of the beads of a study at a state, without a seed; over the fidelity's strain.
+dem::RunParameters run_at(const FlowState& state, const Study& study, const Fidelity& fidelity);
+
+/// Share of the rigidity shift of runs of a stiffness number that separates them from the beads of
+/// the study at a condition [1]; from those of the fidelity, where the study names no modulus.
+double stiffness_share(double simulated, const Condition& condition, const Grains& grains,
+                       const Fidelity& fidelity);
+
+}  // namespace pendular

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pendular {
+
+/// A parameter of an effect.
+struct EffectParameter {
+    std::string name;  ///< "on": a switch, 0 or 1
+    std::string unit = "1";
+    double lower = 0, upper = 1;  ///< [unit]
+    double neutral = 0;           ///< value at which the effect is gone [unit]
+    double matters = 1;           ///< how far from neutral it would matter to a user [unit]
+    std::string meaning;
+    /// What the effect grows with in proportion, as a function of the value; itself where empty. It
+    /// must not have a zero slope at neutral, as 1 - cos has.
+    double (*amplitude)(double value) = nullptr;
+    /// Of an effect on grains that acts only as far as friction lets it: what flow responds to in
+    /// proportion, 0 at neutral and greatest at `upper`. The emulator learns responses by it.
+    double (*felt)(double value, double friction) = nullptr;
+
+    bool is_switch() const { return name == "on"; }
+};
+
+/// The parameter of a switch.
+EffectParameter on_switch(std::string meaning);
+
+/// Values of the parameters of an effect.
+struct EffectValues {
+    std::string effect;          ///< its name
+    std::vector<double> values;  ///< in the order of its parameters
+
+    bool operator==(const EffectValues&) const = default;
+};
+
+/// Values of an effect's parameters, by name; a view.
+class Values {
+  public:
+    Values(std::span<const EffectParameter> parameters, std::span<const double> values)
+        : parameters_(parameters), values_(values) {}
+
+    /// Value of the parameter of that name, in its unit; aborts if there is none, since names in
+    /// the program are constants.
+    double operator[](std::string_view name) const;
+
+  private:
+    std::span<const EffectParameter> parameters_;
+    std::span<const double> values_;
+};
+
+}  // namespace pendular

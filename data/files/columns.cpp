@@ -1,0 +1,207 @@
+#include "data/files/columns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "data/files/resolution.h"
+#include "data/quantities/number.h"
+#include "data/quantities/units.h"
+
+namespace pendular {
+namespace {
+
+/// rate a sqrt(rho/s22) over rate sqrt(m/(a s22)), m = rho pi a^3/6.
+const double diameter_density_convention = std::sqrt(6 / std::numbers::pi);
+
+/// Factor for an angular velocity whose unit has no angle: 1/s is rad/s by SI, while instruments
+/// that show a speed in 1/min, and all that show a frequency in Hz, mean revolutions. Other
+/// combinations could mean either.
+double angle_left_out(const Quantity& quantity, const Unit& unit) {
+    const bool frequency = unit.spelling().ends_with("Hz");
+    if (quantity.name == "rotational_speed" || frequency) return 2 * std::numbers::pi;
+    if (unit.to_si(1) == 1) return 1;
+    throw std::invalid_argument(
+        fmt::format("'{}' leaves open whether it counts turns or radians; write 'rpm' or 'rad/min'",
+                    unit.spelling()));
+}
+
+/// Factor besides the unit's own from a column's numbers to the quantity it is read as.
+/// @throws std::invalid_argument for a unit of the wrong dimension
+double further_factor(const Quantity& quantity, const Unit& unit) {
+    const bool angular = quantity.unit == "rad/s" || quantity.unit == "turn/s";
+    if (angular && unit.same_dimension(Unit("1/s"))) return angle_left_out(quantity, unit);
+    const Unit expected(quantity.unit);
+    if (!unit.same_dimension(expected))
+        throw std::invalid_argument(wrong_dimension(unit, expected));
+    return quantity.name == "inertial_number_diameter_density" ? 1 / diameter_density_convention
+                                                               : 1;
+}
+
+/// The name a column is read as: both conventions of a quantity are one.
+std::string_view read_as(const Quantity& quantity) {
+    if (quantity.name == "inertial_number_diameter_density") return "inertial_number";
+    if (quantity.name == "rotational_speed") return "angular_velocity";
+    return quantity.name;
+}
+
+}  // namespace
+
+Columns::Columns(const Table& table) : table_(table) {
+    for (std::size_t i = 0; i < table.header.cells.size(); ++i)
+        add(i);
+}
+
+void Columns::add(std::size_t index) {
+    const HeaderCell cell = parse_header_cell(table_.header.cells[index].text);
+    const Quantity* const quantity = find_quantity(cell.name);
+    if (!quantity) {
+        unknown_.push_back(index);
+        return;
+    }
+    Column column{.name = read_as(*quantity), .deviation = cell.deviation, .index = index};
+    if (!quantity->unit.empty()) {  // else a column of text
+        try {
+            const Unit unit(unit_of(cell, *quantity));
+            const double further = further_factor(*quantity, unit);
+            column.offset = cell.deviation ? 0 : further * unit.to_si(0);
+            column.factor = further * (unit.to_si(1) - unit.to_si(0));
+        } catch (const std::invalid_argument& error) {
+            column.wrong =
+                fmt::format("column '{}': {}", table_.header.cells[index].text, error.what());
+        }
+    }
+    columns_.push_back(column);
+}
+
+std::string Columns::unit_of(const HeaderCell& cell, const Quantity& quantity) const {
+    if (!cell.unit.empty() || quantity.unit == "1") return cell.unit;
+    if (cell.deviation) {
+        for (const Cell& other : table_.header.cells) {
+            const HeaderCell value = parse_header_cell(other.text);
+            if (!value.deviation && find_quantity(value.name) == &quantity) return value.unit;
+        }
+    }
+    throw std::invalid_argument(
+        fmt::format("has no unit; write '{} [{}]'", cell.name, quantity.unit));
+}
+
+const Columns::Column* Columns::find(std::string_view name, bool deviation) const {
+    const Column* found = nullptr;
+    for (const Column& column : columns_) {
+        if (column.name != name || column.deviation != deviation) continue;
+        if (!column.wrong.empty()) throw InputError(table_.at_header(column.index), column.wrong);
+        if (found)
+            throw InputError(table_.at_header(column.index),
+                             fmt::format("'{}' and '{}' are the same quantity; remove one",
+                                         table_.header.cells[found->index].text,
+                                         table_.header.cells[column.index].text));
+        found = &column;
+    }
+    return found;
+}
+
+void Columns::require(std::string_view name) const {
+    if (!has(name)) refuse_missing(fmt::format("'{} [{}]'", name, quantity(name).unit));
+}
+
+std::string_view Columns::require_one_of(std::string_view first, std::string_view second) const {
+    if (has(first) && has(second))
+        throw InputError(table_.at_header(find(second, false)->index),
+                         fmt::format("both '{}' and '{}' are given; remove one", first, second));
+    if (!has(first) && !has(second))
+        refuse_missing(fmt::format("'{} [{}]' or '{} [{}]'", first, quantity(first).unit, second,
+                                   quantity(second).unit));
+    return has(first) ? first : second;
+}
+
+void Columns::refuse_missing(std::string_view wanted) const {
+    std::vector<std::string> found;
+    for (const Cell& cell : table_.header.cells)
+        found.push_back(cell.text);
+    throw InputError(
+        {table_.file, table_.header.line},
+        fmt::format("column {} is missing; the header has '{}'", wanted, fmt::join(found, "', '")));
+}
+
+double Columns::number(const Row& row, const Column& column) const {
+    const std::string& text = row.cells[column.index].text;
+    if (const auto value = parse_number(text)) return column.factor * *value + column.offset;
+    std::string wrong =
+        fmt::format("\"{}\" is not a finite number; correct it or remove the line", text);
+    if (text.empty()) wrong = "the cell is empty; fill it in or remove the line";
+    if (has_decimal_comma(text)) {
+        std::ptrdiff_t others = -1;
+        for (const Row& each : table_.rows)
+            others += std::count_if(each.cells.begin(), each.cells.end(),
+                                    [](const Cell& cell) { return has_decimal_comma(cell.text); });
+        wrong = fmt::format(
+            "\"{}\" is not a number with decimal point '.'; this file uses ',' in "
+            "{} other cells: export it with decimal points",
+            text, others);
+    }
+    throw InputError(table_.at(row, column.index),
+                     fmt::format("column '{}': {}", table_.header.cells[column.index].text, wrong));
+}
+
+double Columns::value(const Row& row, std::string_view name) const {
+    return number(row, *find(name, false));
+}
+
+std::optional<double> Columns::value_if_any(const Row& row, std::string_view name) const {
+    const Column* const column = find(name, false);
+    if (!column || row.cells[column->index].text.empty()) return std::nullopt;
+    return number(row, *column);
+}
+
+std::optional<double> Columns::deviation(const Row& row, std::string_view name) const {
+    const Column* const column = find(name, true);
+    if (!column || row.cells[column->index].text.empty()) return std::nullopt;
+    const double result = number(row, *column);
+    if (result <= 0)
+        throw InputError(table_.at(row, column->index),
+                         fmt::format("column '{}': a standard deviation must be positive; leave "
+                                     "the cell empty where it is not known",
+                                     table_.header.cells[column->index].text));
+    return result;
+}
+
+std::vector<double> Columns::resolutions(std::string_view name) const {
+    std::vector<double> result(table_.rows.size(), 0.0);
+    const Column* column = find(name, false);
+    if (!column) return result;
+    std::vector<std::string_view> cells;
+    for (const Row& row : table_.rows)
+        cells.push_back(row.cells[column->index].text);
+    const Digits digits = digits_of(cells);
+    for (std::size_t k = 0; k < result.size(); ++k) {
+        if (cells[k].empty()) continue;
+        const double written = (number(table_.rows[k], *column) - column->offset) / column->factor;
+        result[k] = resolution_of(written, digits) * column->factor;
+    }
+    return result;
+}
+
+Position Columns::at(const Row& row, std::string_view name) const {
+    const Column* const column = find(name, false);
+    return column ? table_.at(row, column->index) : Position{table_.file, row.line, 0};
+}
+
+std::vector<std::string> Columns::others(const std::vector<std::string_view>& used) const {
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < table_.header.cells.size(); ++i) {
+        const std::string& text = table_.header.cells[i].text;
+        const bool known = std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
+            const std::string name =
+                fmt::format("{}{}", column.name, column.deviation ? "_sd" : "");
+            return column.index == i && std::find(used.begin(), used.end(), name) != used.end();
+        });
+        if (!known && !text.empty()) result.push_back(text);
+    }
+    return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,28 @@
+#include "data/files/json_text.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "data/input_error.h"
+
+namespace pendular {
+
+std::string json_text(const nlohmann::ordered_json& object, int indent) {
+    nlohmann::ordered_json document = {{"format", json_format}};
+    document.update(object);
+    return document.dump(indent) + '\n';
+}
+
+void check_json_format(const nlohmann::ordered_json& object, const std::filesystem::path& file,
+                       std::string_view advice) {
+    const auto format = object.find("format");
+    if (format != object.end() && *format != json_format) {
+        throw InputError({file.string()},
+                         fmt::format("This file has the format {}, and this version of pendular "
+                                     "reads the format {}; update pendular, or {}",
+                                     format->dump(), json_format, advice));
+    }
+}
+
+}  // namespace pendular

@@ -1,0 +1,91 @@
+#include "data/files/write_tables.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "data/files/csv.h"
+#include "data/files/text_file.h"
+#include "data/quantities/quantity.h"
+
+namespace pendular {
+namespace {
+
+/// The shortest text that reads back as the same number; empty for what is not known.
+std::string known(double value) {
+    return value == 0 ? "" : fmt::format("{}", value);
+}
+
+std::string header(std::string_view name, std::string_view suffix = "") {
+    return fmt::format("{}{} [{}]", name, suffix, quantity(name).unit);
+}
+
+std::string file_from(const std::filesystem::path& written, const std::string& file) {
+    const std::filesystem::path folder = written.has_parent_path() ? written.parent_path() : ".";
+    return csv_cell(std::filesystem::proximate(file, folder).string());
+}
+
+std::string reading_row(const Reading& reading, const std::filesystem::path& path) {
+    const double stress_error = std::sqrt(reading.covariance(0, 0));
+    const double fraction_error = std::sqrt(reading.covariance(1, 1));
+    const double errors = stress_error * fraction_error;
+    const std::vector<std::string> cells = {
+        fmt::format("{}", reading.condition.normal_stress),
+        fmt::format("{}", reading.value(0)),
+        known(stress_error),
+        fmt::format("{}", reading.value(1)),
+        known(fraction_error),
+        known(errors > 0 ? reading.covariance(0, 1) / errors : 0),
+        known(reading.shear_rate),
+        fmt::format("{}", reading.condition.inertial_number),
+        fmt::format("{}", reading.condition.liquid_content),
+        known(reading.condition.height.value_or(0)),
+        known(reading.sampled_seconds),
+        fmt::format("{}", reading.replicates),
+        fmt::format("{}", reading.error_assumed ? 1 : 0),
+        file_from(path, reading.origin.file),
+        fmt::format("{}", reading.origin.line),
+        known(reading.step),
+        known(reading.condition.time),
+        known(reading.condition.bead_volume.value_or(0))};
+    return fmt::format("{}\n", fmt::join(cells, ","));
+}
+
+}  // namespace
+
+void write_readings(const std::filesystem::path& path, const Measurements& measurements) {
+    const std::vector<std::string> headers = {header("normal_stress"),
+                                              header("shear_stress"),
+                                              header("shear_stress", "_sd"),
+                                              header("solid_fraction"),
+                                              header("solid_fraction", "_sd"),
+                                              header("error_correlation"),
+                                              header("shear_rate"),
+                                              header("inertial_number"),
+                                              header("liquid_content"),
+                                              header("height"),
+                                              header("sampled_seconds"),
+                                              header("replicates"),
+                                              header("error_assumed"),
+                                              "file",
+                                              header("line"),
+                                              header("interval"),
+                                              header("time"),
+                                              header("bead_volume")};
+    std::string text = fmt::format("{}\n", fmt::join(headers, ","));
+    for (const Reading& reading : measurements.readings)
+        text += reading_row(reading, path);
+    write_whole(path, text);
+}
+
+void write_excluded(const std::filesystem::path& path, const Measurements& measurements) {
+    std::string text = "file,first_line,last_line,reason\n";
+    for (const Excluded& each : measurements.excluded)
+        text += fmt::format("{},{},{},{}\n", file_from(path, each.origin.file), each.origin.line,
+                            each.last_line, csv_cell(each.reason));
+    write_whole(path, text);
+}
+
+}  // namespace pendular

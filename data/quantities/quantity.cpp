@@ -1,0 +1,169 @@
+#include "data/quantities/quantity.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <string>
+
+namespace pendular {
+namespace {
+
+const std::vector<Quantity>& table() {
+    static const std::vector<Quantity> all = {
+        // What is imposed on a sample.
+        {"normal_stress",
+         "σ22",
+         "Pa",
+         "normal stress in the direction of the velocity gradient",
+         {"normal pressure", "sigma", "sigma n", "sigma22", "s22", "σ", "σn", "σ22", "pressure"}},
+        {"shear_rate",
+         "γ̇",
+         "1/s",
+         "shear rate at the mean radius",
+         {"gamma dot", "γ̇", "strain rate"}},
+        {"inertial_number", "I", "1", "shear rate times sqrt(m/(a s22))", {"I"}},
+        {"inertial_number_diameter_density", "I", "1",
+         "shear rate times a sqrt(density/s22), sqrt(6/pi) times the inertial number"},
+        {"liquid_content",
+         "Φ_L/Φ_S",
+         "1",
+         "liquid volume over bead volume",
+         {"liquid fraction", "phi_L/phi_S", "moisture"}},
+        {"height",
+         "H",
+         "m",
+         "height of the sample between base and lid",
+         {"gap", "H", "h", "cell height", "sample height", "gap height"}},
+        {"bead_volume", "V_S", "m^3", "volume of the beads in the cell", {"bead volume", "V_S"}},
+        {"reduced_pressure", "P*", "1", "a^2 s22 over the pull-off force of a bridge", {"P*"}},
+        {"stiffness_number", "κ", "1", "(E/(1 - nu^2)/s22)^(2/3)", {"kappa", "κ"}},
+        {"bridge_volume", "V0/a³", "1", "volume of a liquid bridge over a^3"},
+        // What is measured or predicted.
+        {"shear_stress",
+         "|σ12|",
+         "Pa",
+         "magnitude of the shear stress",
+         {"tau", "τ", "sigma12", "s12", "σ12", "|σ12|"}},
+        {"stress_ratio",
+         "μ*",
+         "1",
+         "shear stress over normal stress",
+         {"mu*", "μ*", "µ*", "apparent friction", "effective friction"}},
+        {"solid_fraction",
+         "Φ_S",
+         "1",
+         "bead volume over sample volume",
+         {"phi", "φ", "Φ", "phi_S", "Φ_S", "packing fraction", "volume fraction"}},
+        {"error_correlation", "r", "1",
+         "correlation between the errors of shear stress and solid fraction"},
+        {"friction", "μ", "1", "friction coefficient between beads", {"mu", "μ", "µ"}},
+        {"contact_coordination", "Z_c", "1", "mean number of contacts of a bead"},
+        {"distant_coordination", "Z_d", "1", "mean number of bridges without contact of a bead"},
+        {"distant_force", "F_d/F0", "1",
+         "mean force of bridges without contact over pull-off force"},
+        {"fabric_12_contact", "F12c", "1", "signed mean of n1 n2 over contacts"},
+        {"fabric_12_distant", "F12d", "1", "signed mean of n1 n2 over bridges without contact"},
+        {"capillary_stress_22", "σ22cap/σ22", "1", "capillary part of the normal stress over it"},
+        {"capillary_shear_stress", "σ12cap/σ22", "1", "capillary shear stress over normal stress"},
+        {"capillary_shear_stress_contact", "σ12cap,c/σ22", "1",
+         "capillary shear stress of contacts over normal stress"},
+        {"capillary_shear_stress_distant", "σ12cap,d/σ22", "1",
+         "capillary shear stress of bridges without contact over normal stress"},
+        {"force_anisotropy_12_contact", "F12cf", "1",
+         "anisotropy of the elastic normal force of contacts in n1 n2"},
+        {"force_anisotropy_12_distant", "F12df", "1",
+         "anisotropy of the force of bridges without contact in n1 n2"},
+        {"length_anisotropy_12_distant", "F12dl", "1",
+         "anisotropy of the length of bridges without contact in n1 n2"},
+        {"contact_force", "F_N/(a²σ22)", "1", "mean elastic normal force of contacts over a^2 s22"},
+        {"distant_force_gap", "<F h>_d/(F0 a)", "1",
+         "mean of force times gap of bridges without contact over F0 a"},
+        {"distant_length", "l0/a", "1",
+         "mean distance of centres of bridges without contact over the diameter"},
+        {"effective_coordination", "Z*", "1",
+         "contacts plus bridges without contact weighted by their force over F0"},
+        {"capillary_pressure", "Pcap/σ22", "1", "capillary part of the mean stress over s22"},
+        {"localization", "Δ", "1", "0 for uniform shear, 1 for an infinitely thin band"},
+        {"first_normal_stress_difference", "N1", "1", "(s11 - s22)/s22"},
+        {"second_normal_stress_difference", "N2", "1", "(s22 - s33)/s22"},
+        {"overlap", "h/a", "1", "mean overlap of contacts over the bead diameter"},
+        {"bond_order", "Q6", "1", "0 for random directions of contacts, 0.57 for an fcc crystal"},
+        {"held_normal_stress", "σ22/σ22 set", "1",
+         "normal stress of the simulated sample over the imposed one"},
+        {"dissipation_friction", "μ*_friction", "1",
+         "part of the stress ratio that sliding contacts dissipate"},
+        {"dissipation_viscosity", "μ*_viscosity", "1",
+         "part of the stress ratio that the viscous force of contacts dissipates"},
+        {"dissipation_bridges", "μ*_bridges", "1",
+         "part of the stress ratio lost where bridges form"},
+        {"dissipation_springs", "μ*_springs", "1",
+         "part of the stress ratio lost by tangential springs without sliding"},
+        {"reduced_cohesion", "c*", "1", "a^2 times the cohesion over the pull-off force"},
+        // What a rheometer records.
+        {"time", "t", "s", "time since the recording began", {"t", "elapsed time"}},
+        {"torque", "T", "N m", "torque on the lid", {"T", "M", "moment"}},
+        {"normal_force",
+         "F_N",
+         "N",
+         "normal force on the lid, compression positive",
+         {"F_N", "axial force", "force"}},
+        {"angular_velocity",
+         "ω",
+         "rad/s",
+         "angular velocity of the lid",
+         {"omega", "ω", "lid angular velocity", "angular speed", "rotation rate"}},
+        {"rotational_speed",
+         "n",
+         "turn/s",
+         "revolutions of the lid per time",
+         {"speed", "rotation speed", "rotary speed"}},
+        {"interval",
+         "",
+         "1",
+         "number of the step of constant set points",
+         {"step", "segment", "interval number", "step number"}},
+        // Where a reading comes from.
+        {"sampled_seconds", "", "s", "length of the steady part a reading was averaged over"},
+        {"replicates", "", "1", "readings of the same condition, this one included"},
+        {"error_assumed", "", "1", "1 where an error was assumed rather than measured"},
+        {"line", "", "1", "line of the file a reading was made from"},
+        {"file", "", "", "file a reading was made from"}};
+    return all;
+}
+
+/// A name without case and separators, so that "Normal force", "normal_force" and "NormalForce"
+/// are one. Bytes of other alphabets stay, and so does a single letter: T is a torque, t a time.
+std::string compact(std::string_view name) {
+    if (name.size() == 1) return std::string(name);
+    std::string result;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isspace(byte) || c == '_' || c == '-' || c == '.') continue;
+        result += static_cast<char>(std::tolower(byte));
+    }
+    return result;
+}
+
+}  // namespace
+
+std::span<const Quantity> quantities() {
+    return table();
+}
+
+const Quantity& quantity(std::string_view name) {
+    for (const Quantity& each : table())
+        if (each.name == name) return each;
+    std::abort();
+}
+
+const Quantity* find_quantity(std::string_view spelling) {
+    const std::string wanted = compact(spelling);
+    for (const Quantity& each : table()) {
+        if (compact(each.name) == wanted) return &each;
+        for (const std::string_view other : each.also)
+            if (compact(other) == wanted) return &each;
+    }
+    return nullptr;
+}
+
+}  // namespace pendular

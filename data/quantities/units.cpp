@@ -1,0 +1,263 @@
+#include "data/quantities/units.h"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "data/quantities/number.h"
+
+namespace pendular {
+namespace {
+
+/// UDUNITS keeps global state, and ut_parse writes to it: one caller at a time.
+std::mutex& udunits_mutex() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+/// The unit system, read once. Call with the mutex held.
+ut_system* unit_system() {
+    static ut_system* const system = [] {
+        ut_set_error_message_handler(ut_ignore);
+        ut_system* const read = ut_read_xml(nullptr);
+        if (!read) throw std::runtime_error("the unit database of UDUNITS-2 is not installed");
+        return read;
+    }();
+    return system;
+}
+
+/// Characters instruments write, and what UDUNITS reads. The two micro signs differ in Unicode.
+constexpr std::pair<std::string_view, std::string_view> characters[] = {
+    {"·", "."},  {"⋅", "."},     {"×", "."},   {"•", "."},   {"*", "."},      {"−", "-"},
+    {"⁻", "^-"}, {"¹", "1"},     {"²", "2"},   {"³", "3"},   {"⁴", "4"},      {"µ", "u"},
+    {"μ", "u"},  {"°C", "degC"}, {"°", "deg"}, {"½", "0.5"}, {"\u00a0", " "}, {"\u202f", " "}};
+
+/// Words UDUNITS does not know or takes for something else.
+const std::map<std::string, std::string, std::less<>> words = {
+    {"deg", "arc_degree"}, {"rev", "turn"},       {"revs", "turn"},    {"tr", "turn"},
+    {"RPM", "rpm"},        {"rps", "turn/s"},     {"U", "turn"},       {"gf", "gram_force"},
+    {"dyn", "dyne"},       {"cP", "cpoise"},      {"mcm", "um"},       {"pct", "%"},
+    {"percent", "%"},      {"Pas", "Pa.s"},       {"mPas", "mPa.s"},   {"cc", "cm3"},
+    {"ccm", "cm3"},        {"radians", "radian"}, {"kgfcm", "kgf.cm"}, {"gfcm", "gram_force.cm"}};
+
+/// Words that are another unit than the one surely meant, and the right one.
+const std::map<std::string, std::string, std::less<>> case_traps = {
+    {"pa", "Pa"},   {"kpa", "kPa"}, {"mpa", "MPa' or 'mPa"},
+    {"Mpa", "MPa"}, {"MPA", "MPa"}, {"hpa", "hPa"},
+    {"KPa", "kPa"}, {"PA", "Pa"},   {"gpa", "GPa"},
+    {"Gpa", "GPa"}, {"kn", "kN"},   {"mn", "mN"},
+    {"KG", "kg"},   {"Kg", "kg"},   {"MM", "mm"},
+    {"Mm", "mm"},   {"NM", "N m"},  {"MNm", "mN m"}};
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = text.find(from); at != std::string::npos;
+         at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+/// "mNm" -> "mN.m": a force and a length written together, which UDUNITS cannot split.
+std::string split_torque(const std::string& word) {
+    for (const std::string_view length : {"mm", "cm", "m"}) {
+        if (!word.ends_with(length)) continue;
+        const std::string force = word.substr(0, word.size() - length.size());
+        const std::string_view prefix = std::string_view(force).substr(0, force.size() - 1);
+        const bool newton = force.ends_with('N') &&
+                            (prefix.empty() || prefix == "k" || prefix == "m" || prefix == "u" ||
+                             prefix == "n" || prefix == "M" || prefix == "c");
+        if (newton) return fmt::format("{}.{}", force, length);
+    }
+    return word;
+}
+
+/// One word of a unit as UDUNITS spells it.
+std::string normalised_word(const std::string& word, std::string_view spelling) {
+    if (const auto trap = case_traps.find(word); trap != case_traps.end())
+        throw std::invalid_argument(
+            fmt::format("'{}' is not a unit to rely on, since case matters; write '{}'", spelling,
+                        trap->second));
+    if (const auto known = words.find(word); known != words.end()) return known->second;
+    return split_torque(word);
+}
+
+std::string normalised(std::string_view spelling) {
+    std::string text(trimmed(spelling));
+    for (const auto& [from, to] : characters)
+        replace_all(text, from, to);
+    if (text.empty() || text == "-") return "1";
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])))
+            ++end;
+        if (end > i) {
+            result += normalised_word(text.substr(i, end - i), spelling);
+            i = end;
+        } else {
+            result += text[i++];
+        }
+    }
+    replace_all(result, "^-^", "^-");
+    return result;
+}
+
+/// SI base units of a unit, taken apart by UDUNITS' visitor.
+struct Parts {
+    std::string dimension;
+    const ut_unit* base = nullptr;  ///< the unit without factor and offset
+};
+
+ut_status visit_basic(const ut_unit* unit, void* parts) {
+    const char* const symbol = ut_get_symbol(unit, UT_ASCII);
+    *static_cast<Parts*>(parts) = {symbol ? symbol : "?", unit};
+    return UT_SUCCESS;
+}
+
+ut_status visit_product(const ut_unit* unit, int count, const ut_unit* const* basic,
+                        const int* powers, void* parts) {
+    std::map<std::string, int> sorted;
+    for (int i = 0; i < count; ++i)
+        sorted[ut_get_symbol(basic[i], UT_ASCII)] = powers[i];
+    std::vector<std::string> factors;
+    for (const auto& [symbol, power] : sorted)
+        factors.push_back(power == 1 ? symbol : fmt::format("{}^{}", symbol, power));
+    *static_cast<Parts*>(parts) = {fmt::format("{}", fmt::join(factors, " ")), unit};
+    return UT_SUCCESS;
+}
+
+ut_status visit_scaled(const ut_unit*, double, const ut_unit* underlying, double, void* parts);
+
+ut_status refuse_timestamp(const ut_unit*, const ut_unit*, double, void*) {
+    return UT_MEANINGLESS;
+}
+
+ut_status refuse_logarithm(const ut_unit*, double, const ut_unit*, void*) {
+    return UT_MEANINGLESS;
+}
+
+ut_visitor parts_visitor() {
+    return {visit_basic, visit_product, visit_scaled, refuse_timestamp, refuse_logarithm};
+}
+
+ut_status visit_scaled(const ut_unit*, double, const ut_unit* underlying, double, void* parts) {
+    const ut_visitor visitor = parts_visitor();
+    return ut_accept_visitor(underlying, &visitor, parts);
+}
+
+std::invalid_argument not_a_unit(std::string_view spelling) {
+    return std::invalid_argument(fmt::format(
+        "'{}' is not a unit; write one like 'Pa', 'mN m', 'rad/s', '1/s' or 'kg/m^3'", spelling));
+}
+
+/// Whether a text names no unit but only a factor: "2" would silently scale what it stands behind.
+bool bare_factor(const std::string& text) {
+    return parse_number(text).has_value() && text != "1";
+}
+
+}  // namespace
+
+Unit::Unit(std::string_view spelling) : spelling_(trimmed(spelling)) {
+    const std::string text = normalised(spelling);
+    if (bare_factor(text)) throw not_a_unit(spelling_);
+    const std::lock_guard lock(udunits_mutex());
+    const std::unique_ptr<ut_unit, decltype(&ut_free)> unit(
+        ut_parse(unit_system(), text.c_str(), UT_UTF8), ut_free);
+    if (!unit) throw not_a_unit(spelling_);
+    Parts parts;
+    const ut_visitor visitor = parts_visitor();
+    if (ut_accept_visitor(unit.get(), &visitor, &parts) != UT_SUCCESS) throw not_a_unit(spelling_);
+    const std::unique_ptr<cv_converter, decltype(&cv_free)> converter(
+        ut_get_converter(const_cast<ut_unit*>(unit.get()), const_cast<ut_unit*>(parts.base)),
+        cv_free);
+    dimension_ = parts.dimension;
+    offset_ = cv_convert_double(converter.get(), 0);
+    factor_ = cv_convert_double(converter.get(), 1) - offset_;
+}
+
+std::string si_spelling(const Unit& unit) {
+    if (unit.dimension().empty()) return "1";
+    for (const char* const spelling : {"N m", "N", "Pa", "Pa s", "N/m", "m", "m^2", "m^3", "m/s",
+                                       "rad", "rad/s", "s", "1/s", "kg", "kg/m^3", "K"})
+        if (unit.same_dimension(Unit(spelling))) return spelling;
+    return unit.dimension();
+}
+
+std::string wrong_dimension(const Unit& unit, const Unit& expected) {
+    const auto shown = [](const Unit& u) { return u.dimension().empty() ? "1" : u.dimension(); };
+    std::string message = fmt::format("'{}' measures {}, not {} as '{}' does", unit.spelling(),
+                                      shown(unit), shown(expected), expected.spelling());
+    // Grams and kilograms written for their weights, the usual slip with balances and springs.
+    std::string as_force = unit.spelling();
+    const std::size_t gram = as_force.find('g');
+    if (gram == std::string::npos) return message;
+    as_force.insert(gram + 1, 1, 'f');
+    try {
+        if (Unit(as_force).same_dimension(expected))
+            message += fmt::format("; did you mean '{}'?", as_force);
+    } catch (const std::invalid_argument&) {  // not that slip
+    }
+    return message;
+}
+
+namespace {
+
+/// A number and the unit behind it, each trimmed.
+struct NumberAndUnit {
+    std::string_view number, unit;
+};
+
+NumberAndUnit split_quantity(std::string_view text) {
+    const std::string_view whole = trimmed(text);
+    const std::size_t end = std::min(whole.find_first_not_of("+-.,0123456789eE"), whole.size());
+    std::string_view number = whole.substr(0, end);
+    if (number.ends_with('e') || number.ends_with('E')) number.remove_suffix(1);
+    return {number, trimmed(whole.substr(number.size()))};
+}
+
+}  // namespace
+
+double quantity_in_si(std::string_view text, const Unit& expected) {
+    const auto [number, unit_text] = split_quantity(text);
+    const auto value = parse_number(number);
+    if (!value) {
+        const char* const hint = has_decimal_comma(number) ? "; the decimal sign is '.'" : "";
+        throw std::invalid_argument(
+            fmt::format("\"{}\" is not a number with a unit, like \"500 um\"{}", text, hint));
+    }
+    const Unit unit(unit_text);
+    if (unit_text.empty() && !unit.same_dimension(expected))
+        throw std::invalid_argument(
+            fmt::format("\"{}\" has no unit; write \"{} {}\" or another unit of the same kind",
+                        text, number, expected.spelling()));
+    if (!unit.same_dimension(expected))
+        throw std::invalid_argument(
+            fmt::format("\"{}\": {}", text, wrong_dimension(unit, expected)));
+    return unit.to_si(*value);
+}
+
+std::vector<double> quantities_in_si(std::string_view list, const Unit& expected) {
+    std::vector<double> values;
+    std::string unit;
+    // From the back, since a unit holds for the numbers before it.
+    for (bool more = true; more;) {
+        const std::size_t comma = list.rfind(',');
+        more = comma != std::string_view::npos;
+        const std::string item(trimmed(more ? list.substr(comma + 1) : list));
+        const std::string_view own = split_quantity(item).unit;
+        if (!own.empty()) unit = own;
+        values.push_back(quantity_in_si(
+            own.empty() && !unit.empty() ? fmt::format("{} {}", item, unit) : item, expected));
+        list = more ? list.substr(0, comma) : list;
+    }
+    std::ranges::reverse(values);
+    return values;
+}
+
+}  // namespace pendular

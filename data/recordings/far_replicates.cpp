@@ -1,0 +1,194 @@
+#include "data/recordings/far_replicates.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace pendular {
+namespace {
+
+/// Fillings of one laboratory do not differ by more than this, relative to (stress ratio, solid
+/// fraction): a wrong column, unit or mass does.
+const Eigen::Vector2d largest_filling_difference(0.05, 0.03);
+/// Differences to be noted: as a share of the largest, and over the scatter of the files' own
+/// steps.
+constexpr double noted_share = 0.5, noted_ratio = 3;
+/// Probability per study that a condition is said to scatter too much where none does.
+constexpr double far_by_chance = 1e-3;
+constexpr double fewest_to_judge_conditions = 4;
+
+using Values = std::vector<ReplicatedValue>;
+
+Values without_condition(const Values& values, std::size_t condition) {
+    Values rest;
+    std::ranges::copy_if(values, std::back_inserter(rest), [&](const ReplicatedValue& value) {
+        return value.condition != condition;
+    });
+    return rest;
+}
+
+Values without_file(const Values& values, std::size_t file) {
+    Values rest;
+    std::ranges::copy_if(values, std::back_inserter(rest),
+                         [&](const ReplicatedValue& value) { return value.file != file; });
+    return rest;
+}
+
+/// How much more replicates of one condition scatter than those of all others, by an F test.
+struct FarCondition {
+    std::size_t condition = 0;
+    double variance = 0;  ///< of one of its values, relative [1]
+    double p = 1;         ///< that any of the conditions is so far off by chance
+};
+
+FarCondition farthest(const Values& values) {
+    const ScatterSums all = analyse_scatter(values, 0);
+    FarCondition result;
+    std::set<std::size_t> conditions;
+    for (const ReplicatedValue& value : values) {
+        if (!conditions.insert(value.condition).second) continue;
+        const ScatterSums others = analyse_scatter(without_condition(values, value.condition), 0);
+        const double freedom = all.freedom_within - others.freedom_within;
+        if (others.freedom_within < fewest_to_judge_conditions || freedom < 1) continue;
+        const double own = (all.within - others.within) / freedom;
+        const double usual = std::max(others.within, others.run_variance) / others.freedom_within;
+        if (!(usual > 0) || !(own > usual)) continue;
+        const double p = boost::math::cdf(boost::math::complement(
+            boost::math::fisher_f(freedom, others.freedom_within), own / usual));
+        if (p < result.p) result = {value.condition, own, p};
+    }
+    result.p *= static_cast<double>(conditions.size());
+    return result;
+}
+
+/// RMS of the differences between files [1].
+double filling_difference(const ScatterSums& sums) {
+    return sums.steps > 0 ? std::sqrt(sums.between / sums.steps) : 0;
+}
+
+/// Files that may be the wrong ones: with three files or more, the one without which the others
+/// agree best, if they then agree; else all.
+std::vector<std::size_t> far_files(const ReplicateCluster& cluster, Eigen::Index o) {
+    std::vector<std::size_t> far = cluster.files;
+    double least = largest_filling_difference(o);
+    for (const std::size_t file : cluster.files) {
+        const ScatterSums others =
+            analyse_scatter(without_file(cluster.values[static_cast<std::size_t>(o)], file), 0);
+        if (others.freedom_between > 0 && filling_difference(others) <= least) {
+            least = filling_difference(others);
+            far = {file};
+        }
+    }
+    return far;
+}
+
+const char* name_of(Eigen::Index observable) {
+    return observable == 0 ? "shear stress" : "solid fraction";
+}
+
+Doubt doubt_about(Eigen::Index observable, std::string what) {
+    return {.what = std::move(what),
+            .quantity = observable == 0 ? "shear_stress" : "solid_fraction",
+            .origins = {},
+            .set_aside = false};
+}
+
+/// "a.csv, b.csv"
+std::string names_of(const ReplicateTable& table, const std::vector<std::size_t>& files) {
+    std::vector<std::string> names;
+    for (const std::size_t file : files)
+        names.push_back(table.name_of(file));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Notes files that differ from one another far more than steps within them, if they do.
+void note_unlike_files(const ReplicateTable& table, const ReplicateCluster& cluster, Eigen::Index o,
+                       FarReplicates& result) {
+    const ScatterSums sums = analyse_scatter(cluster.values[static_cast<std::size_t>(o)], 0);
+    const double difference = filling_difference(sums);
+    if (difference < noted_share * largest_filling_difference(o) || sums.freedom_within < 1) return;
+    const double of_steps = std::sqrt(sums.within / sums.freedom_within);
+    if (difference < noted_ratio * of_steps) return;
+    result.notes.push_back(fmt::format(
+        "In {}, {} differ by {:.2g} % at all conditions, while steps within a file scatter by "
+        "{:.2g} %. That is much for fillings: check whether a file's liquid content, unit or bead "
+        "mass is another's. It counts as the error of a filling.",
+        name_of(o), names_of(table, cluster.files), 100 * std::numbers::sqrt2 * difference,
+        100 * of_steps));
+}
+
+void set_files_apart(ReplicateTable& table, std::size_t place, Eigen::Index o,
+                     const std::vector<Reading>& readings, FarReplicates& result) {
+    ReplicateCluster& cluster = table.clusters[place];
+    auto& values = cluster.values[static_cast<std::size_t>(o)];
+    const double difference = filling_difference(analyse_scatter(values, 0));
+    if (difference <= largest_filling_difference(o))
+        return note_unlike_files(table, cluster, o, result);
+    const std::vector<std::size_t> far = far_files(cluster, o);
+    const double variance = 2 * difference * difference;
+    Doubt doubt = doubt_about(
+        o, fmt::format("In {}, {} {} at all conditions, by {:.3g} %, while steps within a file "
+                       "agree; check the units, the bead mass and the filling. {} weight in the "
+                       "fit is cut.",
+                       name_of(o), names_of(table, far),
+                       far.size() == 1 ? "differs from its replicates" : "differ from one another",
+                       100 * std::expm1(std::sqrt(variance)), far.size() == 1 ? "Its" : "Their"));
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        if (std::ranges::find(far, table.file_of[k]) == far.end()) continue;
+        result.variance[k](o) += variance;
+        doubt.origins.push_back(readings[k].origin);
+    }
+    result.doubts.push_back(std::move(doubt));
+    if (far.size() == 1) {
+        values = without_file(values, far.front());
+    } else {
+        result.unlike.emplace(place, o);
+    }
+}
+
+void set_condition_apart(const ReplicateTable& table, const Values& values, Eigen::Index o,
+                         const FarCondition& far, const std::vector<Reading>& readings,
+                         FarReplicates& result) {
+    std::vector<std::string> places;
+    std::vector<Position> origins;
+    for (const ReplicatedValue& value : values) {
+        if (value.condition != far.condition) continue;
+        result.variance[value.reading](o) += far.variance;
+        origins.push_back(readings[value.reading].origin);
+        places.push_back(fmt::format("{}:{}", table.name_of(value.file), origins.back().line));
+    }
+    result.doubts.push_back(doubt_about(
+        o, fmt::format("The replicates {} differ in {} far beyond the scatter of the others; look "
+                       "for a disturbance in these steps. Their weight in the fit is cut.",
+                       fmt::join(places, " and "), name_of(o))));
+    result.doubts.back().origins = std::move(origins);
+}
+
+}  // namespace
+
+FarReplicates set_far_replicates_apart(ReplicateTable& table,
+                                       const std::vector<Reading>& readings) {
+    FarReplicates result;
+    result.variance.assign(readings.size(), Eigen::Vector2d::Zero());
+    for (std::size_t place = 0; place < table.clusters.size(); ++place) {
+        for (const Eigen::Index o : {0, 1})
+            set_files_apart(table, place, o, readings, result);
+    }
+    for (ReplicateCluster& cluster : table.clusters) {
+        for (const Eigen::Index o : {0, 1}) {
+            Values& values = cluster.values[static_cast<std::size_t>(o)];
+            for (FarCondition far = farthest(values); far.variance > 0 && far.p < far_by_chance;
+                 far = farthest(values)) {
+                set_condition_apart(table, values, o, far, readings, result);
+                values = without_condition(values, far.condition);
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace pendular

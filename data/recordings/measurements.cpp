@@ -1,0 +1,97 @@
+#include "data/recordings/measurements.h"
+
+#include <fmt/format.h>
+
+#include "data/recordings/contradictions.h"
+#include "data/recordings/copies.h"
+#include "data/recordings/cut_files.h"
+#include "data/recordings/grain_weight.h"
+#include "data/recordings/plausibility.h"
+#include "data/recordings/readings.h"
+#include "data/recordings/recording.h"
+#include "data/recordings/replicates.h"
+#include "data/recordings/steady_state.h"
+#include "data/study/study.h"
+
+namespace pendular {
+namespace {
+
+template <typename T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+void append(Measurements& to, const Measurements& from) {
+    append(to.readings, from.readings);
+    append(to.excluded, from.excluded);
+    append(to.doubts, from.doubts);
+    append(to.notes, from.notes);
+}
+
+/// What the files of a study have in common, in run order.
+struct FilesBefore {
+    RunClock clock;
+    KnownRows rows;
+};
+
+Measurements read_file(const std::filesystem::path& file, const Source& source, const Study& study,
+                       FilesBefore& before) {
+    if (source.kind == Source::Kind::readings) return read_points(file, source, study);
+    AnnularCell cell = *study.cell;
+    cell.bead_volume = source.bead_volume.value_or(cell.bead_volume);
+    Recording recording = read_recording(file);
+    Measurements result;
+    before.rows.take_out_copies(recording, source, result);
+    if (recording.size() == 0) return result;
+    const Contradictions contradictions =
+        take_out_contradictions(recording, cell, study.import, result);
+    if (recording.size() == 0) return result;
+    Measurements part =
+        reduce_recording(recording, cell, study.grains, source.liquid_content.value_or(0),
+                         before.clock, study.import);
+    set_aside_contradicted(contradictions, part);
+    doubt_stuck_columns(recording, part, study.import);
+    if (part.readings.empty() && !study.import.keep_implausible)
+        doubt_filling(recording, cell, part);
+    append(result, part);
+    return result;
+}
+
+/// Range of liquid contents over which separate bridges describe the liquid.
+/// Source: Badetti et al. (2018), section 3.1: the bridges between three touching beads merge at
+/// V0 = 0.008 a^3, which is a content of 0.063; theirs begin at 0.003.
+constexpr double driest_pendular = 0.002, wettest_pendular = 0.065;
+
+}  // namespace
+
+std::optional<std::string> pendular_range_warning(double content) {
+    if (content == 0 || (content >= driest_pendular && content <= wettest_pendular))
+        return std::nullopt;
+    return content > wettest_pendular
+               ? fmt::format(
+                     "liquid content {:g} is above the pendular range, which ends at about {:g}: "
+                     "bridges of touching beads merge there, and the model of separate bridges "
+                     "no longer holds",
+                     content, wettest_pendular)
+               : fmt::format(
+                     "liquid content {:g} is below the pendular range, which begins at about {:g}: "
+                     "so little liquid may stay between the asperities of the bead surfaces "
+                     "instead of forming bridges",
+                     content, driest_pendular);
+}
+
+Measurements read_measurements(const Study& study) {
+    Measurements all;
+    FilesBefore before;
+    for (const Source& source : study.sources)
+        for (const std::filesystem::path& file : source.files)
+            append(all, read_file(file, source, study, before));
+    count_readings_once(all);
+    doubt_impossible_readings(all, study);
+    append(all.notes, notes_on_cut_files(study, all));
+    pool_replicates(all, study.scatter);
+    if (const auto note = grain_weight_note(study, all.readings)) all.notes.push_back(*note);
+    return all;
+}
+
+}  // namespace pendular

@@ -1,0 +1,224 @@
+#include "data/recordings/readings.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "data/files/columns.h"
+#include "data/files/header_cell.h"
+#include "data/quantities/nearest.h"
+
+namespace pendular {
+namespace {
+
+/// Columns a table of readings may have; those after `error_assumed` say where a reading comes from
+/// and are not needed.
+const std::vector<std::string_view> reading_columns = {"normal_stress",
+                                                       "normal_stress_sd",
+                                                       "shear_stress",
+                                                       "shear_stress_sd",
+                                                       "stress_ratio",
+                                                       "stress_ratio_sd",
+                                                       "solid_fraction",
+                                                       "solid_fraction_sd",
+                                                       "shear_rate",
+                                                       "inertial_number",
+                                                       "liquid_content",
+                                                       "height",
+                                                       "time",
+                                                       "bead_volume",
+                                                       "error_correlation",
+                                                       "error_assumed",
+                                                       "sampled_seconds",
+                                                       "interval",
+                                                       "replicates",
+                                                       "file",
+                                                       "line"};
+
+/// A table of readings with what its rows are read by.
+struct Points {
+    const Table& table;
+    const Columns& columns;
+    const Source& source;
+    const Study& study;
+    std::string_view stress;  ///< "shear_stress" or "stress_ratio"
+};
+
+void refuse_misspelt(const Table& table, const Columns& columns) {
+    std::vector<std::string> known;
+    for (const std::string_view name : reading_columns)
+        known.emplace_back(name);
+    for (const std::size_t index : columns.unknown()) {
+        const std::string name = parse_header_cell(table.header.cells[index].text).name;
+        if (name.empty()) continue;
+        if (const auto meant = nearest(name, known))
+            throw InputError(table.at_header(index),
+                             fmt::format("unknown column '{}'; did you mean '{}'?", name, *meant));
+    }
+}
+
+double positive(const Points& points, const Row& row, std::string_view name) {
+    const double value = points.columns.value(row, name);
+    if (value <= 0)
+        throw InputError(points.columns.at(row, name),
+                         fmt::format("{} must be positive", quantity(name).meaning));
+    return value;
+}
+
+double liquid_content(const Points& points, const Row& row) {
+    const double value = points.columns.value_if_any(row, "liquid_content")
+                             .value_or(points.source.liquid_content.value_or(0));
+    const Position where = points.columns.at(row, "liquid_content");
+    if (value < 0) throw InputError(where, "a liquid content must not be negative");
+    if (value > 0 && !points.study.liquid)
+        throw InputError(where, "a wet reading, but the study has no [liquid]; add it");
+    return value;
+}
+
+/// Fills shear rate and inertial number from the one or two of them that are given.
+void set_rate(const Points& points, const Row& row, Reading& reading) {
+    const auto rate = points.columns.value_if_any(row, "shear_rate");
+    const auto number = points.columns.value_if_any(row, "inertial_number");
+    if (!rate && !number)
+        throw InputError(points.columns.at(row, "shear_rate"),
+                         "neither shear rate nor inertial number is given; fill in one");
+    if (rate && *rate <= 0)
+        throw InputError(points.columns.at(row, "shear_rate"),
+                         "a shear rate must be positive; write inertial_number = 0 for the "
+                         "quasi-static limit");
+    if (number && *number < 0)
+        throw InputError(points.columns.at(row, "inertial_number"),
+                         "an inertial number must not be negative");
+    reading.shear_rate = rate.value_or(0);
+    const double from_rate =
+        inertial_number(reading.shear_rate, reading.condition.normal_stress, points.study.grains);
+    reading.condition.inertial_number = number.value_or(from_rate);
+    if (rate && number && std::abs(*number - from_rate) > 0.01 * from_rate)
+        throw InputError(points.columns.at(row, "inertial_number"),
+                         fmt::format("{:.4g} does not go with the shear rate, which gives {:.4g}; "
+                                     "remove one of the columns, or call the form rate "
+                                     "a sqrt(density/s22) 'inertial_number_diameter_density'",
+                                     *number, from_rate));
+}
+
+void set_stress(const Points& points, const Row& row, Reading& reading) {
+    const double normal = reading.condition.normal_stress;
+    const double value = positive(points, row, points.stress);
+    const double deviation = points.columns.deviation(row, points.stress).value_or(0);
+    if (points.stress == "stress_ratio") {
+        reading.value(0) = value * normal;
+        reading.covariance(0, 0) = std::pow(deviation * normal, 2);
+        return;
+    }
+    const double normal_deviation = points.columns.deviation(row, "normal_stress").value_or(0);
+    reading.value(0) = value;
+    reading.covariance(0, 0) =
+        std::pow(deviation, 2) + std::pow(value / normal * normal_deviation, 2);
+}
+
+void set_solid_fraction(const Points& points, const Row& row, Reading& reading) {
+    reading.value(1) = positive(points, row, "solid_fraction");
+    reading.covariance(1, 1) =
+        std::pow(points.columns.deviation(row, "solid_fraction").value_or(0), 2);
+}
+
+void set_correlation(const Points& points, const Row& row, Reading& reading) {
+    const double correlation = points.columns.value_if_any(row, "error_correlation").value_or(0);
+    if (std::abs(correlation) >= 1)
+        throw InputError(points.columns.at(row, "error_correlation"),
+                         "a correlation must lie between -1 and 1");
+    reading.covariance(0, 1) = reading.covariance(1, 0) =
+        correlation * std::sqrt(reading.covariance(0, 0) * reading.covariance(1, 1));
+}
+
+/// Volume of the beads that a row, else the study's entry, else its cell names; none of them:
+/// empty.
+std::optional<double> bead_volume(const Points& points, const Row& row) {
+    if (points.columns.value_if_any(row, "bead_volume"))
+        return positive(points, row, "bead_volume");
+    if (points.source.bead_volume || !points.study.cell) return points.source.bead_volume;
+    const double of_cell = points.study.cell->bead_volume;
+    return of_cell > 0 ? std::optional(of_cell) : std::nullopt;
+}
+
+/// What the cell and its beads were at a reading, as far as it is known.
+void set_cell(const Points& points, const Row& row, Reading& reading) {
+    Condition& condition = reading.condition;
+    condition.time = points.columns.value_if_any(row, "time").value_or(0);
+    condition.bead_volume = bead_volume(points, row);
+    if (points.columns.value_if_any(row, "height")) {
+        condition.height = positive(points, row, "height");
+    } else if (points.study.cell && condition.bead_volume) {
+        AnnularCell cell = *points.study.cell;
+        cell.bead_volume = *condition.bead_volume;
+        condition.height = height(reading.value(1), cell);
+    }
+}
+
+Reading reading_of(const Points& points, const Row& row) {
+    Reading reading;
+    reading.origin = {points.table.file, row.line, 0};
+    reading.step = static_cast<int>(points.columns.value_if_any(row, "interval").value_or(0));
+    reading.condition.normal_stress = positive(points, row, "normal_stress");
+    reading.condition.liquid_content = liquid_content(points, row);
+    set_rate(points, row, reading);
+    set_stress(points, row, reading);
+    set_solid_fraction(points, row, reading);
+    set_correlation(points, row, reading);
+    set_cell(points, row, reading);
+    if (!reading.value.allFinite() || !reading.covariance.allFinite())
+        throw InputError(reading.origin, "a value or its deviation is too large to compute with");
+    reading.sampled_seconds = points.columns.value_if_any(row, "sampled_seconds").value_or(0);
+    reading.error_assumed = points.columns.value_if_any(row, "error_assumed").value_or(0) != 0;
+    return reading;
+}
+
+/// Rounding of the numbers in the table is an error of the readings.
+void set_resolutions(const Points& points, std::vector<Reading>& readings) {
+    const auto stress = points.columns.resolutions(points.stress);
+    const auto fraction = points.columns.resolutions("solid_fraction");
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const double unit =
+            points.stress == "stress_ratio" ? readings[k].condition.normal_stress : 1;
+        readings[k].resolution = {unit * stress[k], fraction[k]};
+    }
+}
+
+/// Where a liquid content is needed and where it must not stand twice.
+void check_liquid_content(const Table& table, const Columns& columns, const Source& source,
+                          const Study& study) {
+    if (source.liquid_content && columns.has("liquid_content"))
+        throw InputError(source.position, fmt::format("'liquid_content': {} has a column of that "
+                                                      "name too; remove one",
+                                                      table.file));
+    if (study.liquid && !source.liquid_content) columns.require("liquid_content");
+}
+
+}  // namespace
+
+Measurements read_points(const std::filesystem::path& path, const Source& source,
+                         const Study& study) {
+    const Table table = read_table(path);
+    const Columns columns(table);
+    refuse_misspelt(table, columns);
+    columns.require("normal_stress");
+    const Points points{table, columns, source, study,
+                        columns.require_one_of("shear_stress", "stress_ratio")};
+    columns.require("solid_fraction");
+    if (!columns.has("shear_rate")) columns.require("inertial_number");
+    check_liquid_content(table, columns, source, study);
+
+    Measurements result;
+    for (const Row& row : table.rows)
+        result.readings.push_back(reading_of(points, row));
+    set_resolutions(points, result.readings);
+    if (const auto unused = columns.others(reading_columns); !unused.empty())
+        result.notes.push_back(
+            fmt::format("{}: columns not used: '{}'", table.file, fmt::join(unused, "', '")));
+    return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,40 @@
+#include "data/recordings/replicate_groups.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pendular {
+namespace {
+
+constexpr double set_point_tolerance = 0.02;
+
+bool close(double a, double b) {
+    return std::abs(a - b) <= set_point_tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
+
+bool are_replicates(const Reading& a, const Reading& b) {
+    constexpr double rounding = 1e-9;
+    const bool same_filling =
+        a.condition.bead_volume && b.condition.bead_volume
+            ? close(*a.condition.bead_volume, *b.condition.bead_volume)
+            : a.condition.bead_volume.has_value() == b.condition.bead_volume.has_value();
+    return same_filling &&
+           std::abs(a.condition.liquid_content - b.condition.liquid_content) <= rounding &&
+           close(a.condition.normal_stress, b.condition.normal_stress) &&
+           close(a.condition.inertial_number, b.condition.inertial_number);
+}
+
+std::vector<std::vector<std::size_t>> replicate_groups(const std::vector<Reading>& readings) {
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const auto group = std::ranges::find_if(groups, [&](const auto& members) {
+            return are_replicates(readings[members.front()], readings[k]);
+        });
+        group == groups.end() ? groups.push_back({k}) : group->push_back(k);
+    }
+    return groups;
+}
+
+}  // namespace pendular

@@ -1,0 +1,356 @@
+#include "data/recordings/replicates.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+#include "data/recordings/far_replicates.h"
+#include "data/recordings/replicate_table.h"
+#include "data/recordings/rounding.h"
+
+namespace pendular {
+namespace {
+
+constexpr double assumed_error = 0.02;
+/// Relative variances below this are the rounding of computers, not errors.
+constexpr double no_error = 1e-12;
+/// From a factor of two on, more replicates are worth a word.
+constexpr double worth_a_note = 2;
+
+/// Fillings usually share errors of half the scatter of a step, which is believed like one measured
+/// difference between fillings.
+constexpr double usual_filling = 0.5, usual_freedom = 1;
+/// Filling errors are seen from this probability on that chance alone makes files differ so.
+constexpr double hint_of_fillings = 0.03;
+
+/// Factor on a standard error estimated with so many degrees of freedom, so that twice the product
+/// covers as often as twice a known standard error does: Student's quantile over the normal one.
+double widening(double freedom) {
+    const double level = boost::math::cdf(boost::math::normal(), 2.0);
+    return boost::math::quantile(boost::math::students_t(freedom), level) / 2;
+}
+
+double widened(double freedom) {
+    return std::isfinite(freedom) && freedom > 0 ? std::pow(widening(freedom), 2) : 1;
+}
+
+/// Estimates the scatter between replicates and adds it to the covariances of the readings.
+class Pooling {
+  public:
+    explicit Pooling(Measurements& all)
+        : all_(all), readings_(all.readings), table_(replicate_table(all.readings)) {
+        apart_.variance.assign(readings_.size(), Eigen::Vector2d::Zero());
+        for (std::size_t k = 0; k < readings_.size(); ++k) {
+            readings_[k].scatter_group = table_.cluster_of[k];
+            stated_.push_back(readings_[k].within_run_only
+                                  ? Eigen::Vector2d::Zero()
+                                  : Eigen::Vector2d(readings_[k].covariance.diagonal()));
+        }
+        for (const auto& group : table_.groups) {
+            for (const std::size_t k : group)
+                readings_[k].replicates = static_cast<int>(group.size());
+        }
+        all_.scatter.reference_stress = table_.reference_stress;
+    }
+
+    void by_replicates() {
+        weigh_rounding(table_, readings_);
+        apart_ = set_far_replicates_apart(table_, readings_);
+        weigh_rounding(table_, readings_);  // by the scatter without those apart
+        all_.doubts.insert(all_.doubts.end(), apart_.doubts.begin(), apart_.doubts.end());
+        all_.notes.insert(all_.notes.end(), apart_.notes.begin(), apart_.notes.end());
+        find_load_exponents();
+        estimate_fillings();
+        estimate_steps();
+        apply();
+    }
+    void by_statement(const StatedScatter& stated) {
+        estimate_steps();  // groups only; their sizes are those stated
+        for (auto& group : all_.scatter.groups) {
+            group.excess = stated.step.cwiseAbs2().asDiagonal();
+            group.mean_square = stated.step.cwiseAbs2();
+            group.freedom.setConstant(INFINITY);
+        }
+        all_.scatter.correlation_freedom = INFINITY;
+        for (const Eigen::Index o : {0, 1}) {
+            auto& filling = all_.scatter.filling[static_cast<std::size_t>(o)];
+            filling = {.variance = stated.filling(o) * stated.filling(o),
+                       .freedom_between = INFINITY};
+        }
+        all_.scatter.stated = true;
+        apply();
+    }
+
+  private:
+    void find_load_exponents();
+    void estimate_fillings();
+    void estimate_steps();
+    void estimate_correlation();
+    void apply();
+    void add_steps(std::size_t reading);
+    void add_filling(std::size_t reading);
+    void note_errors_below_rounding();
+    void assume_missing_errors();
+    void note_few_replicates();
+
+    ScatterSums sums_of(std::size_t cluster, Eigen::Index observable) const {
+        const auto o = static_cast<std::size_t>(observable);
+        return analyse_scatter(table_.clusters[cluster].values[o],
+                               all_.scatter.load_exponent(observable),
+                               all_.scatter.filling[o].freedom_between > 0 ||
+                                   apart_.unlike.contains({cluster, observable}));
+    }
+    /// Whether scatter was estimated or stated anywhere in the study.
+    bool known(Eigen::Index observable) const {
+        return std::ranges::any_of(
+            all_.scatter.groups, [&](const auto& group) { return group.freedom(observable) > 0; });
+    }
+
+    Measurements& all_;
+    std::vector<Reading>& readings_;
+    ReplicateTable table_;
+    FarReplicates apart_;
+    std::vector<Eigen::Vector2d> stated_;  ///< variances given with the readings, rounding included
+};
+
+void Pooling::find_load_exponents() {
+    // Both observables have one cause for it, so they are judged together: chance makes the
+    // evidence of the two as large in at most 5 of 100 studies.
+    constexpr double enough = 5.99;
+    std::array<LoadExponent, 2> found;
+    for (const Eigen::Index o : {0, 1}) {
+        std::vector<std::vector<ReplicatedValue>> sets;
+        for (const ReplicateCluster& cluster : table_.clusters)
+            sets.push_back(cluster.values[static_cast<std::size_t>(o)]);
+        found[static_cast<std::size_t>(o)] = load_exponent(sets);
+    }
+    if (found[0].evidence + found[1].evidence < enough) return;
+    for (const Eigen::Index o : {0, 1}) {
+        all_.scatter.load_exponent(o) = found[static_cast<std::size_t>(o)].value;
+        all_.scatter.load_exponent_error(o) = found[static_cast<std::size_t>(o)].standard_error;
+    }
+}
+
+/// Whether files differ by more than their steps explain, by an F test.
+bool files_differ(const ReplicateScatter::Filling& filling) {
+    if (!(filling.within > 0)) return filling.between > 0;
+    const boost::math::fisher_f law(filling.freedom_between, filling.freedom_within);
+    return boost::math::cdf(boost::math::complement(law, filling.between / filling.within)) <
+           hint_of_fillings;
+}
+
+/// A few fillings hardly tell their scatter: what is known of others counts like so many more.
+void temper(ReplicateScatter::Filling& filling) {
+    const double usual = filling.within * (1 + filling.steps * usual_filling * usual_filling);
+    filling.between = (filling.freedom_between * filling.between + usual_freedom * usual) /
+                      (filling.freedom_between + usual_freedom);
+    filling.freedom_between += usual_freedom;
+}
+
+void Pooling::estimate_fillings() {
+    for (const Eigen::Index o : {0, 1}) {
+        ReplicateScatter::Filling filling{.steps = 0};
+        for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+            const ScatterSums sums =
+                analyse_scatter(table_.clusters[c].values[static_cast<std::size_t>(o)],
+                                all_.scatter.load_exponent(o));
+            filling.within += sums.within;
+            filling.freedom_within += sums.freedom_within;
+            if (apart_.unlike.contains({c, o})) continue;
+            filling.between += sums.between;
+            filling.freedom_between += sums.freedom_between;
+            filling.steps += sums.steps;
+        }
+        if (filling.freedom_within > 0) filling.within /= filling.freedom_within;
+        if (filling.freedom_between > 0) {
+            filling.between /= filling.freedom_between;
+            filling.steps /= filling.freedom_between;
+            const bool seen = files_differ(filling);
+            temper(filling);
+            // Widened: what fillings share must not weigh more than the little that is known of it.
+            filling.variance = widened(filling.freedom_between) *
+                               std::max(0.0, (filling.between - filling.within) / filling.steps);
+            // Errors that are not seen are taken for known: if every size that a few fillings do
+            // not exclude counted in tests, these would see next to nothing.
+            if (!seen) filling.freedom_between = INFINITY;
+        }
+        all_.scatter.filling[static_cast<std::size_t>(o)] = filling;
+    }
+}
+
+void Pooling::estimate_steps() {
+    ReplicateScatter& scatter = all_.scatter;
+    scatter.groups.assign(table_.clusters.size(), {});
+    for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+        for (const std::size_t file : table_.clusters[c].files)
+            scatter.groups[c].files.push_back(table_.files[file]);
+    }
+    for (const Eigen::Index o : {0, 1}) {
+        std::vector<MeanSquare> own;
+        std::vector<double> within_runs;
+        double run_variance = 0, freedom = 0;
+        for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+            const ScatterSums sums = sums_of(c, o);
+            const double nu = sums.freedom_within;
+            own.push_back({nu > 0 ? sums.within / nu : 0, nu});
+            within_runs.push_back(nu > 0 ? sums.run_variance / nu : NAN);
+            run_variance += sums.run_variance;
+            freedom += nu;
+        }
+        if (freedom == 0) continue;
+        const std::vector<MeanSquare> shrunk = moderated(own);
+        for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+            const double within = own[c].freedom > 0 ? within_runs[c] : run_variance / freedom;
+            scatter.groups[c].excess(o, o) = std::max(0.0, shrunk[c].value - within);
+            scatter.groups[c].mean_square(o) = shrunk[c].value;
+            scatter.groups[c].freedom(o) = shrunk[c].freedom;
+        }
+    }
+    estimate_correlation();
+}
+
+void Pooling::estimate_correlation() {
+    ReplicateScatter& scatter = all_.scatter;
+    double product = 0, squares0 = 0, squares1 = 0, freedom = 0;
+    for (std::size_t c = 0; c < table_.clusters.size(); ++c) {
+        const auto& values = table_.clusters[c].values;
+        if (values[0].size() != values[1].size()) continue;
+        const ScatterSums ratio = sums_of(c, 0), fraction = sums_of(c, 1);
+        product += ratio.left_over.dot(fraction.left_over);
+        squares0 += std::max(0.0, ratio.within - ratio.run_variance);
+        squares1 += std::max(0.0, fraction.within - fraction.run_variance);
+        freedom += ratio.freedom_within;
+    }
+    if (!(squares0 > 0 && squares1 > 0)) return;
+    scatter.correlation_freedom = freedom;
+    const double correlation = std::clamp(
+        product / std::sqrt(squares0 * squares1) * (freedom - 1) / (freedom + 1), -0.99, 0.99);
+    for (auto& group : scatter.groups) {
+        group.excess(0, 1) = group.excess(1, 0) =
+            correlation * std::sqrt(group.excess(0, 0) * group.excess(1, 1));
+    }
+}
+
+/// Adds errors of (stress ratio, solid fraction), relative to them, to a reading.
+void add_scatter(Reading& reading, const Eigen::Matrix2d& estimated, const Eigen::Matrix2d& wide) {
+    const Eigen::Matrix2d scale = reading.value.asDiagonal();
+    reading.covariance += scale * wide * scale;
+    reading.widened_by += scale * (wide - estimated) * scale;
+}
+
+void Pooling::add_steps(std::size_t k) {
+    const ReplicateScatter& scatter = all_.scatter;
+    Reading& reading = readings_[k];
+    const auto& group = scatter.groups[reading.scatter_group];
+    const double load = std::clamp(reading.condition.normal_stress / scatter.reference_stress,
+                                   table_.least_load, table_.greatest_load);
+    Eigen::Vector2d shape, widening;
+    for (const Eigen::Index o : {0, 1}) {
+        shape(o) = std::pow(load, -scatter.load_exponent(o));
+        widening(o) = std::sqrt(widened(group.freedom(o)));
+        // Only replicates show that runs differ by no more than the errors within them, so their
+        // degrees of freedom count in that case too. Stated errors that explain the scatter are
+        // known.
+        const bool estimated =
+            group.excess(o, o) > 0 || (reading.within_run_only && group.freedom(o) > 0);
+        reading.scatter_freedom(o) = estimated ? group.freedom(o) : INFINITY;
+    }
+    Eigen::Matrix2d step = shape.asDiagonal() * group.excess * shape.asDiagonal();
+    // No reading is surer than replicates at its load show, however little it varies within its
+    // run.
+    for (const Eigen::Index o : {0, 1}) {
+        const double least = group.mean_square(o) * shape(o) * shape(o);
+        const double more = least - relative_variance(reading, o) - step(o, o);
+        if (reading.within_run_only) step(o, o) += std::max(0.0, more);
+    }
+    add_scatter(reading, step, widening.asDiagonal() * step * widening.asDiagonal());
+    const Eigen::Matrix2d own = apart_.variance[k].asDiagonal();
+    add_scatter(reading, own, own);
+}
+
+void Pooling::add_filling(std::size_t k) {
+    Reading& reading = readings_[k];
+    reading.shared.clear();
+    if (!reading.within_run_only) return;
+    for (const Eigen::Index o : {0, 1}) {
+        const auto& filling = all_.scatter.filling[static_cast<std::size_t>(o)];
+        if (!(filling.variance > 0)) continue;
+        const double size = reading.value(o) * std::sqrt(filling.variance);
+        SharedError error{.source = 2 * table_.file_of[k] + static_cast<std::size_t>(o)};
+        error.estimated(o) = error.size(o) = size;
+        reading.covariance(o, o) += size * size;
+        reading.shared.push_back(error);
+    }
+}
+
+void Pooling::apply() {
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+        add_steps(k);
+        add_filling(k);
+    }
+    note_errors_below_rounding();
+    add_rounding(table_, stated_, readings_);
+    note_few_replicates();
+    assume_missing_errors();
+}
+
+void Pooling::note_errors_below_rounding() {
+    std::ptrdiff_t count = 0;
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+        const Eigen::Array2d rounding = readings_[k].resolution.array().square() / 12;
+        count += (stated_[k].array() > 0 && stated_[k].array() < rounding).any();
+    }
+    if (count == 0) return;
+    all_.notes.push_back(fmt::format(
+        "The standard errors given for {} of {} readings are smaller than the rounding of their "
+        "values; the error of rounding was added. Write more digits, or check the errors' units.",
+        count, readings_.size()));
+}
+
+void Pooling::note_few_replicates() {
+    double fewest = INFINITY;
+    for (const Reading& reading : readings_) {
+        for (const Eigen::Index o : {0, 1}) {
+            if (reading.widened_by(o, o) > 0) fewest = std::min(fewest, reading.scatter_freedom(o));
+        }
+    }
+    if (!std::isfinite(fewest) || widening(fewest) < worth_a_note) return;
+    all_.notes.push_back(fmt::format(
+        "the scatter between replicates is known from {0} only: their standard errors are "
+        "widened {1:.1f} times so that two of them cover 95 %; more replicates narrow them",
+        fewest == 1 ? "one pair" : fmt::format("{:.0f} differences", fewest), widening(fewest)));
+}
+
+void Pooling::assume_missing_errors() {
+    std::ptrdiff_t assumed = 0;
+    for (Reading& reading : readings_) {
+        for (const Eigen::Index o : {0, 1}) {
+            const bool unknown = reading.within_run_only && !known(o);
+            if (relative_variance(reading, o) > no_error && !unknown) continue;
+            const double variance = std::pow(assumed_error * reading.value(o), 2);
+            reading.covariance(o, o) += variance;
+            reading.error_assumed = true;
+        }
+        assumed += reading.error_assumed;
+    }
+    if (assumed > 0)
+        all_.notes.push_back(fmt::format(
+            "{} of {} readings have no replicates, or no error at all: 2 % of the value is "
+            "assumed. Repeat the measurement with another filling, or state the instrument's "
+            "own scatter in [scatter] of the study",
+            assumed, readings_.size()));
+}
+
+}  // namespace
+
+void pool_replicates(Measurements& measurements, const std::optional<StatedScatter>& stated) {
+    Pooling pooling(measurements);
+    stated ? pooling.by_statement(*stated) : pooling.by_replicates();
+}
+
+}  // namespace pendular

@@ -1,0 +1,222 @@
+#include "data/recordings/scatter.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/special_functions/digamma.hpp>
+#include <boost/math/special_functions/trigamma.hpp>
+#include <cmath>
+#include <map>
+
+namespace pendular {
+namespace {
+
+constexpr double exponent_prior = 0.5, largest_exponent = 2;
+constexpr double fewest_for_exponent = 10;
+
+/// Sets scatter differently from this probability on that chance alone makes them differ so.
+constexpr double unlike = 0.02;
+/// A set that scatters unlike others stands for itself from so many degrees of freedom on: what it
+/// were drawn towards others by would be a bias of its errors.
+constexpr double enough_alone = 5;
+
+double load_variance(const ReplicatedValue& value, double exponent) {
+    return std::pow(value.load, -2 * exponent);
+}
+
+double shape(const ReplicatedValue& value, double exponent) {
+    return std::sqrt(load_variance(value, exponent) + value.rounding);
+}
+
+/// Takes the mean of its condition out of each column, weighted as least squares does.
+Eigen::MatrixXd without_conditions(const std::vector<ReplicatedValue>& values, double exponent,
+                                   Eigen::MatrixXd columns) {
+    std::map<std::size_t, std::vector<Eigen::Index>> members;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        members[values[k].condition].push_back(static_cast<Eigen::Index>(k));
+    }
+    for (const auto& [condition, rows] : members) {
+        Eigen::VectorXd one(static_cast<Eigen::Index>(rows.size()));
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            one(static_cast<Eigen::Index>(k)) =
+                1 / shape(values[static_cast<std::size_t>(rows[k])], exponent);
+        }
+        one.normalize();
+        const Eigen::MatrixXd part = columns(rows, Eigen::all);
+        columns(rows, Eigen::all) = part - one * (one.transpose() * part);
+    }
+    return columns;
+}
+
+std::vector<std::size_t> distinct(const std::vector<ReplicatedValue>& values,
+                                  std::size_t ReplicatedValue::*member) {
+    std::vector<std::size_t> all;
+    for (const ReplicatedValue& value : values) {
+        all.push_back(value.*member);
+    }
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+}  // namespace
+
+ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double exponent,
+                            bool tell_files) {
+    const auto n = static_cast<Eigen::Index>(values.size());
+    const auto files = distinct(values, &ReplicatedValue::file);
+    const auto f = static_cast<Eigen::Index>(files.size());
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, 1 + f);
+    ScatterSums sums;
+    sums.of_file.assign(files.empty() ? 0 : files.back() + 1, 0.0);
+    double run_variance = 0, step_share = 0;
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const ReplicatedValue& value = values[static_cast<std::size_t>(k)];
+        const double size = shape(value, exponent);
+        columns(k, 0) = value.deviation / size;
+        columns(k, 1 + (std::ranges::lower_bound(files, value.file) - files.begin())) = 1 / size;
+        run_variance += value.within / (size * size);
+        step_share += load_variance(value, exponent) / (size * size);
+    }
+    columns = without_conditions(values, exponent, std::move(columns));
+    const auto conditions =
+        static_cast<double>(distinct(values, &ReplicatedValue::condition).size());
+    const Eigen::VectorXd y = columns.col(0);
+    const double all = y.squaredNorm(), freedom = static_cast<double>(n) - conditions;
+    const double between_files = static_cast<double>(f) - 1;
+    sums.left_over = y;
+    sums.within = all;
+    sums.freedom_within = freedom;
+    if (tell_files && between_files >= 1 && freedom - between_files >= 1) {
+        const Eigen::MatrixXd design = columns.rightCols(f);
+        const auto decomposed = design.completeOrthogonalDecomposition();
+        const Eigen::VectorXd shifts = decomposed.solve(y);
+        sums.left_over = y - design * shifts;
+        sums.within = sums.left_over.squaredNorm();
+        sums.freedom_within = freedom - between_files;
+        sums.between = std::max(0.0, all - sums.within);
+        sums.freedom_between = between_files;
+        sums.steps = design.squaredNorm();
+        for (Eigen::Index k = 0; k < f; ++k) {
+            sums.of_file[files[static_cast<std::size_t>(k)]] = shifts(k) - shifts.mean();
+        }
+    }
+    sums.run_variance = n > 0 ? run_variance / step_share * sums.freedom_within : 0;
+    return sums;
+}
+
+LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets) {
+    double freedom = 0;
+    for (const auto& values : sets) {
+        freedom += analyse_scatter(values, 0).freedom_within;
+    }
+    if (freedom < fewest_for_exponent) return {};
+    // -2 log of the likelihood, each set's variance at its best, and of the prior.
+    const auto badness = [&](double exponent) {
+        double sum = std::pow(exponent / exponent_prior, 2);
+        for (const auto& values : sets) {
+            const ScatterSums sums = analyse_scatter(values, exponent);
+            if (sums.freedom_within < 1 || !(sums.within > 0)) continue;
+            double log_shape = 0;
+            for (const ReplicatedValue& value : values) {
+                log_shape +=
+                    2 * std::log(shape(value, exponent)) / static_cast<double>(values.size());
+            }
+            sum += sums.freedom_within * (std::log(sums.within / sums.freedom_within) + log_shape);
+        }
+        return sum;
+    };
+    constexpr int steps = 40;
+    double best = 0, least = INFINITY;
+    for (int k = 0; k <= steps; ++k) {
+        const double exponent = largest_exponent * k / steps, here = badness(exponent);
+        if (here < least) least = here, best = exponent;
+    }
+    constexpr double step = 0.1;
+    const double curvature =
+        (badness(best + step) + badness(best - step) - 2 * least) / (step * step);
+    return {.value = best,
+            .standard_error = curvature > 0 ? std::sqrt(2 / curvature) : exponent_prior,
+            .evidence = badness(0) - least};
+}
+
+namespace {
+
+/// x > 0 with trigamma(x) = y, by Newton's method on 1/trigamma, which is nearly linear.
+double inverse_trigamma(double y) {
+    using boost::math::trigamma;
+    double x = 0.5 + 1 / y;
+    for (int turn = 0; turn < 50; ++turn) {
+        const double value = trigamma(x), step = 1e-4 * x;
+        const double slope = (1 / trigamma(x + step) - 1 / trigamma(x - step)) / (2 * step);
+        const double next = std::max(x / 10, x - (1 / value - 1 / y) / slope);
+        if (std::abs(next - x) < 1e-10 * x) return next;
+        x = next;
+    }
+    return x;
+}
+
+}  // namespace
+
+namespace {
+
+/// Probability of such different mean squares where all are of one variance: Bartlett's test.
+double scatter_alike_p(const std::vector<MeanSquare>& own, const MeanSquare& pooled) {
+    double statistic = 0, inverse = 0, sets = 0, freedom = 0;
+    for (const MeanSquare& each : own) {
+        if (each.freedom < 1 || !(each.value > 0)) continue;
+        statistic += each.freedom * std::log(pooled.value / each.value);
+        inverse += 1 / each.freedom;
+        freedom += each.freedom;
+        ++sets;
+    }
+    const double correction = 1 + (inverse - 1 / freedom) / (3 * (sets - 1));
+    return cdf(
+        complement(boost::math::chi_squared(sets - 1), std::max(0.0, statistic / correction)));
+}
+
+}  // namespace
+
+std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own) {
+    using boost::math::digamma;
+    using boost::math::trigamma;
+    MeanSquare pooled;
+    std::vector<double> logs;
+    double spread_by_chance = 0;
+    for (const MeanSquare& each : own) {
+        pooled.value += each.freedom * each.value;
+        pooled.freedom += each.freedom;
+        if (each.freedom >= 1 && each.value > 0) {
+            logs.push_back(std::log(each.value) - digamma(each.freedom / 2) +
+                           std::log(each.freedom / 2));
+            spread_by_chance += trigamma(each.freedom / 2);
+        }
+    }
+    if (pooled.freedom > 0) pooled.value /= pooled.freedom;
+    const std::vector<MeanSquare> alike(own.size(), pooled);
+    if (logs.size() < 2) return alike;
+    const auto count = static_cast<double>(logs.size());
+    double mean = 0, spread = 0;
+    for (const double each : logs)
+        mean += each / count;
+    for (const double each : logs)
+        spread += (each - mean) * (each - mean) / (count - 1);
+    const double beyond_chance = spread - spread_by_chance / count;
+    if (beyond_chance <= 0 || scatter_alike_p(own, pooled) > unlike) return alike;
+    const double prior_freedom = 2 * inverse_trigamma(beyond_chance);
+    const double prior = std::exp(mean + digamma(prior_freedom / 2) - std::log(prior_freedom / 2));
+    std::vector<MeanSquare> result;
+    for (const MeanSquare& each : own) {
+        if (each.freedom >= enough_alone) {
+            result.push_back(each);
+            continue;
+        }
+        const double freedom = std::min(prior_freedom + each.freedom, pooled.freedom);
+        result.push_back(
+            {(prior_freedom * prior + each.freedom * each.value) / (prior_freedom + each.freedom),
+             freedom});
+    }
+    return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,224 @@
+#include "data/recordings/steady_state.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "data/recordings/robust.h"
+#include "data/recordings/spikes.h"
+#include "data/recordings/step_series.h"
+#include "data/recordings/time_series.h"
+#include "data/recordings/unsteady.h"
+
+namespace pendular {
+namespace {
+
+/// What the steps of one recording have in common.
+struct Setting {
+    const Recording& recording;
+    const AnnularCell& cell;
+    const Grains& grains;
+    double liquid_content;
+    double least_strain;       ///< of a steady part [1]
+    double torque_resolution;  ///< [N m]
+    double height_resolution;  ///< [m]
+    double time_shift =
+        0;  ///< of the step at hand, to the time since the first recording began [s]
+};
+
+/// Means over the steady part of a step.
+struct Means {
+    Mean torque, normal_force, height, angular_velocity;
+    Eigen::Matrix2d covariance;  ///< of (torque at the mean normal force, height)
+    bool coarse = false;         ///< whether a resolution limits the covariance
+};
+
+/// Least standard error of the mean of values that take one, two or three levels a resolution
+/// apart: sqrt(1/12) of it, since rounding hides where between two levels they lie. Values that go
+/// over more levels dither, and their mean is finer than that.
+double error_from_resolution(const std::vector<double>& values, double resolution) {
+    const auto [least, most] = std::ranges::minmax(values);
+    const bool dithers = most - least > 2.5 * resolution;
+    return dithers ? 0 : resolution / std::sqrt(12.0);
+}
+
+/// Raises the variances of the means to what the columns resolve.
+void limit_by_resolution(Means& means, const StepSeries& steady, const Setting& setting) {
+    const Eigen::Array2d least = {error_from_resolution(steady.torque, setting.torque_resolution),
+                                  error_from_resolution(steady.height, setting.height_resolution)};
+    for (int i = 0; i < 2; ++i) {
+        if (means.covariance(i, i) >= least(i) * least(i)) continue;
+        means.covariance(i, i) = least(i) * least(i);
+        means.coarse = true;
+    }
+}
+
+Means means_of(const StepSeries& steady) {
+    Means means{mean_of_correlated(steady.torque), mean_of_correlated(steady.normal_force),
+                mean_of_correlated(steady.height), mean_of_correlated(steady.angular_velocity),
+                Eigen::Matrix2d::Zero()};
+    std::vector<double> torque = steady.torque;  // at the mean normal force
+    const double slope = means.torque.value / means.normal_force.value;
+    for (std::size_t i = 0; i < torque.size(); ++i)
+        torque[i] -= slope * (steady.normal_force[i] - means.normal_force.value);
+    const double torque_error = mean_of_correlated(torque).standard_error;
+    const double shared = covariance_of_means(torque, steady.height);
+    means.covariance << torque_error * torque_error, shared, shared,
+        means.height.standard_error * means.height.standard_error;
+    return means;
+}
+
+/// Why the means of a step make no reading; empty if they do.
+std::string unusable(const Means& means) {
+    if (means.normal_force.value <= 0)
+        return fmt::format(
+            "the mean normal force is {:.3g} N, no compression; compression must be "
+            "positive",
+            means.normal_force.value);
+    if (means.torque.value <= 2 * std::sqrt(means.covariance(0, 0)))
+        return "the mean torque is zero within twice its standard error";
+    return "";
+}
+
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+Reading reading_of(const Means& means, const StepSeries& steady, int number,
+                   const Setting& setting) {
+    Reading reading;
+    reading.origin = {setting.recording.file, steady.line.front(), 0};
+    reading.last_line = steady.line.back();
+    reading.step = number;
+    const double height = means.height.value;
+    reading.value = {shear_stress(means.torque.value, setting.cell),
+                     solid_fraction(height, setting.cell)};
+    reading.covariance = covariance_of_reading(height, means.covariance, setting.cell);
+    reading.shear_rate = shear_rate(std::abs(means.angular_velocity.value), height, setting.cell);
+    const double stress = normal_stress(means.normal_force.value, setting.cell);
+    reading.condition = {stress, inertial_number(reading.shear_rate, stress, setting.grains),
+                         setting.liquid_content, height};
+    reading.condition.bead_volume = setting.cell.bead_volume;
+    reading.condition.time = mean(steady.time) + setting.time_shift;
+    reading.within_run_only = true;
+    reading.sampled_seconds = steady.time.back() - steady.time.front();
+    return reading;
+}
+
+/// Why a strain is too short for steady shear.
+std::string short_strain(const char* what, double strain, const StepSeries& series,
+                         const Setting& setting) {
+    return fmt::format(
+        "{} covers a strain of {:.2g}, steady shear takes {:g} (least_strain in [import]); it "
+        "looks "
+        "like {}, unless the angular velocity is in another unit",
+        what, strain, setting.least_strain, looks_like(series));
+}
+
+/// Adds the reading of one step, or what was left out and why; its number to `coarse` where the
+/// resolution of a column limits its error.
+void reduce_step(const StepSeries& series, int number, const Setting& setting,
+                 std::vector<int>& coarse, Measurements& result) {
+    const auto exclude = [&](std::size_t end, const std::string& reason) {
+        result.excluded.push_back({{setting.recording.file, series.line.front(), 0},
+                                   series.line[end - 1],
+                                   fmt::format("step {}: {}", number, reason)});
+    };
+    if (series.size() < shortest_step)
+        return exclude(series.size(),
+                       fmt::format("has {} rows, {} are needed", series.size(), shortest_step));
+    if (!turns(mean_of_correlated(series.angular_velocity)))
+        return exclude(series.size(), "the lid does not turn: a rest, or consolidation");
+    if (const double strain = strain_of(series, setting.cell); strain < setting.least_strain)
+        return exclude(series.size(), short_strain("it", strain, series, setting));
+    std::string why;
+    const auto begin = end_of_transient(series, why);
+    if (!begin) return exclude(series.size(), why);
+    if (series.size() - *begin < shortest_step)
+        return exclude(series.size(), fmt::format("{} rows are steady, {} are needed",
+                                                  series.size() - *begin, shortest_step));
+    const StepSeries steady = series.from(*begin);
+    if (const double strain = strain_of(steady, setting.cell); strain < setting.least_strain)
+        return exclude(series.size(), short_strain("its steady part", strain, steady, setting));
+    Means means = means_of(steady);
+    limit_by_resolution(means, steady, setting);
+    if (const std::string reason = unusable(means); !reason.empty())
+        return exclude(series.size(), reason);
+    if (*begin > 0)
+        exclude(*begin, fmt::format("transient of {:.3g} s, until torque and gap are steady",
+                                    series.time[*begin] - series.time.front()));
+    if (means.coarse) coarse.push_back(number);
+    result.readings.push_back(reading_of(means, steady, number, setting));
+}
+
+/// Lists rows of a step whose torque, force or gap was replaced.
+void exclude_spikes(const StepSeries& series, const std::vector<std::size_t>& rows,
+                    const std::string& file, Measurements& result) {
+    for (const std::size_t k : rows) {
+        result.excluded.push_back({{file, series.line[k], 0},
+                                   series.line[k],
+                                   "spike: torque, force or gap is far off the rows around it"});
+    }
+}
+
+/// Adds a note on some steps of a file, if there are any.
+void note_steps(const std::vector<int>& steps, const std::string& file, const std::string& what,
+                Measurements& result) {
+    if (steps.empty()) return;
+    result.notes.push_back(fmt::format("{}: step {}: {}", file, fmt::join(steps, ", "), what));
+}
+
+}  // namespace
+
+Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
+                              const Grains& grains, double liquid_content) {
+    RunClock first;
+    return reduce_recording(recording, cell, grains, liquid_content, first);
+}
+
+Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
+                              const Grains& grains, double liquid_content, RunClock& clock,
+                              const ImportChoice& choice) {
+    Setting setting{recording,
+                    cell,
+                    grains,
+                    liquid_content,
+                    choice.least_strain,
+                    least_step(recording.torque),
+                    least_step(recording.height)};
+    Measurements result;
+    std::vector<int> flipped, interpolated, coarse, spiked;
+    int number = 0;
+    for (const Step& step : split_steps(recording)) {
+        StepSeries series = step_series(recording, step);
+        ++number;
+        if (const auto rows = take_out_spikes(series); !rows.empty()) {
+            spiked.push_back(number);
+            exclude_spikes(series, rows, recording.file, result);
+        }
+        if (series.flipped) flipped.push_back(number);
+        if (series.interpolated) interpolated.push_back(number);
+        setting.time_shift = clock.shift(recording.time[step.begin], recording.time[step.end - 1]);
+        reduce_step(series, number, setting, coarse, result);
+    }
+    note_steps(spiked, recording.file,
+               "single rows jump far off their neighbours and back; they were left out (listed in "
+               "excluded.csv). Look for a disturbance, or a wrong column",
+               result);
+    note_steps(flipped, recording.file, "the torque was negative; its sign was flipped", result);
+    note_steps(interpolated, recording.file,
+               "samples are unevenly spaced in time; interpolated to even spacing", result);
+    note_steps(
+        coarse, recording.file,
+        fmt::format("torque or gap hardly changes from row to row: their standard errors are "
+                    "those of their resolution, {:.3g} mN m and {:.3g} mm",
+                    1e3 * setting.torque_resolution, 1e3 * setting.height_resolution),
+        result);
+    if (!recording.unused_columns.empty())
+        result.notes.push_back(fmt::format("{}: columns not used: '{}'", recording.file,
+                                           fmt::join(recording.unused_columns, "', '")));
+    return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,169 @@
+#include "data/recordings/step_series.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "data/recordings/robust.h"
+#include "data/recordings/time_series.h"
+
+namespace pendular {
+namespace {
+
+std::vector<double> part(const std::vector<double>& values, std::size_t begin, std::size_t end) {
+    return {values.begin() + static_cast<std::ptrdiff_t>(begin),
+            values.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+/// Whether samples are evenly spaced but for jitter and the rounding of times. Times too coarse to
+/// tell (most neighbours equal) are taken to be.
+bool evenly_spaced(const std::vector<double>& time) {
+    std::vector<double> spacings;
+    for (std::size_t i = 1; i < time.size(); ++i)
+        spacings.push_back(time[i] - time[i - 1]);
+    const double usual = median(spacings);
+    const auto [least, most] = std::minmax_element(spacings.begin(), spacings.end());
+    return usual == 0 || (*least >= 0.5 * usual && *most <= 1.5 * usual);
+}
+
+/// Index of the last row at or before each of as many evenly spaced times, and how far beyond it
+/// each lies, as a fraction of the way to the next row.
+struct Grid {
+    std::vector<double> time;
+    std::vector<std::size_t> row;
+    std::vector<double> fraction;
+};
+
+Grid even_grid(const std::vector<double>& time) {
+    Grid grid;
+    const std::size_t n = time.size();
+    std::size_t row = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double t = time.front() + (time.back() - time.front()) * static_cast<double>(i) /
+                                            static_cast<double>(n - 1);
+        while (row + 2 < n && time[row + 1] <= t)
+            ++row;
+        const double spacing = time[row + 1] - time[row];
+        grid.time.push_back(t);
+        grid.row.push_back(row);
+        grid.fraction.push_back(spacing > 0 ? std::min((t - time[row]) / spacing, 1.0) : 0);
+    }
+    return grid;
+}
+
+void interpolate(std::vector<double>& values, const Grid& grid) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::size_t row = grid.row[i];
+        result.push_back(std::lerp(values[row], values[row + 1], grid.fraction[i]));
+    }
+    values = std::move(result);
+}
+
+void space_evenly(StepSeries& series) {
+    const Grid grid = even_grid(series.time);
+    for (auto* values :
+         {&series.torque, &series.normal_force, &series.height, &series.angular_velocity})
+        interpolate(*values, grid);
+    std::vector<int> line;
+    for (const std::size_t row : grid.row)
+        line.push_back(series.line[row]);
+    line.back() = series.line.back();
+    series.line = std::move(line);
+    series.time = grid.time;
+    series.interpolated = true;
+}
+
+/// Whether the values of one sign are more than noise around zero: one of them far outside it, or
+/// not just a few that are clear of zero as a group or, where they change slowly, clear of the
+/// noise.
+bool significant(const std::vector<double>& magnitudes, std::span<const double> series) {
+    const double far = 5 * robust_deviation(series);
+    if (std::ranges::any_of(magnitudes, [&](double value) { return value > far; })) return true;
+    if (magnitudes.size() < std::max<std::size_t>(3, series.size() / 50)) return false;
+    const double typical = median(magnitudes);
+    return typical > 3 * robust_deviation(magnitudes) || typical > 5 * sample_noise(series);
+}
+
+/// Flips a negative torque and refuses one of both signs. While the lid rests the torque may relax
+/// through zero.
+void check_torque_sign(StepSeries& series, const Recording& recording, const Step& step) {
+    if (!turns(mean_of_correlated(series.angular_velocity))) return;
+    std::vector<double> positive, negative;
+    for (const double torque : series.torque) {
+        if (torque > 0) positive.push_back(torque);
+        if (torque < 0) negative.push_back(-torque);
+    }
+    const bool mostly_negative = negative.size() > positive.size();
+    if (significant(mostly_negative ? positive : negative, series.torque)) {
+        std::size_t row = step.begin;
+        while (mostly_negative ? recording.torque[row] <= 0 : recording.torque[row] >= 0)
+            ++row;
+        throw InputError({recording.file, recording.line[row]},
+                         "the torque changes its sign within a step of constant set points; split "
+                         "the step here, by a column 'Interval [1]', or correct the sign");
+    }
+    series.flipped = mostly_negative;
+    if (mostly_negative)
+        for (double& torque : series.torque)
+            torque = -torque;
+}
+
+/// Whether a series changes by less than 0.1 % between its last two quarters.
+bool nearly_constant(std::span<const double> series) {
+    const std::size_t quarter = series.size() / 4;
+    const Mean before = mean_of_correlated(series.last(2 * quarter).first(quarter));
+    const Mean after = mean_of_correlated(series.last(quarter));
+    return std::abs(after.value - before.value) < 1e-3 * std::abs(after.value);
+}
+
+std::optional<std::size_t> end_of_transient_or_drift(std::span<const double> series) {
+    const auto found = end_of_transient(series);
+    if (!found && nearly_constant(series)) return series.size() / 2;
+    return found;
+}
+
+}  // namespace
+
+StepSeries StepSeries::from(std::size_t begin) const {
+    return {part(time, begin, size()),
+            part(torque, begin, size()),
+            part(normal_force, begin, size()),
+            part(height, begin, size()),
+            part(angular_velocity, begin, size()),
+            {line.begin() + static_cast<std::ptrdiff_t>(begin), line.end()},
+            interpolated,
+            flipped};
+}
+
+bool turns(const Mean& angular_velocity) {
+    return std::abs(angular_velocity.value) > 3 * angular_velocity.standard_error;
+}
+
+StepSeries step_series(const Recording& recording, const Step& step) {
+    StepSeries series{part(recording.time, step.begin, step.end),
+                      part(recording.torque, step.begin, step.end),
+                      part(recording.normal_force, step.begin, step.end),
+                      part(recording.height, step.begin, step.end),
+                      part(recording.angular_velocity, step.begin, step.end),
+                      {recording.line.begin() + static_cast<std::ptrdiff_t>(step.begin),
+                       recording.line.begin() + static_cast<std::ptrdiff_t>(step.end)}};
+    check_torque_sign(series, recording, step);
+    if (!evenly_spaced(series.time)) space_evenly(series);
+    return series;
+}
+
+std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& why) {
+    const auto torque = end_of_transient_or_drift(series.torque);
+    const auto height = end_of_transient_or_drift(series.height);
+    if (torque && height) return std::max(*torque, *height);
+    why = fmt::format("never steady: {} at the end of the step",
+                      torque   ? "the gap still changes"
+                      : height ? "the torque still changes"
+                               : "torque and gap still change");
+    return std::nullopt;
+}
+
+}  // namespace pendular

@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "data/recordings/recording.h"
+#include "data/recordings/robust.h"
+
+namespace pendular {
+namespace {
+
+/// A set point counts as changed beyond this part of itself.
+constexpr double tolerance = 0.05;
+
+using Series = std::span<const double>;
+
+double level(Series series) {
+    return median({series.begin(), series.end()});
+}
+
+/// Levels of a series around a possible boundary, and the noise they are known through.
+struct Sides {
+    double before = 0;
+    double after = 0;
+    double noise = 0;
+};
+
+Sides sides(Series before, Series after) {
+    return {level(before), level(after),
+            std::max(robust_deviation(before), robust_deviation(after))};
+}
+
+/// Whether two levels differ by more than the tolerance and than 3.5 times their noise. The
+/// difference of two medians of 20 has a standard deviation of 0.4 noises. A ramp rises by 20 rows
+/// from one window to the next and deviates by 7.4 within them: it does not count, nor does a slow
+/// wave. `scale` keeps the noise of a lid at rest from looking like steps.
+bool differ(const Sides& s, double scale) {
+    const double reference = std::max({std::abs(s.before), std::abs(s.after), scale});
+    return std::abs(s.after - s.before) > std::max(tolerance * reference, 3.5 * s.noise);
+}
+
+/// Where in [begin, end) a series passes from one level to the other: the split with the smallest
+/// sum of distances from them.
+std::size_t best_split(Series series, std::size_t begin, std::size_t end, const Sides& s) {
+    double cost = 0;  // of splitting at `begin`, up to a constant
+    double lowest = 0;
+    std::size_t best = begin;
+    for (std::size_t i = begin; i < end; ++i) {
+        cost += std::abs(series[i] - s.before) - std::abs(series[i] - s.after);
+        if (cost < lowest) {
+            lowest = cost;
+            best = i + 1;
+        }
+    }
+    return best;
+}
+
+/// Drops pairs of boundaries around a passage too short to be a level, after which the series is
+/// back where it was.
+std::vector<std::size_t> without_excursions(std::vector<std::size_t> boundaries, Series series,
+                                            double scale) {
+    for (std::size_t i = 0; i + 1 < boundaries.size();) {
+        const std::size_t begin = boundaries[i], end = boundaries[i + 1];
+        const std::size_t rows = std::min({shortest_step, begin, series.size() - end});
+        const bool back =
+            !differ(sides(series.subspan(begin - rows, rows), series.subspan(end, rows)), scale);
+        const auto at = boundaries.begin() + static_cast<std::ptrdiff_t>(i);
+        if (end - begin < shortest_step && back)
+            boundaries.erase(at, at + 2);
+        else
+            ++i;
+    }
+    return boundaries;
+}
+
+/// Boundaries at which one signal jumps, by comparing the rows before with the rows after each
+/// possible place.
+std::vector<std::size_t> jumps(Series series) {
+    constexpr std::size_t window = shortest_step;
+    std::vector<std::size_t> result;
+    if (series.size() < 2 * window) return result;
+    const double scale = 0.01 * std::max(std::abs(*std::max_element(series.begin(), series.end())),
+                                         std::abs(*std::min_element(series.begin(), series.end())));
+    const auto jumps_at = [&](std::size_t i) {
+        return differ(sides(series.subspan(i - window, window), series.subspan(i, window)), scale);
+    };
+    const std::size_t last = series.size() - window;
+    for (std::size_t i = window; i <= last; ++i) {
+        if (!jumps_at(i)) continue;
+        std::size_t end = i;  // of the run of places the jump is seen from
+        while (end < last && jumps_at(end + 1))
+            ++end;
+        const Sides s = sides(series.subspan(i - window, window), series.subspan(end, window));
+        if (differ(s, scale)) result.push_back(best_split(series, i - window, end + window, s));
+        i = end;
+    }
+    return without_excursions(std::move(result), series, scale);
+}
+
+std::vector<Step> between(std::vector<std::size_t> boundaries, std::size_t size) {
+    boundaries.insert(boundaries.begin(), 0);
+    boundaries.push_back(size);
+    std::sort(boundaries.begin(), boundaries.end());
+    std::vector<Step> steps;
+    for (std::size_t i = 1; i < boundaries.size(); ++i)
+        if (boundaries[i] > boundaries[i - 1]) steps.push_back({boundaries[i - 1], boundaries[i]});
+    return steps;
+}
+
+/// Joins what is too short to be a level of its own to the step it leads to.
+std::vector<Step> without_passages(const std::vector<Step>& steps) {
+    std::vector<Step> result;
+    std::size_t begin = 0;
+    for (const Step& step : steps) {
+        const bool last = &step == &steps.back();
+        if (step.end - step.begin < shortest_step && !last) continue;
+        result.push_back({begin, step.end});
+        begin = step.end;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<Step> split_steps(const Recording& recording) {
+    std::vector<std::size_t> boundaries;
+    if (!recording.interval.empty()) {
+        for (std::size_t i = 1; i < recording.size(); ++i)
+            if (recording.interval[i] != recording.interval[i - 1]) boundaries.push_back(i);
+        return between(boundaries, recording.size());
+    }
+    boundaries = jumps(recording.angular_velocity);
+    const std::vector<std::size_t> of_force = jumps(recording.normal_force);
+    boundaries.insert(boundaries.end(), of_force.begin(), of_force.end());
+    return without_passages(between(boundaries, recording.size()));
+}
+
+}  // namespace pendular

@@ -1,0 +1,251 @@
+#include "data/recordings/time_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace pendular {
+namespace {
+
+double plain_mean(std::span<const double> samples) {
+    double sum = 0;
+    for (double sample : samples)
+        sum += sample;
+    return sum / static_cast<double>(samples.size());
+}
+
+/// Lagged products of two series about their means, each computed when first asked for: windows
+/// are short, so most lags never are.
+class Covariances {
+  public:
+    Covariances(std::span<const double> first, std::span<const double> second)
+        : first_(centred(first)), second_(centred(second)) {}
+
+    /// C(lag) averaged over both directions of the lag.
+    double operator()(std::size_t lag) {
+        while (known_.size() <= lag)
+            known_.push_back(at(known_.size()));
+        return known_[lag];
+    }
+
+    /// C(0) + 2 sum_{t=1}^{window} C(t).
+    double summed(std::size_t window) {
+        double sum = (*this)(0);
+        for (std::size_t lag = 1; lag <= window; ++lag)
+            sum += 2 * (*this)(lag);
+        return sum;
+    }
+
+  private:
+    static std::vector<double> centred(std::span<const double> samples) {
+        std::vector<double> result(samples.begin(), samples.end());
+        const double mean = plain_mean(samples);
+        for (double& sample : result)
+            sample -= mean;
+        return result;
+    }
+
+    double at(std::size_t lag) const {
+        const std::size_t pairs = first_.size() - lag;
+        double sum = 0;
+        for (std::size_t i = 0; i < pairs; ++i)
+            sum += first_[i] * second_[i + lag] + first_[i + lag] * second_[i];
+        return sum / (2 * static_cast<double>(pairs));
+    }
+
+    std::vector<double> first_, second_, known_;
+};
+
+/// 2 tau and the window it was summed over.
+struct Correlation {
+    double samples = 1;
+    std::size_t window = 0;
+};
+
+/// Wolff's Gamma method: the window W at which the statistical error exp(-W/tau)-tau/sqrt(W n)
+/// changes sign, tau = S / ln((2 tau_int + 1)/(2 tau_int - 1)), S = 1.5; then the two
+/// corrections for the bias of an estimated mean, eqs. (32) and (49).
+Correlation windowed_correlation(Covariances& covariance, std::size_t n) {
+    constexpr double s = 1.5;
+    const double count = static_cast<double>(n);
+    double tau_int = 0.5;
+    std::size_t window = 0;
+    while (window < n / 2) {
+        ++window;
+        tau_int += covariance(window) / covariance(0);
+        if (tau_int <= 0.5) break;  // no positive correlation: the window closes at once
+        const double tau = s / std::log((2 * tau_int + 1) / (2 * tau_int - 1));
+        const double w = static_cast<double>(window);
+        if (std::exp(-w / tau) < tau / std::sqrt(w * count)) break;
+    }
+    const double w = static_cast<double>(window);
+    const double bias = covariance.summed(window) / count;
+    const double unbiased = covariance.summed(window) + (2 * w + 1) * bias;
+    const double two_tau = unbiased / (covariance(0) + bias) * (1 + (2 * w + 1) / count);
+    return {two_tau, window};
+}
+
+/// An autoregression x_t = sum_j a_j x_(t-j) + innovation, grown order by order (Levinson-Durbin).
+struct Autoregression {
+    std::vector<double> coefficients;
+    double innovation = 0;  ///< its variance
+
+    double order() const { return static_cast<double>(coefficients.size()); }
+
+    /// One order more. `biased` gives lagged covariances divided by n throughout, which keeps the
+    /// recursion stable.
+    template <typename Lagged>
+    void grow(const Lagged& biased) {
+        const std::size_t next_order = coefficients.size() + 1;
+        double reflection = biased(next_order);
+        for (std::size_t j = 1; j < next_order; ++j)
+            reflection -= coefficients[j - 1] * biased(next_order - j);
+        reflection /= innovation;
+        std::vector<double> next(next_order, reflection);
+        for (std::size_t j = 1; j < next_order; ++j)
+            next[j - 1] = coefficients[j - 1] - reflection * coefficients[next_order - j - 1];
+        coefficients = std::move(next);
+        innovation *= 1 - reflection * reflection;
+    }
+
+    /// n times the variance of the mean of n samples. The sum a of the coefficients comes out low
+    /// by (1 + 3 a)/n (Marriott and Pope 1954, for order 1) and is kept below 1 - 2/n.
+    double spectrum_at_zero(double count) const {
+        double sum = 0;
+        for (const double a : coefficients)
+            sum += a;
+        if (!coefficients.empty()) sum = std::min(sum + (1 + 3 * sum) / count, 1 - 2 / count);
+        return innovation * count / (count - 1 - order()) / ((1 - sum) * (1 - sum));
+    }
+};
+
+/// 2 tau from the autoregression that fits best by the Bayesian criterion, at most order 10.
+double autoregressive_correlation(Covariances& covariance, std::size_t n) {
+    const double count = static_cast<double>(n);
+    const std::size_t highest = std::min<std::size_t>(10, n / 10);
+    const auto biased = [&](std::size_t lag) {
+        return covariance(lag) * (count - static_cast<double>(lag)) / count;
+    };
+    Autoregression model{{}, biased(0)};
+    double best = count * std::log(model.innovation);
+    double spectrum = model.spectrum_at_zero(count);
+    while (model.coefficients.size() < highest) {
+        model.grow(biased);
+        if (model.innovation <= 0) break;  // a deterministic series: nothing left to explain
+        const double criterion =
+            count * std::log(model.innovation) + std::log(count) * model.order();
+        if (criterion >= best) continue;
+        best = criterion;
+        spectrum = model.spectrum_at_zero(count);
+    }
+    return spectrum / covariance(0);
+}
+
+/// Samples less the straight line that fits them best.
+std::vector<double> without_line(std::span<const double> samples) {
+    const double centre = static_cast<double>(samples.size() - 1) / 2;
+    const double mean = plain_mean(samples);
+    double products = 0, squares = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double t = static_cast<double>(i) - centre;
+        products += t * (samples[i] - mean);
+        squares += t * t;
+    }
+    std::vector<double> result(samples.begin(), samples.end());
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] -= products / squares * (static_cast<double>(i) - centre);
+    return result;
+}
+
+/// Whether the scatter about the mean is no more than rounding.
+bool constant(double variance, double mean) {
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * std::abs(mean);
+    return variance <= rounding * rounding;
+}
+
+/// Whether the halves of a series differ by more than 4 standard errors. The errors are those of
+/// the scatter about a line: a drift would otherwise pass for noise of long correlation and hide.
+bool still_drifts(std::span<const double> samples) {
+    const std::size_t half = samples.size() / 2;
+    const double difference =
+        std::abs(plain_mean(samples.first(half)) - plain_mean(samples.last(half)));
+    if (constant(difference * difference, samples.front())) return false;
+    // A half has twice the variance of the whole, the difference of two halves four times.
+    const double error = 2 * mean_of_correlated(without_line(samples)).standard_error;
+    return difference > 4 * error;
+}
+
+}  // namespace
+
+Mean mean_of_correlated(std::span<const double> samples) {
+    if (samples.empty()) throw std::invalid_argument("the mean of no samples");
+    const std::size_t n = samples.size();
+    const double count = static_cast<double>(n);
+    const double mean = plain_mean(samples);
+    if (n == 1) return {mean, std::numeric_limits<double>::infinity(), 1};
+    Covariances covariance(samples, samples);
+    if (constant(covariance(0), mean)) return {mean, 0, 1};
+
+    const double two_tau = std::max(windowed_correlation(covariance, n).samples,
+                                    autoregressive_correlation(covariance, n));
+    // The error is itself estimated, from about n/(2 tau) independent samples: widened so that
+    // squared standardised errors average one, as those of Student's t would not.
+    const double independent = count / two_tau;
+    const double widened = 1 + 2 / std::max(independent - 1, 1.0);
+    return {mean, std::sqrt(two_tau * covariance(0) / count * widened), two_tau};
+}
+
+double covariance_of_means(std::span<const double> first, std::span<const double> second) {
+    if (first.size() != second.size())
+        throw std::invalid_argument("covariance of series of different length");
+    const Mean a = mean_of_correlated(first);
+    const Mean b = mean_of_correlated(second);
+    if (first.size() < 2 || a.standard_error == 0 || b.standard_error == 0) return 0;
+
+    Covariances own_first(first, first), own_second(second, second), cross(first, second);
+    std::size_t window = std::max(windowed_correlation(own_first, first.size()).window,
+                                  windowed_correlation(own_second, first.size()).window);
+    double product = own_first.summed(window) * own_second.summed(window);
+    if (own_first.summed(window) <= 0 || product <= 0) {  // anticorrelated series: lag 0 alone
+        window = 0;
+        product = own_first(0) * own_second(0);
+    }
+    const double correlation = cross.summed(window) / std::sqrt(product);
+    return std::clamp(correlation, -0.99, 0.99) * a.standard_error * b.standard_error;
+}
+
+std::optional<std::size_t> end_of_transient(std::span<const double> samples) {
+    // Batches of five, fewer in short series: with less than about forty batches the minimum falls
+    // on the border by chance too often.
+    const std::size_t batch = std::clamp<std::size_t>(samples.size() / 40, 1, 5);
+    std::vector<double> means;
+    for (std::size_t i = 0; i + batch <= samples.size(); i += batch)
+        means.push_back(plain_mean(samples.subspan(i, batch)));
+    const std::size_t half = means.size() / 2;
+    if (half < 2) return std::nullopt;
+
+    std::size_t best = 0;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t d = 0; d <= half; ++d) {
+        const std::span<const double> rest = std::span<const double>(means).subspan(d);
+        const double left = static_cast<double>(rest.size());
+        const double mean = plain_mean(rest);
+        double squares = 0;
+        for (double value : rest)
+            squares += (value - mean) * (value - mean);
+        if (constant(squares / left, mean)) squares = 0;
+        const double marginal = squares / (left * left);
+        if (marginal < lowest) {
+            lowest = marginal;
+            best = d;
+        }
+    }
+    if (best == half) return std::nullopt;
+
+    if (still_drifts(samples.subspan(best * batch))) return std::nullopt;
+    return best * batch;
+}
+
+}  // namespace pendular

@@ -1,0 +1,186 @@
+#include "data/study/effect_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <stdexcept>
+
+#include "data/quantities/units.h"
+#include "data/study/study_table.h"
+
+namespace pendular {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+Keys effect_keys() {
+    Keys keys = {"name", "parameter", "unit", "lower", "upper", "neutral", "matters", "summary"};
+    for (const Keys& targets : {instrument_targets(), flow_targets()})
+        keys.insert(keys.end(), targets.begin(), targets.end());
+    return keys;
+}
+
+bool is_lower(char c) {
+    return c >= 'a' && c <= 'z';
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+    return is_lower(c) || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+/// Lower-case words joined by hyphens, as the built-in effects are called.
+bool is_effect_name(const std::string& name) {
+    return !name.empty() && is_lower(name.front()) && name.back() != '-' &&
+           name.find("--") == std::string::npos &&
+           std::ranges::all_of(name, [](char c) { return is_lower(c) || is_digit(c) || c == '-'; });
+}
+
+/// A word that a formula can call a variable.
+bool is_identifier(const std::string& word) {
+    return !word.empty() && is_letter(word.front()) &&
+           std::ranges::all_of(word, [](char c) { return is_letter(c) || is_digit(c); });
+}
+
+std::string required_text(const StudyTable& table, std::string_view key, const char* example) {
+    const auto text = table.text(key);
+    if (!text)
+        throw InputError(table.position(),
+                         fmt::format("[[effect]] lacks '{}'; add {} = \"{}\"", key, key, example));
+    return *text;
+}
+
+/// The unit of the parameter: any spelling, but with the zero of the SI unit.
+Unit parameter_unit(const StudyTable& table) {
+    try {
+        Unit unit(table.text("unit").value_or("1"));
+        if (unit.to_si(0) != 0)
+            table.refuse("unit", "has a zero of its own; choose the SI unit, K for temperatures");
+        return unit;
+    } catch (const std::invalid_argument& error) {
+        table.refuse("unit", error.what());
+    }
+}
+
+double required_bound(const StudyTable& table, std::string_view key, const Unit& unit) {
+    if (const auto value = table.quantity_in(key, unit)) return *value;
+    throw InputError(table.position(),
+                     fmt::format("[[effect]] lacks '{}'; add the {} bound of the parameter, "
+                                 "{} = ...",
+                                 key, key == "lower" ? "lowest" : "highest", key));
+}
+
+/// A switch is 0 or 1: there is nothing to choose.
+void check_switch(const StudyTable& table) {
+    constexpr std::array<std::pair<const char*, double>, 4> fixed = {
+        {{"lower", 0}, {"upper", 1}, {"neutral", 0}, {"matters", 1}}};
+    for (const auto& [key, value] : fixed)
+        if (table.quantity(key, "1").value_or(value) != value)
+            table.refuse(key, fmt::format("of a switch is {}; leave it out", value));
+    if (!parameter_unit(table).dimension().empty())
+        table.refuse("unit", "a switch has none; leave it out");
+}
+
+void read_bounds(const StudyTable& table, WrittenEffect& effect) {
+    const Unit unit = parameter_unit(table);
+    effect.unit = si_spelling(unit);
+    effect.lower = required_bound(table, "lower", unit);
+    effect.upper = required_bound(table, "upper", unit);
+    if (effect.lower >= effect.upper) table.refuse("lower", "must be below 'upper'");
+    effect.neutral = table.quantity_in("neutral", unit).value_or(0);
+    if (effect.neutral < effect.lower || effect.neutral > effect.upper)
+        table.refuse("neutral",
+                     fmt::format("the neutral value, {:g} where 'neutral' is left out, must lie "
+                                 "between 'lower' and 'upper', so that the effect can be absent",
+                                 effect.neutral));
+    effect.matters =
+        table.quantity_in("matters", unit).value_or((effect.upper - effect.lower) / 10);
+    if (effect.matters <= 0) table.refuse("matters", "must be positive");
+}
+
+/// The formulas of one group of targets that the table has.
+std::vector<Formula> formulas_of(const StudyTable& table, const Keys& targets) {
+    std::vector<Formula> formulas;
+    for (const std::string& target : targets)
+        if (const auto text = table.text(target))
+            formulas.push_back({target, *text, table.at(target)});
+    return formulas;
+}
+
+std::vector<Formula> read_formulas(const StudyTable& table, const WrittenEffect& effect) {
+    const auto of_instrument = formulas_of(table, instrument_targets());
+    const auto of_flow = formulas_of(table, flow_targets());
+    if (of_instrument.empty() && of_flow.empty())
+        throw InputError(effect.position,
+                         fmt::format("[[effect]] '{}' has no formula; add what the instrument "
+                                     "shows, torque = \"torque + {}\" for example",
+                                     effect.name, effect.parameter));
+    if (!of_instrument.empty() && !of_flow.empty())
+        table.refuse(of_flow.front().target,
+                     fmt::format("is what the beads show, '{}' what the instrument shows; write "
+                                 "two effects",
+                                 of_instrument.front().target));
+    return of_instrument.empty() ? of_flow : of_instrument;
+}
+
+WrittenEffect read_effect(const StudyTable& table) {
+    WrittenEffect effect;
+    effect.position = table.position();
+    effect.name = required_text(table, "name", "my-effect");
+    effect.name_position = table.at("name");
+    if (!is_effect_name(effect.name))
+        table.refuse("name", fmt::format("\"{}\" must be lower-case words joined by hyphens, as "
+                                         "\"torque-offset\" is",
+                                         effect.name));
+    effect.parameter = required_text(table, "parameter", "amplitude");
+    effect.parameter_position = table.at("parameter");
+    if (!is_identifier(effect.parameter))
+        table.refuse("parameter", fmt::format("\"{}\" must be one word of letters, digits and _ "
+                                              "that begins with a letter",
+                                              effect.parameter));
+    if (effect.parameter == "on")
+        check_switch(table);
+    else
+        read_bounds(table, effect);
+    effect.summary = table.text("summary").value_or("");
+    if (effect.summary.find_first_of("\r\n") != std::string::npos)
+        table.refuse("summary", "must be one line");
+    effect.formulas = read_formulas(table, effect);
+    return effect;
+}
+
+}  // namespace
+
+const std::vector<std::string>& instrument_targets() {
+    static const Keys targets = {"torque", "normal_force", "height", "angular_velocity"};
+    return targets;
+}
+
+const std::vector<std::string>& flow_targets() {
+    static const Keys targets = {"stress_ratio", "solid_fraction"};
+    return targets;
+}
+
+bool WrittenEffect::of_instrument() const {
+    return std::ranges::find(instrument_targets(), formulas.at(0).target) !=
+           instrument_targets().end();
+}
+
+std::vector<WrittenEffect> read_written_effects(const StudyTable& root) {
+    std::vector<WrittenEffect> effects;
+    for (const StudyTable& table : root.tables("effect", effect_keys())) {
+        const WrittenEffect effect = read_effect(table);
+        const auto earlier = std::ranges::find(effects, effect.name, &WrittenEffect::name);
+        if (earlier != effects.end())
+            table.refuse("name", fmt::format("\"{}\" is written in line {} already; choose another",
+                                             effect.name, earlier->position.line));
+        effects.push_back(effect);
+    }
+    return effects;
+}
+
+}  // namespace pendular

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "data/grains.h"
+#include "data/study/direct_table.h"
+
+namespace pendular {
+
+class StudyTable;
+
+/// Ends of what can be set, the least first.
+struct Span {
+    double least = 0, greatest = 0;
+};
+
+/// What can be measured next on a study's rig: [rig] in study.toml.
+struct Rig {
+    Span normal_stress;                         ///< [Pa]
+    std::optional<Span> inertial_number;        ///< [1]; one of these two
+    std::optional<Span> shear_rate;             ///< [1/s]
+    std::vector<double> liquid_contents = {0};  ///< Phi_L/Phi_S [1]
+    /// Of the beads in the cell [m^3]; empty: what the study's cell holds.
+    std::vector<double> bead_volumes = {};
+    int repeats = 5;          ///< most readings at one point
+    int readings = 12;        ///< most in all, where one point is not enough
+    double wet_cost = 1;      ///< of a wet reading, in dry ones
+    double filling_cost = 0;  ///< of filling the cell with another amount of beads, in dry readings
+    /// Before a reading is taken, after the last one that was [s].
+    std::vector<double> waits = {0};
+    double hour_cost = 1;  ///< of an hour of that, in dry readings
+    /// Effects that can be measured by themselves.
+    std::vector<StatedDirect> direct = {};
+};
+
+/// [rig] of a study; empty where there is none.
+/// @throws InputError at what is missing, unknown or impossible
+std::optional<Rig> read_rig(const StudyTable& root, const Grains& grains, bool has_liquid);
+
+}  // namespace pendular

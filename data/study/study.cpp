@@ -1,0 +1,241 @@
+#include "data/study/study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "data/files/text_file.h"
+#include "data/study/files.h"
+#include "data/study/study_table.h"
+
+namespace pendular {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+const Keys top_keys = {"grains", "liquid", "cell", "recording", "readings", "model",
+                       "effect", "direct", "rig",  "import",    "scatter"};
+const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_ratio"};
+const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
+const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
+                        "torque_formula"};
+const Keys source_keys = {"file", "liquid_content", "bead_mass", "bead_volume"};
+const Keys import_keys = {"keep_implausible", "least_strain"};
+const Keys model_keys = {"base", "calibrate", "fit_to", "effects", "bridge_force"};
+
+const Keys scatter_keys = {"shear_stress", "solid_fraction", "shear_stress_of_filling",
+                           "solid_fraction_of_filling"};
+constexpr double largest_scatter = 0.5;
+
+constexpr double right_angle = 1.5707963267948966;
+
+/// The study's file, from the file itself or its folder.
+std::filesystem::path study_file(const std::filesystem::path& study) {
+    if (!std::filesystem::exists(study))
+        throw InputError({study.string()}, "is not there; name a study folder or its study.toml");
+    if (!std::filesystem::is_directory(study)) return study;
+    if (!std::filesystem::exists(study / "study.toml"))
+        throw InputError({study.string()}, "has no study.toml; name a folder that has one");
+    return study / "study.toml";
+}
+
+Grains read_grains(const StudyTable& root) {
+    const auto table = root.table("grains", grains_keys);
+    if (!table)
+        throw InputError(root.position(), "[grains] is missing; it holds diameter and density");
+    Grains grains;
+    grains.diameter = table->positive_quantity("diameter", "m");
+    grains.density = table->positive_quantity("density", "kg/m^3");
+    if (table->has("youngs_modulus"))
+        grains.youngs_modulus = table->positive_quantity("youngs_modulus", "Pa");
+    grains.poisson_ratio = table->quantity("poisson_ratio", "1").value_or(grains.poisson_ratio);
+    if (grains.poisson_ratio <= -1 || grains.poisson_ratio >= 0.5)
+        table->refuse("poisson_ratio", "must lie between -1 and 0.5");
+    return grains;
+}
+
+std::optional<Liquid> read_liquid(const StudyTable& root) {
+    const auto table = root.table("liquid", liquid_keys);
+    if (!table) return std::nullopt;
+    Liquid liquid;
+    liquid.surface_tension = table->positive_quantity("surface_tension", "N/m");
+    liquid.contact_angle = table->required_quantity("contact_angle", "rad");
+    if (liquid.contact_angle < 0 || liquid.contact_angle >= right_angle)
+        table->refuse("contact_angle",
+                      "must lie between 0 and 90 deg, below which a liquid pulls beads together");
+    liquid.viscosity = table->quantity("viscosity", "Pa s").value_or(0);
+    if (liquid.viscosity < 0) table->refuse("viscosity", "must not be negative");
+    return liquid;
+}
+
+/// Bead volume [m^3] a table gives by mass or volume.
+std::optional<double> bead_volume(const StudyTable& table, const Grains& grains) {
+    if (table.has("bead_mass") && table.has("bead_volume"))
+        table.refuse("bead_volume", "'bead_mass' is given too; remove one");
+    if (table.has("bead_mass")) return table.positive_quantity("bead_mass", "kg") / grains.density;
+    if (table.has("bead_volume")) return table.positive_quantity("bead_volume", "m^3");
+    return std::nullopt;
+}
+
+Form form(const StudyTable& table, std::string_view key) {
+    return form_named(table.choice(key, form_names()));
+}
+
+std::optional<AnnularCell> read_cell(const StudyTable& root, const Grains& grains) {
+    const auto table = root.table("cell", cell_keys);
+    if (!table) return std::nullopt;
+    AnnularCell cell;
+    cell.inner_radius = table->required_quantity("inner_radius", "m");
+    cell.outer_radius = table->positive_quantity("outer_radius", "m");
+    if (cell.inner_radius < 0) table->refuse("inner_radius", "must not be negative");
+    if (cell.inner_radius >= cell.outer_radius)
+        table->refuse("inner_radius", "must be smaller than 'outer_radius'");
+    cell.bead_volume = bead_volume(*table, grains).value_or(0);
+    cell.torque_formula = form(*table, "torque_formula");
+    return cell;
+}
+
+Source read_source(const StudyTable& table, Source::Kind kind, const Study& study) {
+    Source source{.kind = kind,
+                  .pattern = {},
+                  .files = {},
+                  .liquid_content = {},
+                  .bead_volume = {},
+                  .position = table.position()};
+    const auto pattern = table.text("file");
+    if (!pattern) throw InputError(table.position(), "lacks 'file'; add file = \"....csv\"");
+    source.pattern = *pattern;
+    source.files = matching_files(study.folder, source.pattern);
+    if (source.files.empty())
+        table.refuse("file",
+                     fmt::format("no file matches \"{}\" in {}", *pattern, study.folder.string()));
+    source.liquid_content = table.quantity("liquid_content", "1");
+    if (source.liquid_content.value_or(0) < 0)
+        table.refuse("liquid_content", "must not be negative");
+    if (source.liquid_content.value_or(0) > 0 && !study.liquid)
+        table.refuse("liquid_content", "is above 0, but the study has no [liquid]; add it");
+    source.bead_volume = bead_volume(table, study.grains);
+    return source;
+}
+
+/// What only raw recordings need: a cell, its beads, and in a wet study how wet they are.
+void check_recording(const Source& source, const Study& study) {
+    if (!study.cell)
+        throw InputError(source.position,
+                         "recordings need [cell] with inner_radius, outer_radius and bead_mass");
+    if (!source.bead_volume && study.cell->bead_volume == 0)
+        throw InputError(source.position,
+                         "'bead_mass' is given neither here nor in [cell]; add it to one");
+    if (study.liquid && !source.liquid_content)
+        throw InputError(source.position,
+                         "lacks 'liquid_content'; add it, 0 where the beads were dry");
+}
+
+/// No file may count twice.
+void check_overlap(const std::vector<Source>& sources) {
+    std::map<std::filesystem::path, int> line_of;
+    for (const Source& source : sources) {
+        for (const std::filesystem::path& file : source.files) {
+            const auto [earlier, added] = line_of.emplace(file, source.position.line);
+            if (added) continue;
+            throw InputError(source.position,
+                             fmt::format("'file': {} was already matched by the entry of line {}; "
+                                         "narrow one of the patterns",
+                                         file.filename().string(), earlier->second));
+        }
+    }
+}
+
+std::vector<Source> read_sources(const StudyTable& root, const Study& study) {
+    std::vector<Source> sources;
+    for (const StudyTable& table : root.tables("recording", source_keys)) {
+        sources.push_back(read_source(table, Source::Kind::recording, study));
+        check_recording(sources.back(), study);
+    }
+    for (const StudyTable& table : root.tables("readings", source_keys))
+        sources.push_back(read_source(table, Source::Kind::readings, study));
+    if (sources.empty())
+        throw InputError(root.position(),
+                         "nothing was measured; add a [[recording]] or [[readings]] with its file");
+    std::stable_sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
+        return a.position.line < b.position.line;  // run order is the order of the file
+    });
+    check_overlap(sources);
+    return sources;
+}
+
+ImportChoice read_import(const StudyTable& root) {
+    ImportChoice choice;
+    const auto table = root.table("import", import_keys);
+    if (!table) return choice;
+    choice.keep_implausible = table->flag("keep_implausible").value_or(choice.keep_implausible);
+    choice.least_strain = table->quantity("least_strain", "1").value_or(choice.least_strain);
+    if (choice.least_strain < 0.5)
+        table->refuse("least_strain",
+                      "must be 0.5 or more: grains in less are not in steady shear yet");
+    return choice;
+}
+
+std::optional<StatedScatter> read_scatter(const StudyTable& root) {
+    const auto table = root.table("scatter", scatter_keys);
+    if (!table) return std::nullopt;
+    StatedScatter scatter;
+    scatter.step = {table->positive_quantity("shear_stress", "1"),
+                    table->positive_quantity("solid_fraction", "1")};
+    scatter.filling = {table->quantity("shear_stress_of_filling", "1").value_or(0),
+                       table->quantity("solid_fraction_of_filling", "1").value_or(0)};
+    for (const auto& key : scatter_keys) {
+        const double value = table->quantity(key, "1").value_or(0);
+        if (value < 0 || value > largest_scatter)
+            table->refuse(key, "must lie between 0 and 50 %, of the value");
+    }
+    return scatter;
+}
+
+std::vector<ListedEffect> read_listed_effects(const StudyTable& model) {
+    std::vector<ListedEffect> effects;
+    for (const auto& [name, position] : model.placed_words("effects")) {
+        if (std::ranges::find(effects, name, &ListedEffect::name) != effects.end())
+            throw InputError(position,
+                             fmt::format("'effects': \"{}\" is listed twice; remove one", name));
+        effects.push_back({name, position});
+    }
+    return effects;
+}
+
+ModelChoice read_model(const StudyTable& root) {
+    ModelChoice model;
+    const auto table = root.table("model", model_keys);
+    if (!table) return model;
+    model.base = table->choice("base", {"dem", "rumpf"});
+    model.calibrate = table->words("calibrate", model.calibrate);
+    if (model.calibrate != Keys{"friction"})
+        table->refuse("calibrate", "must be [\"friction\"], the one parameter there is so far");
+    model.fit_to = table->choice("fit_to", {"dry", "all"});
+    model.effects = read_listed_effects(*table);
+    model.bridge_force = form(*table, "bridge_force");
+    return model;
+}
+
+}  // namespace
+
+Study read_study(const std::filesystem::path& path) {
+    Study study;
+    study.file = study_file(path);
+    study.folder = study.file.has_parent_path() ? study.file.parent_path() : ".";
+    const StudyTable root = StudyTable::read(study.file, top_keys);
+    study.grains = read_grains(root);
+    study.liquid = read_liquid(root);
+    study.cell = read_cell(root, study.grains);
+    study.model = read_model(root);
+    study.written_effects = read_written_effects(root);
+    study.direct = read_direct(root);
+    study.rig = read_rig(root, study.grains, study.liquid.has_value());
+    study.sources = read_sources(root, study);
+    study.import = read_import(root);
+    study.scatter = read_scatter(root);
+    return study;
+}
+
+}  // namespace pendular

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/annular_cell.h"
+#include "data/grains.h"
+#include "data/input_error.h"
+#include "data/reading.h"
+#include "data/study/direct_table.h"
+#include "data/study/effect_tables.h"
+#include "data/study/rig.h"
+#include "data/study/stated_scatter.h"
+
+namespace pendular {
+
+/// One [[recording]] or [[readings]] entry with its glob already resolved.
+struct Source {
+    enum class Kind { recording, readings };
+    Kind kind = Kind::recording;
+    std::string pattern;                       ///< of its files, relative to the study's folder
+    std::vector<std::filesystem::path> files;  ///< matches of the pattern, by name
+    std::optional<double> liquid_content;      ///< Phi_L/Phi_S [1]
+    std::optional<double> bead_volume;         ///< [m^3], where the entry overrides the cell's
+    Position position;                         ///< of the entry in the study file
+};
+
+/// An effect that a study switches on.
+struct ListedEffect {
+    std::string name;
+    Position position;  ///< in the list
+};
+
+/// What to do with the model.
+struct ModelChoice {
+    std::string base = "dem";
+    std::vector<std::string> calibrate = {"friction"};
+    std::string fit_to = "dry";         ///< "dry" or "all"
+    std::vector<ListedEffect> effects;  ///< each once; whether they exist is not known here
+    Form bridge_force = Form::derived;
+};
+
+/// What import believes: [import] in study.toml.
+struct ImportChoice {
+    bool keep_implausible = false;  ///< doubted readings are used all the same
+    double least_strain = 1;        ///< of the steady part of a step [1]; less is no steady shear
+};
+
+/// A study folder: what belongs together.
+struct Study {
+    std::filesystem::path folder;
+    std::filesystem::path file;
+    Grains grains;
+    std::optional<Liquid> liquid;
+    std::optional<AnnularCell> cell;  ///< needed by recordings
+    std::vector<Source> sources;      ///< in run order
+    ImportChoice import;
+    std::optional<StatedScatter> scatter;  ///< of the instrument, where the study knows it
+    ModelChoice model;
+    std::vector<WrittenEffect> written_effects;
+    std::vector<StatedDirect> direct;  ///< effects that were measured by themselves
+    std::optional<Rig> rig;
+};
+
+/// Reads STUDY/study.toml (or the file itself). Every key is checked; quantities are strings with
+/// their unit, or plain numbers where dimensionless.
+/// @throws InputError at file:line:column for anything missing, unknown (with the nearest known
+///         key), of the wrong dimension, or impossible (Ri >= Re, density <= 0, ...)
+Study read_study(const std::filesystem::path& study);
+
+/// Why separate bridges do not describe beads of this liquid content; empty where they do.
+std::optional<std::string> pendular_range_warning(double liquid_content);
+
+}  // namespace pendular

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "data/study/study.h"
+#include "sim/catalogue/effect_catalogue.h"
+
+namespace pendular {
+
+/// The parameter of an effect, measured by itself apart from any shear of the beads: a drag by the
+/// torque of the empty cell, a contact angle by a drop. A model without the effect says that it is
+/// neutral.
+struct DirectMeasurement {
+    std::string parameter;      ///< "torque-offset.torque"
+    std::string unit;           ///< SI
+    std::string by = {};        ///< what measures it; empty where that is not known
+    double neutral = 0;         ///< [unit]
+    double value = 0;           ///< [unit]; 0 where it has not been measured yet
+    double standard_error = 0;  ///< [unit]
+};
+
+/// What a study or its rig states, in the terms of the effect.
+/// @throws InputError for an effect that is unknown, a switch, or does not apply to the study, and
+///         for a value or error in another unit than the effect's
+DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
+                                     const EffectCatalogue& catalogue);
+
+/// Those of a study, [[direct]].
+/// @throws InputError likewise
+std::vector<DirectMeasurement> direct_measurements(const Study& study,
+                                                   const EffectCatalogue& catalogue);
+
+}  // namespace pendular

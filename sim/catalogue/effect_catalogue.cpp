@@ -1,0 +1,131 @@
+#include "sim/catalogue/effect_catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sim/catalogue/written_effect.h"
+
+namespace pendular {
+namespace {
+
+/// Whether a source may hold wet readings; a table of readings may say so in a column.
+bool may_be_wet(const Source& source) {
+    return source.liquid_content ? *source.liquid_content > 0
+                                 : source.kind == Source::Kind::readings;
+}
+
+bool may_be_dry(const Source& source) {
+    return source.liquid_content.value_or(0) == 0;
+}
+
+std::optional<std::string> why_no_such_reading(const Effect& effect, const Study& study) {
+    if (effect.touches == Touches::wet && !study.liquid) {
+        return fmt::format(
+            "{} acts on wet beads, but this study has no [liquid]: add it, with wet "
+            "recordings or readings, or leave the effect out",
+            effect.name);
+    }
+    if (effect.touches == Touches::wet && std::ranges::none_of(study.sources, may_be_wet)) {
+        return fmt::format(
+            "{} acts on wet beads, but nothing in this study was measured with a "
+            "liquid_content above 0: add wet recordings or readings, or leave the "
+            "effect out",
+            effect.name);
+    }
+    if (effect.touches == Touches::dry && std::ranges::none_of(study.sources, may_be_dry)) {
+        return fmt::format(
+            "{} acts on dry beads, but everything in this study was measured wet: "
+            "add dry recordings or readings, or leave the effect out",
+            effect.name);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> why_no_instrument(const Effect& effect, const Study& study) {
+    if (!study.cell) {
+        return fmt::format(
+            "{} acts on the instrument, but this study has no [cell]: add it with "
+            "inner_radius, outer_radius and bead_mass, or leave the effect out",
+            effect.name);
+    }
+    const auto lacks_beads = [&](const Source& source) {
+        return study.cell->bead_volume == 0 && !source.bead_volume;
+    };
+    const auto source = std::ranges::find_if(study.sources, lacks_beads);
+    if (source == study.sources.end()) {
+        return std::nullopt;
+    }
+    return fmt::format(
+        "{} acts on the instrument, but it is not known how many beads were in the "
+        "cell for the entry of line {}: add bead_mass or bead_volume there or to "
+        "[cell], or leave the effect out",
+        effect.name, source->position.line);
+}
+
+std::optional<std::string> why_no_closure(const Effect& effect, const Study& study) {
+    if (study.model.base == effect.base()) {
+        return std::nullopt;
+    }
+    return fmt::format(
+        "{0} changes Rumpf's cohesion, which base = \"{1}\" does not have: write "
+        "base = \"{2}\" in [model], or leave the effect out",
+        effect.name, study.model.base, effect.base());
+}
+
+}  // namespace
+
+std::optional<std::string> why_not(const Effect& effect, const Study& study) {
+    if (auto why = why_no_such_reading(effect, study)) {
+        return why;
+    }
+    if (effect.of_instrument()) {
+        return why_no_instrument(effect, study);
+    }
+    if (effect.of_closure()) {
+        return why_no_closure(effect, study);
+    }
+    return std::nullopt;
+}
+
+EffectCatalogue::EffectCatalogue() : effects_(built_in_effects()) {}
+
+EffectCatalogue::EffectCatalogue(const Study& study) : EffectCatalogue() {
+    for (const WrittenEffect& written : study.written_effects) {
+        if (std::ranges::find(built_in_effects(), written.name, &Effect::name) !=
+            built_in_effects().end()) {
+            throw InputError(written.name_position,
+                             fmt::format("'name': \"{0}\" comes with the program; call yours "
+                                         "otherwise, say \"my-{0}\"",
+                                         written.name));
+        }
+        effects_.push_back(effect_from(written));
+    }
+}
+
+const Effect& EffectCatalogue::find(std::string_view name) const {
+    return effect_named(effects_, name);
+}
+
+bool EffectCatalogue::is_written(const Effect& effect) const {
+    const auto& built_in = built_in_effects();
+    return std::ranges::find(built_in, effect.name, &Effect::name) == built_in.end();
+}
+
+std::vector<const Effect*> EffectCatalogue::active(const Study& study) const {
+    std::vector<const Effect*> result;
+    for (const ListedEffect& listed : study.model.effects) {
+        try {
+            result.push_back(&find(listed.name));
+        } catch (const std::invalid_argument& error) {
+            throw InputError(listed.position, fmt::format("'effects': {}", error.what()));
+        }
+        if (const auto why = why_not(*result.back(), study)) {
+            throw InputError(listed.position, fmt::format("'effects': {}", *why));
+        }
+    }
+    return result;
+}
+
+}  // namespace pendular

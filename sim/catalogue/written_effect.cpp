@@ -1,0 +1,373 @@
+#include "sim/catalogue/written_effect.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+#include "sim/catalogue/formula.h"
+
+namespace pendular {
+namespace {
+
+/// What beads show at a condition.
+struct BeadState {
+    FlowPoint shown;
+    Condition condition;
+};
+
+/// What a formula can read of a state.
+template <typename State>
+struct Variable {
+    const char* name;
+    double (*value)(const State&);
+};
+
+/// What a formula can give of a state.
+template <typename State>
+struct Target {
+    const char* name;
+    double& (*value)(State&);
+};
+
+/// Of the instrument and of the beads: variables, targets, and states on which formulas are tried.
+template <typename State>
+struct Field;
+
+template <>
+struct Field<CellState> {
+    static constexpr Variable<CellState> variables[] = {
+        {"torque", [](const CellState& s) { return s.torque; }},
+        {"normal_force", [](const CellState& s) { return s.normal_force; }},
+        {"height", [](const CellState& s) { return s.height; }},
+        {"angular_velocity", [](const CellState& s) { return s.angular_velocity; }},
+        {"liquid_content", [](const CellState& s) { return s.liquid_content; }},
+        {"bead_volume", [](const CellState& s) { return s.bead_volume; }},
+        {"time", [](const CellState& s) { return s.time; }},
+        {"inner_radius", [](const CellState& s) { return s.inner_radius; }},
+        {"outer_radius", [](const CellState& s) { return s.outer_radius; }},
+        {"density", [](const CellState& s) { return s.density; }},
+        {"diameter", [](const CellState& s) { return s.diameter; }},
+        {"normal_stress", [](const CellState& s) { return s.normal_force / s.area(); }}};
+    static constexpr Target<CellState> targets[] = {
+        {"torque", [](CellState& s) -> double& { return s.torque; }},
+        {"normal_force", [](CellState& s) -> double& { return s.normal_force; }},
+        {"height", [](CellState& s) -> double& { return s.height; }},
+        {"angular_velocity", [](CellState& s) -> double& { return s.angular_velocity; }}};
+
+    /// 60 g of beads in a 21/45 mm cell at 0.3 and 3 kPa.
+    static CellState typical(bool large, double liquid_content, double time) {
+        return {.torque = large ? 0.16 : 0.012,
+                .normal_force = large ? 15.0 : 1.5,
+                .height = large ? 0.0187 : 0.0191,
+                .angular_velocity = large ? 1.7 : 0.05,
+                .liquid_content = liquid_content,
+                .bead_volume = 57e-6,
+                .time = time,
+                .inner_radius = 0.021,
+                .outer_radius = 0.045,
+                .density = 1050,
+                .diameter = 500e-6};
+    }
+    static double liquid_content(const CellState& state) { return state.liquid_content; }
+};
+
+template <>
+struct Field<BeadState> {
+    static constexpr Variable<BeadState> variables[] = {
+        {"stress_ratio", [](const BeadState& s) { return s.shown.stress_ratio; }},
+        {"solid_fraction", [](const BeadState& s) { return s.shown.solid_fraction; }},
+        {"normal_stress", [](const BeadState& s) { return s.condition.normal_stress; }},
+        {"inertial_number", [](const BeadState& s) { return s.condition.inertial_number; }},
+        {"liquid_content", [](const BeadState& s) { return s.condition.liquid_content; }},
+        {"height",
+         [](const BeadState& s) {
+             return s.condition.height.value_or(std::numeric_limits<double>::quiet_NaN());
+         }},
+        {"time", [](const BeadState& s) { return s.condition.time; }}};
+    static constexpr Target<BeadState> targets[] = {
+        {"stress_ratio", [](BeadState& s) -> double& { return s.shown.stress_ratio; }},
+        {"solid_fraction", [](BeadState& s) -> double& { return s.shown.solid_fraction; }}};
+
+    static BeadState typical(bool large, double liquid_content, double time) {
+        BeadState state;
+        state.shown = {large ? 0.35 : 0.27, large ? 0.57 : 0.59};
+        state.condition.normal_stress = large ? 3000 : 300;
+        state.condition.inertial_number = large ? 0.1 : 0.001;
+        state.condition.liquid_content = liquid_content;
+        state.condition.height = 0.019;
+        state.condition.time = time;
+        return state;
+    }
+    static double liquid_content(const BeadState& state) { return state.condition.liquid_content; }
+};
+
+template <typename State>
+std::vector<State> typical_states() {
+    std::vector<State> states;
+    for (const bool large : {false, true}) {
+        for (const double liquid_content : {0.0, 0.03}) {
+            for (const double time : {0.0, 3600.0}) {
+                states.push_back(Field<State>::typical(large, liquid_content, time));
+            }
+        }
+    }
+    return states;
+}
+
+/// Names that formulas of a field know: those of the state, then the parameter.
+template <typename State>
+std::vector<std::string> known_names(const std::string& parameter) {
+    std::vector<std::string> names;
+    for (const auto& variable : Field<State>::variables) {
+        names.emplace_back(variable.name);
+    }
+    names.push_back(parameter);
+    return names;
+}
+
+/// One formula with what it gives.
+template <typename State>
+class ShownValue {
+  public:
+    ShownValue(const WrittenEffect& effect, const Formula& formula)
+        : effect_(effect.name),
+          formula_(formula),
+          names_(known_names<State>(effect.parameter)),
+          compiled_(compile()) {
+        for (const auto& target : Field<State>::targets) {
+            if (formula.target == target.name) {
+                target_ = target.value;
+            }
+        }
+        if (!compiled_.uses(effect.parameter)) {
+            refuse(
+                fmt::format("does not mention the parameter '{}'; without it nothing can be "
+                            "fitted or switched off",
+                            effect.parameter));
+        }
+    }
+
+    double of(const State& state, double parameter) const {
+        return compiled_(values(state, parameter));
+    }
+    /// What is there before the formula.
+    double before(const State& state) const {
+        State copy = state;
+        return target_(copy);
+    }
+    void set(State& state, double value) const { target_(state) = value; }
+
+    /// @throws InputError where the value is no finite number
+    double checked(const State& state, double parameter) const {
+        const double value = of(state, parameter);
+        if (!std::isfinite(value)) {
+            refuse(
+                fmt::format("gives {} at {}; guard it with CONDITION ? A : B, or correct the "
+                            "bounds",
+                            value, mentioned(state, parameter)));
+        }
+        return value;
+    }
+
+    /// "torque = 0.1, drag = 3": what the formula mentions.
+    std::string mentioned(const State& state, double parameter) const {
+        const auto all = values(state, parameter);
+        std::vector<std::string> parts;
+        for (std::size_t k = 0; k < names_.size(); ++k) {
+            if (compiled_.uses(names_[k])) {
+                parts.push_back(fmt::format("{} = {:g}", names_[k], all[k]));
+            }
+        }
+        return fmt::format("{}", fmt::join(parts, ", "));
+    }
+
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw InputError(formula_.position,
+                         fmt::format("'{}' of effect '{}': {}", formula_.target, effect_, what));
+    }
+
+    const Formula& formula() const { return formula_; }
+    const CompiledFormula& compiled() const { return compiled_; }
+
+  private:
+    CompiledFormula compile() const {
+        try {
+            return {formula_.text, names_};
+        } catch (const FormulaError& error) {
+            refuse(error.what());
+        }
+    }
+    std::vector<double> values(const State& state, double parameter) const {
+        std::vector<double> result;
+        for (const auto& variable : Field<State>::variables) {
+            result.push_back(variable.value(state));
+        }
+        result.push_back(parameter);
+        return result;
+    }
+
+    std::string effect_;
+    Formula formula_;
+    std::vector<std::string> names_;
+    CompiledFormula compiled_;
+    double& (*target_)(State&) = nullptr;
+};
+
+/// All formulas of an effect; each reads the state before any of them.
+template <typename State>
+class ShownValues {
+  public:
+    explicit ShownValues(const WrittenEffect& effect) {
+        for (const Formula& formula : effect.formulas) {
+            formulas_.emplace_back(effect, formula);
+        }
+        for (const auto& formula : formulas_) {
+            check_neutral(formula, effect);
+            for (const double bound : {effect.lower, effect.upper}) {
+                for (const State& state : typical_states<State>()) {
+                    formula.checked(state, bound);
+                }
+            }
+        }
+        touches_ = find_touches(effect);
+    }
+
+    State operator()(const State& state, double parameter) const {
+        State shown = state;
+        for (const auto& formula : formulas_) {
+            formula.set(shown, formula.checked(state, parameter));
+        }
+        return shown;
+    }
+
+    Touches touches() const { return touches_; }
+
+    /// Covariates that the formulas mention besides what they change.
+    std::vector<std::string> covariates(const std::string& parameter) const {
+        std::vector<std::string> names;
+        for (const auto& formula : formulas_) {
+            for (const std::string& used : formula.compiled().used()) {
+                const std::string name = used == "normal_force" ? "normal_stress" : used;
+                if (used != parameter && used != formula.formula().target &&
+                    std::ranges::find(names, name) == names.end()) {
+                    names.push_back(name);
+                }
+            }
+        }
+        return names;
+    }
+
+  private:
+    static void check_neutral(const ShownValue<State>& formula, const WrittenEffect& effect) {
+        constexpr double rounding = 1e-12;
+        const std::string& target = formula.formula().target;
+        for (const State& state : typical_states<State>()) {
+            const double before = formula.before(state), after = formula.of(state, effect.neutral);
+            if (!(std::abs(after - before) <= rounding * std::abs(before))) {
+                formula.refuse(fmt::format(
+                    "at the neutral value {} = {:g} the formula must give back '{}' itself; at {} "
+                    "it gives {:g}",
+                    effect.parameter, effect.neutral, target,
+                    formula.mentioned(state, effect.neutral), after));
+            }
+        }
+    }
+
+    /// Whether a bound of the parameter changes a state.
+    bool changes(const State& state, const WrittenEffect& effect) const {
+        return std::ranges::any_of(formulas_, [&](const auto& formula) {
+            const double before = formula.before(state);
+            return formula.of(state, effect.lower) != before ||
+                   formula.of(state, effect.upper) != before;
+        });
+    }
+
+    Touches find_touches(const WrittenEffect& effect) const {
+        bool dry = false, wet = false;
+        for (const State& state : typical_states<State>()) {
+            (Field<State>::liquid_content(state) > 0 ? wet : dry) |= changes(state, effect);
+        }
+        return dry == wet ? Touches::all : dry ? Touches::dry : Touches::wet;
+    }
+
+    std::vector<ShownValue<State>> formulas_;
+    Touches touches_ = Touches::all;
+};
+
+/// A parameter that is called like something else would hide it.
+void check_parameter(const WrittenEffect& written) {
+    std::vector<std::string> taken = CompiledFormula::reserved_words();
+    for (const auto& names : {known_names<CellState>(""), known_names<BeadState>("")}) {
+        taken.insert(taken.end(), names.begin(), names.end());
+    }
+    if (std::ranges::find(taken, written.parameter) != taken.end()) {
+        throw InputError(written.parameter_position,
+                         fmt::format("'parameter': formulas know another '{0}'; call the "
+                                     "parameter otherwise, say '{0}_change'",
+                                     written.parameter));
+    }
+}
+
+EffectParameter parameter_of(const WrittenEffect& written) {
+    if (written.parameter == "on") {
+        return on_switch("whether the formulas hold");
+    }
+    return {.name = written.parameter,
+            .unit = written.unit,
+            .lower = written.lower,
+            .upper = written.upper,
+            .neutral = written.neutral,
+            .matters = written.matters,
+            .meaning = "as the formulas have it"};
+}
+
+std::string equation_of(const WrittenEffect& written) {
+    std::vector<std::string> lines;
+    for (const Formula& formula : written.formulas) {
+        lines.push_back(fmt::format("{}_shown = {}", formula.target, formula.text));
+    }
+    return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+Change change_of(std::shared_ptr<const ShownValues<CellState>> shown, std::string parameter) {
+    return ChangeInstrument{.show = [shown = std::move(shown), parameter = std::move(parameter)](
+                                        const CellState& state,
+                                        const Values& v) { return (*shown)(state, v[parameter]); },
+                            .where = ChangeInstrument::Where::transducers};
+}
+
+Change change_of(std::shared_ptr<const ShownValues<BeadState>> shown, std::string parameter) {
+    return ChangeFlow{[shown = std::move(shown), parameter = std::move(parameter)](
+                          FlowPoint point, const Condition& condition, const Values& v) {
+        return (*shown)({point, condition}, v[parameter]).shown;
+    }};
+}
+
+template <typename State>
+Effect effect_of(const WrittenEffect& written) {
+    const auto shown = std::make_shared<const ShownValues<State>>(written);
+    const std::string file = std::filesystem::path(written.position.file).filename().string();
+    return {.name = written.name,
+            .summary = written.summary.empty() ? "written in " + file : written.summary,
+            .equation = equation_of(written),
+            .parameters = {parameter_of(written)},
+            .change = change_of(shown, written.parameter),
+            .touches = shown->touches(),
+            .acts_through = shown->covariates(written.parameter),
+            .references = {fmt::format("{}:{}", file, written.position.line)}};
+}
+
+}  // namespace
+
+Effect effect_from(const WrittenEffect& written) {
+    check_parameter(written);
+    return written.of_instrument() ? effect_of<CellState>(written) : effect_of<BeadState>(written);
+}
+
+}  // namespace pendular

@@ -1,0 +1,264 @@
+#include "sim/lab/lab_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "data/input_error.h"
+#include "sim/catalogue/instrument.h"
+#include "sim/lab/liquid_volume.h"
+#include "sim/runs/run_request.h"
+#include "sim/runs/seeds.h"
+
+namespace pendular {
+namespace {
+
+/// Beads of a run over the fidelity's: a sample of another size than those fitted to it.
+constexpr double size_ratio = 1.5;
+/// Bridge volumes are wanted within 3 %, so pilots may be small and short.
+constexpr double pilot_share_of_beads = 0.5, pilot_strain = 1;
+/// Every pair must differ by more than replicates do.
+void demand_distinct(const std::vector<double>& values, const std::string& what) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!(values[i] > 0) || !std::isfinite(values[i])) {
+            throw InputError(fmt::format("{} {:g}: it must be above 0", what, values[i]));
+        }
+        for (std::size_t k = 0; k < i; ++k) {
+            if (std::abs(values[i] / values[k] - 1) < 0.05) {
+                throw InputError(
+                    fmt::format("{} {:g} and {:g} are too close: what differs by less than 5 % "
+                                "may pass for the same; leave one out, or raise --replicates to "
+                                "measure it more often",
+                                what, values[k], values[i]));
+            }
+        }
+    }
+}
+
+void check_cell(const LabPlan& plan) {
+    constexpr double fewest_layers = 5, loose = 0.6;
+    if (!(plan.cell.bead_volume > 0)) {
+        throw InputError("the bead mass must be above 0");
+    }
+    if (height(loose, plan.cell) < fewest_layers * plan.grains.diameter) {
+        throw InputError(
+            fmt::format("a bead mass of {:g} g fills the cell to {:.2g} mm, less than {:g} bead "
+                        "diameters; use more beads",
+                        1e3 * plan.cell.bead_volume * plan.grains.density,
+                        1e3 * height(loose, plan.cell), fewest_layers));
+    }
+}
+
+void check_instrument(const LabPlan& plan) {
+    constexpr double largest_noise = 10;
+    constexpr int fewest_rows = 200, most_rows = 100'000, most_replicates = 99;
+    if (!(plan.instrument.noise >= 0 && plan.instrument.noise <= largest_noise)) {
+        throw InputError(fmt::format("--noise {:g} is not between 0 and {:g}",
+                                     plan.instrument.noise, largest_noise));
+    }
+    if (!(plan.instrument.drift >= 0 && plan.instrument.drift <= largest_noise)) {
+        throw InputError(fmt::format("--drift {:g} is not between 0 and {:g}",
+                                     plan.instrument.drift, largest_noise));
+    }
+    if (plan.instrument.rows < fewest_rows || plan.instrument.rows > most_rows) {
+        throw InputError(fmt::format("--rows {} is not between {} and {}", plan.instrument.rows,
+                                     fewest_rows, most_rows));
+    }
+    if (plan.replicates < 1 || plan.replicates > most_replicates) {
+        throw InputError(fmt::format("--replicates {} is not between 1 and {}", plan.replicates,
+                                     most_replicates));
+    }
+}
+
+void check_runs(const LabPlan& plan) {
+    try {
+        for (const PlannedRecording& recording : recordings_of(plan)) {
+            for (const Condition& asked : recording.conditions) {
+                const EffectiveCondition condition = imposed_condition(plan, asked);
+                const double volume = first_bridge_volume(condition.liquid_content);
+                check(run_at(plan, condition, volume));
+                if (!condition.dry()) check(pilot_at(plan, condition, volume));
+            }
+        }
+    } catch (const std::invalid_argument& error) {
+        throw InputError(error.what());
+    }
+}
+
+bool is_simulated(const Effect& effect) {
+    return effect.of_instrument() || effect.of_grains() || effect.of_condition();
+}
+
+/// Whether an effect on beads or liquid leaves every run as it is, as a contact angle does that is
+/// kept from falling below 0. What is on anyway may be given the value it has.
+bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
+    if (!active.effect->of_condition() || active.effect->given_by_liquid) {
+        return false;
+    }
+    return std::ranges::all_of(contents_of(plan), [&](double content) {
+        const bool touched = active.effect->touches == Touches::all ||
+                             (active.effect->touches == Touches::dry) == (content == 0);
+        const Condition asked{.normal_stress = 1000, .liquid_content = content};
+        const auto run = [&](const std::vector<ActiveEffect>& effects) {
+            const EffectiveCondition condition = changed_condition(asked, effects, plan.liquid);
+            return described(run_at(plan, condition, 1e-3));
+        };
+        return !touched || run({active}) == run({});
+    });
+}
+
+/// Effects that a laboratory cannot have, or that would change none of its recordings.
+void check_effects(const LabPlan& plan) {
+    for (const ActiveEffect& active : plan.effects) {
+        const std::string what = to_string(active);
+        if (!is_simulated(*active.effect)) {
+            throw InputError(fmt::format(
+                "{} changes how a model predicts, not what beads do, so that a laboratory cannot "
+                "have it; leave it out",
+                what));
+        }
+        if (active.effect->touches == Touches::wet && plan.liquid_contents.empty()) {
+            throw InputError(fmt::format(
+                "{} acts on wet beads only, and there are no wet recordings; leave it out, or "
+                "record wet beads too",
+                what));
+        }
+        if (changes_nothing(plan, active)) {
+            throw InputError(fmt::format("{} changes nothing here; give another value", what));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content) {
+    std::vector<Condition> conditions;
+    for (const double stress :
+         liquid_content > 0 ? plan.wet_normal_stresses : plan.dry_normal_stresses) {
+        for (const double inertial_number : plan.inertial_numbers) {
+            conditions.push_back({.normal_stress = stress,
+                                  .inertial_number = inertial_number,
+                                  .liquid_content = liquid_content,
+                                  .height = {}});
+        }
+    }
+    return conditions;
+}
+
+std::vector<double> contents_of(const LabPlan& plan) {
+    std::vector<double> contents = {0};
+    contents.insert(contents.end(), plan.liquid_contents.begin(), plan.liquid_contents.end());
+    return contents;
+}
+
+std::vector<PlannedRecording> recordings_of(const LabPlan& plan) {
+    std::vector<PlannedRecording> recordings;
+    const auto width = std::to_string(plan.replicates).size();
+    double now = 0;  // recordings follow one another
+    for (const double content : contents_of(plan)) {
+        for (int replicate = 1; replicate <= plan.replicates; ++replicate) {
+            const std::string kind = content > 0 ? fmt::format("wet_{:g}", content) : "dry";
+            PlannedRecording recording{
+                .file = fmt::format("{}_{:0{}}.csv", kind, replicate, width),
+                .liquid_content = content,
+                .replicate = replicate,
+                .seed = seed_of_run(plan.seed, recordings.size(), SeedDomain::instrument),
+                .conditions = conditions_of(plan, content)};
+            now += time_steps(recording.conditions, plan.grains, plan.instrument, now);
+            recordings.push_back(std::move(recording));
+        }
+    }
+    return recordings;
+}
+
+namespace {
+
+/// @throws InputError in place of std::domain_error
+CellState truth_of(const LabPlan& plan, const Condition& asked, const FlowPoint& flow,
+                   const InstrumentMap& map) {
+    try {
+        return truth_at_set_points(asked, flow, map, plan.cell, plan.grains);
+    } catch (const std::domain_error& error) {
+        throw InputError(
+            fmt::format("at a normal stress of {:g} Pa: {}", asked.normal_stress, error.what()));
+    }
+}
+
+InstrumentMap map_of(const LabPlan& plan, const Condition& asked) {
+    return InstrumentMap(touching(plan.effects, asked.dry()));
+}
+
+}  // namespace
+
+EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked) {
+    constexpr FlowPoint typical{.stress_ratio = 0.3, .solid_fraction = 0.6};
+    Condition condition = asked;
+    if (const InstrumentMap map = map_of(plan, asked); !map.empty()) {
+        condition = true_condition(asked, truth_of(plan, asked, typical, map), map);
+    }
+    return changed_condition(std::move(condition), plan.effects, plan.liquid);
+}
+
+CellState shown_at_set_points(const LabPlan& plan, const Condition& asked, const FlowPoint& flow) {
+    const InstrumentMap map = map_of(plan, asked);
+    return map.show(truth_of(plan, asked, flow, map));
+}
+
+namespace {
+
+/// The effects on grains of a condition, in the units of its runs.
+std::vector<EffectValues> run_effects(const LabPlan& plan, const EffectiveCondition& condition) {
+    std::vector<EffectValues> effects;
+    for (const EffectValues& values : condition.grain_effects) {
+        effects.push_back(in_run_units(values, condition.normal_stress, plan.grains));
+    }
+    return effects;
+}
+
+}  // namespace
+
+dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& condition,
+                          double bridge_volume) {
+    dem::RunParameters run{.friction = plan.friction + condition.friction_difference,
+                           .inertial_number = condition.inertial_number,
+                           .stiffness_number = plan.fidelity.stiffness_number,
+                           .poisson_ratio = plan.grains.poisson_ratio,
+                           .wetting = {},
+                           .beads = static_cast<int>(std::lround(size_ratio * plan.fidelity.beads)),
+                           .strain = plan.fidelity.strain,
+                           .effects = run_effects(plan, condition)};
+    if (!condition.dry()) {
+        const Liquid liquid = condition.liquid.value_or(plan.liquid);
+        run.wetting = dem::Wetting{
+            .reduced_pressure = reduced_pressure(condition.normal_stress, plan.grains, liquid),
+            .bridge_volume = bridge_volume};
+    }
+    return run;
+}
+
+dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condition,
+                            double bridge_volume) {
+    dem::RunParameters run = run_at(plan, condition, bridge_volume);
+    run.beads = static_cast<int>(std::lround(pilot_share_of_beads * plan.fidelity.beads));
+    run.strain = pilot_strain;
+    return run;
+}
+
+void check(const LabPlan& plan) {
+    if (plan.dry_normal_stresses.empty() || plan.inertial_numbers.empty()) {
+        throw InputError("nothing to measure: name normal stresses and inertial numbers");
+    }
+    demand_distinct(plan.dry_normal_stresses, "dry normal stress");
+    demand_distinct(plan.wet_normal_stresses, "wet normal stress");
+    demand_distinct(plan.liquid_contents, "liquid content");
+    demand_distinct(plan.inertial_numbers, "inertial number");
+    check_cell(plan);
+    check_instrument(plan);
+    check_effects(plan);
+    check_runs(plan);
+}
+
+}  // namespace pendular

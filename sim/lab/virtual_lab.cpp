@@ -1,0 +1,236 @@
+#include "sim/lab/virtual_lab.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "data/input_error.h"
+#include "data/recordings/robust.h"
+#include "sim/lab/liquid_volume.h"
+#include "sim/runs/run_request.h"
+#include "sim/runs/seeds.h"
+
+namespace pendular {
+namespace {
+
+constexpr int most_attempts = 4;
+
+/// The runs of one laboratory, whose seeds follow one another.
+class Runs {
+  public:
+    Runs(const LabPlan& plan, const Workers& workers) : seed_(plan.seed), workers_(workers) {}
+
+    /// Carries out runs with fresh seeds, and again, with others, those that `complaint` finds
+    /// unusable.
+    template <typename Complaint>
+    std::vector<dem::RunResult> carry_out(std::vector<dem::RunParameters> runs,
+                                          const Complaint& complaint) {
+        std::vector<dem::RunResult> results(runs.size());
+        std::vector<std::size_t> which(runs.size());
+        for (std::size_t k = 0; k < which.size(); ++k) {
+            which[k] = k;
+        }
+        for (int attempt = 1; !which.empty(); ++attempt) {
+            std::vector<dem::RunParameters> batch;
+            for (const std::size_t k : which) {
+                runs[k].seed = seed_of_run(seed_, ordered_++, SeedDomain::virtual_lab);
+                batch.push_back(runs[k]);
+            }
+            const auto done = run_all(batch, workers_);
+            std::vector<std::size_t> again;
+            for (std::size_t i = 0; i < which.size(); ++i) {
+                results[which[i]] = done[i];
+                if (const std::string why = complaint(done[i]); !why.empty()) {
+                    note_or_give_up(done[i].parameters, why, attempt);
+                    again.push_back(which[i]);
+                }
+            }
+            which = std::move(again);
+        }
+        return results;
+    }
+
+    const std::vector<std::string>& notes() const { return notes_; }
+
+  private:
+    void note_or_give_up(const dem::RunParameters& p, const std::string& why, int attempt) {
+        const std::string what = fmt::format(
+            "a run at inertial number {:g}{} {}", p.inertial_number,
+            p.wetting ? fmt::format(", reduced pressure {:.3g}", p.wetting->reduced_pressure) : "",
+            why);
+        if (attempt == most_attempts) {
+            throw dem::SimulationError(
+                fmt::format("{}; {} runs of other seeds were no better; leave the condition out, "
+                            "or use a higher "
+                            "friction or fidelity",
+                            what, attempt - 1));
+        }
+        notes_.push_back(what + "; it was made again with another seed");
+    }
+
+    std::uint64_t seed_;
+    const Workers& workers_;
+    std::uint64_t ordered_ = 0;
+    std::vector<std::string> notes_;
+};
+
+std::string failed_or_crystallised(const dem::RunResult& run) {
+    return !run.failure.empty() ? "failed: " + run.failure : run.crystallised ? "crystallised" : "";
+}
+
+std::string unusable(const dem::RunResult& run) {
+    const std::string why = failed_or_crystallised(run);
+    return why.empty() && !run.steady ? "was never steady" : why;
+}
+
+/// Recordings without their runs yet.
+std::vector<LabRecording> planned_recordings(const LabPlan& plan) {
+    std::vector<LabRecording> recordings;
+    for (const PlannedRecording& planned : recordings_of(plan)) {
+        LabRecording recording{.file = planned.file,
+                               .liquid_content = planned.liquid_content,
+                               .replicate = planned.replicate,
+                               .seed = planned.seed};
+        for (const Condition& condition : planned.conditions) {
+            recording.steps.push_back({condition, imposed_condition(plan, condition), {}});
+        }
+        recordings.push_back(std::move(recording));
+    }
+    return recordings;
+}
+
+/// Wet conditions that take bridges of their own, each once.
+class WetConditions {
+  public:
+    WetConditions(const LabPlan& plan, const std::vector<LabRecording>& recordings) : plan_(plan) {
+        for (const LabRecording& recording : recordings) {
+            for (const LabStep& step : recording.steps) {
+                if (!step.imposed.dry()) add(step.imposed);
+            }
+        }
+    }
+
+    const std::vector<EffectiveCondition>& all() const { return conditions_; }
+    /// Place of a condition among them.
+    std::size_t place_of(const EffectiveCondition& condition) const {
+        return places_.at(key_of(condition));
+    }
+
+  private:
+    /// Whatever a run and its liquid content depend on.
+    std::string key_of(const EffectiveCondition& condition) const {
+        return fmt::format("{} {}", condition.liquid_content,
+                           described(run_at(plan_, condition, 0)));
+    }
+    void add(const EffectiveCondition& condition) {
+        if (places_.emplace(key_of(condition), conditions_.size()).second) {
+            conditions_.push_back(condition);
+        }
+    }
+
+    const LabPlan& plan_;
+    std::vector<EffectiveCondition> conditions_;
+    std::map<std::string, std::size_t> places_;
+};
+
+/// Bridge volume of every wet condition, found by pilots.
+std::vector<double> find_bridge_volumes(const LabPlan& plan,
+                                        const std::vector<EffectiveCondition>& conditions,
+                                        Runs& runs, LabResult& result,
+                                        const AnnouncePhase& announce) {
+    if (conditions.empty()) {
+        return {};
+    }
+    std::vector<double> contents;
+    std::ranges::transform(conditions, std::back_inserter(contents),
+                           &EffectiveCondition::liquid_content);
+    return bridge_volumes(contents, [&](std::span<const std::size_t> which,
+                                        std::span<const double> volumes) {
+        announce(result.pilots == 0 ? "pilot runs for the liquid contents" : "second pilot runs");
+        std::vector<dem::RunParameters> pilots;
+        for (std::size_t i = 0; i < which.size(); ++i) {
+            pilots.push_back(pilot_at(plan, conditions[which[i]], volumes[i]));
+        }
+        result.pilots += pilots.size();
+        std::vector<double> found;
+        for (const auto& run : runs.carry_out(pilots, failed_or_crystallised)) {
+            found.push_back(run[dem::Observable::liquid_content].value);
+        }
+        return found;
+    });
+}
+
+/// Runs that scatter more than the whole recording was to.
+void note_scatter(LabResult& result) {
+    const double noise = result.plan.instrument.noise;
+    const double torque = typical_error(result, dem::Observable::stress_ratio);
+    const double fraction = typical_error(result, dem::Observable::solid_fraction);
+    if (torque > noise * torque_scatter || fraction > noise * solid_fraction_scatter) {
+        result.notes.push_back(fmt::format(
+            "the simulations alone scatter by {:.2g} % in torque and {:.2g} % in solid fraction, "
+            "where --noise {:g} asks for {:g} and {:g} % in all; a higher fidelity scatters less",
+            100 * torque, 100 * fraction, noise, 100 * noise * torque_scatter,
+            100 * noise * solid_fraction_scatter));
+    }
+}
+
+void note_merging_bridges(LabResult& result) {
+    double largest = 0;
+    for (const LabRecording& recording : result.recordings) {
+        for (const LabStep& step : recording.steps) {
+            const auto& wetting = step.run.parameters.wetting;
+            largest = std::max(largest, wetting ? wetting->bridge_volume : 0);
+        }
+    }
+    if (largest > dem::largest_pendular_volume) {
+        result.notes.push_back(fmt::format(
+            "bridge volumes reach {:.2g} a^3; above {:g} a^3 the bridges between three beads in "
+            "contact merge: the model holds for separate bridges",
+            largest, dem::largest_pendular_volume));
+    }
+}
+
+}  // namespace
+
+double typical_error(const LabResult& result, dem::Observable which) {
+    std::vector<double> errors;
+    for (const LabRecording& recording : result.recordings) {
+        for (const LabStep& step : recording.steps) {
+            errors.push_back(step.run[which].standard_error / step.run[which].value);
+        }
+    }
+    return median(errors);
+}
+
+LabResult simulate_lab(const LabPlan& plan, const Workers& workers, const AnnouncePhase& announce) {
+    check(plan);
+    const AnnouncePhase tell = announce ? announce : [](const std::string&) {};
+    LabResult result{.plan = plan, .recordings = planned_recordings(plan)};
+    Runs runs(plan, workers);
+    const WetConditions wet(plan, result.recordings);
+    const std::vector<double> volumes = find_bridge_volumes(plan, wet.all(), runs, result, tell);
+
+    std::vector<dem::RunParameters> wanted;
+    for (const LabRecording& recording : result.recordings) {
+        for (const LabStep& step : recording.steps) {
+            const EffectiveCondition& imposed = step.imposed;
+            wanted.push_back(
+                run_at(plan, imposed, imposed.dry() ? 0 : volumes[wet.place_of(imposed)]));
+        }
+    }
+    tell("recordings");
+    const auto done = runs.carry_out(wanted, unusable);
+    auto next = done.begin();
+    for (LabRecording& recording : result.recordings) {
+        for (LabStep& step : recording.steps) {
+            step.run = *next++;
+        }
+    }
+    result.notes = runs.notes();
+    note_scatter(result);
+    note_merging_bridges(result);
+    return result;
+}
+
+}  // namespace pendular

@@ -1,0 +1,182 @@
+#include "sim/lab/virtual_recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <random>
+
+namespace pendular {
+namespace {
+
+constexpr double step_strain = 20, transient_strain = 0.5;
+
+// Start-up: the torque rises elastically, overshoots and softens while the sample dilates.
+constexpr double elastic_strain = 0.02, softening_strain = 0.15;
+constexpr double overshoot = 0.3, dilation = 0.02;
+
+/// Strains over which noise decorrelates; simulated stress ratios and solid fractions do so over
+/// 0.03 and 0.1 to 0.2.
+constexpr double torque_correlation_strain = 0.03, height_correlation_strain = 0.1;
+
+constexpr double load_cell_noise = 0.002;
+
+/// Share of the scatter that comes from noise within the step.
+constexpr double share_within = 0.25;
+
+double square(double x) {
+    return x * x;
+}
+
+class InstrumentNoise {
+  public:
+    explicit InstrumentNoise(std::uint64_t seed) : random_(seed) {}
+    double operator()() { return normal_(random_); }
+
+  private:
+    std::mt19937_64 random_;
+    std::normal_distribution<double> normal_;
+};
+
+/// Noise x_k = rho x_(k-1) + ... whose mean over `rows` has a given standard error: of variance
+/// se^2 rows (1 - rho)/(1 + rho).
+class CorrelatedNoise {
+  public:
+    CorrelatedNoise(double error_of_mean, double correlation_rows, double rows)
+        : keep_(std::exp(-1 / correlation_rows)),
+          deviation_(error_of_mean * std::sqrt(rows * (1 - keep_) / (1 + keep_))) {}
+
+    double next(InstrumentNoise& random) {
+        const double fresh = random();
+        value_ = started_ ? keep_ * value_ + std::sqrt(1 - keep_ * keep_) * fresh : fresh;
+        started_ = true;
+        return deviation_ * value_;
+    }
+
+  private:
+    double keep_;
+    double deviation_;
+    double value_ = 0;
+    bool started_ = false;
+};
+
+/// Random factor of a step: what a mean and the noise within the step leave of the scatter.
+double factor(const Mean& simulated, double scatter, InstrumentNoise& random) {
+    const double known = square(simulated.standard_error / simulated.value);
+    const double left = square(scatter) * (1 - square(share_within)) - known;
+    return 1 + std::sqrt(std::max(0.0, left)) * random();
+}
+
+/// The steady level of a step: what the instrument shows once the transient is over.
+struct Level {
+    double torque, normal_force, height, angular_velocity, shear_rate;
+};
+
+/// What an instrument without effects shows.
+CellState as_it_is(const TrueState& state, const AnnularCell& cell, const Grains& grains) {
+    const Condition& c = state.condition;
+    const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
+    CellState shown;
+    shown.torque = torque(state.stress_ratio.value * c.normal_stress, cell);
+    shown.normal_force = normal_force(c.normal_stress, cell);
+    shown.height = height(state.solid_fraction.value, cell);
+    shown.angular_velocity = angular_velocity(rate, shown.height, cell);
+    return shown;
+}
+
+/// Time between rows of a step [s].
+double spacing_of_rows(const Instrument& instrument, double shear_rate) {
+    return step_strain / instrument.rows / shear_rate;
+}
+
+Level level_of(const TrueState& state, const AnnularCell& cell, const Grains& grains,
+               const Instrument& instrument, InstrumentNoise& random) {
+    const Condition& c = state.condition;
+    const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
+    const CellState shown = state.shown.value_or(as_it_is(state, cell, grains));
+    // Named one by one, since the order of random numbers is part of a recording.
+    const double of_torque = factor(state.stress_ratio, instrument.noise * torque_scatter, random);
+    const double of_height =
+        factor(state.solid_fraction, instrument.noise * solid_fraction_scatter, random);
+    // A solid fraction shown too high is a gap shown too small.
+    return {shown.torque * of_torque, shown.normal_force, shown.height / of_height,
+            shown.angular_velocity, rate};
+}
+
+void append_step(Recording& recording, const Level& level, const Instrument& instrument,
+                 InstrumentNoise& random) {
+    const double rows = instrument.rows, rows_per_strain = rows / step_strain;
+    const double steady_rows = rows * (1 - transient_strain / step_strain);
+    const double within = share_within * instrument.noise;
+    CorrelatedNoise torque_noise(within * torque_scatter,
+                                 rows_per_strain * torque_correlation_strain, steady_rows);
+    CorrelatedNoise height_noise(within * solid_fraction_scatter,
+                                 rows_per_strain * height_correlation_strain, steady_rows);
+    const double spacing = spacing_of_rows(instrument, level.shear_rate);
+    const double start = recording.time.empty() ? 0 : recording.time.back() + spacing;
+    const double interval = recording.interval.empty() ? 1 : recording.interval.back() + 1;
+    for (int k = 0; k < instrument.rows; ++k) {
+        const double strain = k / rows_per_strain;
+        const double softening = std::exp(-strain / softening_strain);
+        const double rising = std::exp(-strain / elastic_strain);
+        recording.line.push_back(static_cast<int>(recording.line.size()) + 2);
+        recording.time.push_back(start + k * spacing);
+        recording.torque.push_back(level.torque *
+                                   (1 + overshoot * softening - (1 + overshoot) * rising) *
+                                   (1 + torque_noise.next(random)));
+        recording.normal_force.push_back(level.normal_force *
+                                         (1 + instrument.noise * load_cell_noise * random()));
+        recording.height.push_back(level.height * (1 - dilation * softening) *
+                                   (1 + height_noise.next(random)));
+        recording.angular_velocity.push_back(level.angular_velocity);
+        recording.interval.push_back(interval);
+    }
+}
+
+}  // namespace
+
+double time_steps(std::vector<Condition>& steps, const Grains& grains, const Instrument& instrument,
+                  double now) {
+    const int rows = instrument.rows;
+    double start = 0, last = 0;
+    for (Condition& step : steps) {
+        const double rate = shear_rate_at(step.inertial_number, step.normal_stress, grains);
+        const double spacing = spacing_of_rows(instrument, rate);
+        if (&step != &steps.front()) start = last + spacing;
+        last = start + (rows - 1) * spacing;
+        const double steady = start + rows * transient_strain / step_strain * spacing;
+        step.time = now + (steady + last) / 2;
+    }
+    return last;
+}
+
+Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell, const Grains& grains,
+                 const Instrument& instrument, std::uint64_t seed) {
+    InstrumentNoise random(seed);
+    InstrumentNoise drifting(seed + 1);  // apart, so that recordings without drift stay as they are
+    const double of_torque = instrument.drift * torque_scatter * drifting();
+    const double of_height = instrument.drift * solid_fraction_scatter * drifting();
+    Recording recording;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        const double course = steps.size() > 1 ? static_cast<double>(k) / (steps.size() - 1) : 0;
+        Level level = level_of(steps[k], cell, grains, instrument, random);
+        level.torque *= 1 + of_torque * course;
+        level.height *= 1 + of_height * course;
+        append_step(recording, level, instrument, random);
+    }
+    return recording;
+}
+
+std::string recording_csv(const Recording& r) {
+    std::string csv =
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s],Interval [1]\n";
+    for (std::size_t k = 0; k < r.size(); ++k) {
+        fmt::format_to(std::back_inserter(csv), "{:.6f},{:.7g},{:.7g},{:.7g},{:.7g},{:g}\n",
+                       r.time[k], 1e3 * r.torque[k], r.normal_force[k], 1e3 * r.height[k],
+                       r.angular_velocity[k], r.interval[k]);
+    }
+    return csv;
+}
+
+}  // namespace pendular

@@ -1,0 +1,26 @@
+#include "sim/runs/fidelity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "data/input_error.h"
+
+namespace pendular {
+
+const std::vector<Fidelity>& fidelities() {
+    static const std::vector<Fidelity> all = {{"quick", 1000, 1000, 3e-3, 5},
+                                              {"standard", 2000, 1000, 2e-3, 10},
+                                              {"paper", 4000, 8400, 1e-3, 20}};
+    return all;
+}
+
+Fidelity fidelity_named(std::string_view name) {
+    const auto found = std::ranges::find(fidelities(), name, &Fidelity::name);
+    if (found == fidelities().end()) {
+        throw InputError(fmt::format("unknown fidelity '{}'; use quick, standard or paper", name));
+    }
+    return *found;
+}
+
+}  // namespace pendular

@@ -1,0 +1,91 @@
+#include "sim/runs/single_run.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace pendular {
+namespace {
+
+/// What effects see of a run. How much liquid there is they may only take away.
+EffectiveCondition condition_of(const dem::RunParameters& run, const RunScale& scale) {
+    EffectiveCondition condition;
+    condition.normal_stress = scale.normal_stress;
+    condition.inertial_number = run.inertial_number;
+    if (run.wetting) {
+        condition.liquid_content =
+            dem::liquid_content(run.wetting->bridge_volume, dem::typical_coordination);
+        condition.liquid = scale.liquid;
+    }
+    return condition;
+}
+
+void demand_possible(const Effect& effect, bool wet) {
+    if (const std::string why = why_no_run_has(effect); !why.empty()) {
+        throw std::invalid_argument(fmt::format("{}: {}", effect.name, why));
+    }
+    if (effect.touches == Touches::wet && !wet) {
+        throw std::invalid_argument(fmt::format(
+            "{} acts on wet beads, and these are dry; add a reduced pressure", effect.name));
+    }
+    if (effect.touches == Touches::dry && wet) {
+        throw std::invalid_argument(fmt::format(
+            "{} acts on dry beads, and these are wet; remove the reduced pressure", effect.name));
+    }
+}
+
+}  // namespace
+
+RunScale RunScale::of(const dem::RunParameters& run) const {
+    RunScale result = *this;
+    if (run.wetting) {
+        result.normal_stress = run.wetting->reduced_pressure * pull_off_force(grains, liquid) /
+                               (grains.diameter * grains.diameter);
+    }
+    return result;
+}
+
+std::string why_no_run_has(const Effect& effect) {
+    if (effect.of_instrument()) {
+        return "it acts on what an instrument shows, and a single run has no instrument; "
+               "'pendular virtual-lab' has one";
+    }
+    if (effect.of_closure()) {
+        return "it acts on the closures of base \"rumpf\", which are no part of a run";
+    }
+    if (std::holds_alternative<ChangeFlow>(effect.change)) {
+        return "it acts on what a run yields, and is no part of it";
+    }
+    return "";
+}
+
+bool needs_scale(const Effect& effect) {
+    return std::ranges::any_of(effect.parameters, [](const EffectParameter& p) {
+        return p.unit != "1" && p.unit != "rad";
+    });
+}
+
+dem::RunParameters changed_run(dem::RunParameters run, const std::vector<ActiveEffect>& effects,
+                               const RunScale& scale) {
+    for (const ActiveEffect& active : effects) {
+        demand_possible(*active.effect, run.wetting.has_value());
+    }
+    const RunScale own = scale.of(run);
+    const EffectiveCondition condition =
+        changed_condition(condition_of(run, own), effects, own.liquid);
+    run.friction += condition.friction_difference;
+    for (const EffectValues& values : condition.grain_effects) {
+        run.effects.push_back(in_run_units(values, own.normal_stress, own.grains));
+    }
+    if (condition.dry()) {
+        run.wetting.reset();
+    } else {
+        // At the same normal stress; the ratio is 1 to the last bit where no effect changes it.
+        run.wetting->reduced_pressure *=
+            pull_off_force(own.grains, own.liquid) / pull_off_force(own.grains, *condition.liquid);
+    }
+    return run;
+}
+
+}  // namespace pendular

@@ -1,0 +1,276 @@
+// Diagnoses of linear models, where all laws are exact. Rates are held to what binomial scatter
+// allows: seeds are fixed, ranges hold 99 %.
+#include "analysis/diagnosis/diagnosis.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "data/input_error.h"
+#include "tests/support/line_study.h"
+
+using namespace pendular;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
+
+TEST(Diagnosis, NamesWhatIsMissingAndWhatItsAdditionBrings) {
+    const LinearSpace space = line_and();
+    // Noncentrality 60: g'Pg of the wave per amplitude squared.
+    const Eigen::VectorXd wave =
+        over_places([](double x) { return std::sin(3 * std::numbers::pi * x); });
+    const double amplitude = std::sqrt(60 / wave.squaredNorm());
+    Measuring measuring(3);
+    int right = 0;
+    for (int study = 0; study < 40; ++study) {
+        const Evidence evidence = measuring.of(plain() + amplitude * wave);
+        const Diagnosis d = diagnose(space, evidence, quickly());
+        if (d.verdict != Verdict::missing || d.confidence_set.front().chosen.size() > 1) continue;
+        ++right;
+        EXPECT_THAT(d.effects, ElementsAre("wave"));
+        const Finding& first = d.scan.front();
+        ASSERT_TRUE(first.refit_drop.has_value());
+        // Linear: the score test foretells the refit exactly.
+        EXPECT_NEAR(first.test.predicted_drop, *first.refit_drop, 1e-6 * *first.refit_drop);
+        EXPECT_NEAR(first.value, d.confidence_set.front().fit.parameters(2), 1e-6);
+        EXPECT_NEAR(first.value, amplitude, 4 * first.standard_error);
+    }
+    EXPECT_GE(right, 34);  // 95 % expected
+}
+
+TEST(Diagnosis, CannotTellApartWhatLooksAlike) {
+    const LinearSpace space =
+        line_and({column("bow", [](double x) { return 1 - std::cos(1.2 * x); })});
+    Measuring measuring(4);
+    const Diagnosis d = diagnose(
+        space, measuring.of(plain() + 4 * over_places([](double x) { return x * x; })), quickly());
+    EXPECT_EQ(d.verdict, Verdict::indistinguishable);
+    EXPECT_THAT(d.effects, UnorderedElementsAre("parabola", "bow"));
+    EXPECT_GT(d.cosines(0, 1), 0.99);
+}
+
+TEST(Diagnosis, FindsAPairWhereNoSingleEffectExplains) {
+    const LinearSpace space = line_and();
+    Measuring measuring(5);
+    const Diagnosis d =
+        diagnose(space, measuring.of(plain() + over_places([](double x) {
+                                         return 8 * x * x + 3 * std::sin(3 * std::numbers::pi * x);
+                                     })),
+                 quickly());
+    EXPECT_EQ(d.verdict, Verdict::missing);
+    EXPECT_THAT(d.effects, UnorderedElementsAre("parabola", "wave"));
+}
+
+TEST(Diagnosis, FindsTheSameInSeveralThreads) {
+    const auto space = [] {
+        return line_and({column("cube", [](double x) { return x * x * x; }),
+                         column("ripple", [](double x) { return std::sin(4 * x + 1); }),
+                         column("edge", [](double x) { return std::exp(3 * x); }),
+                         column("bow", [](double x) { return std::cos(2 * x); })});
+    };
+    Measuring measuring(5);
+    const Evidence evidence = measuring.of(
+        plain() + over_places([](double x) { return 8 * x * x + 3 * std::sin(9.4 * x); }));
+    DiagnosisOptions options = quickly();
+    const Diagnosis alone = diagnose(space(), evidence, options);
+    options.threads = 2;
+    const Diagnosis together = diagnose(space(), evidence, options);
+    ASSERT_EQ(together.tried.size(), alone.tried.size());
+    for (std::size_t k = 0; k < alone.tried.size(); ++k) {
+        EXPECT_EQ(together.tried[k].chosen, alone.tried[k].chosen);
+        EXPECT_EQ(together.tried[k].chi2, alone.tried[k].chi2);
+        EXPECT_EQ(together.tried[k].accepted, alone.tried[k].accepted);
+    }
+    EXPECT_EQ(together.effects, alone.effects);
+}
+
+TEST(Diagnosis, EndsItsThreadsWhereItIsInterrupted) {
+    const LinearSpace space = line_and();
+    Measuring measuring(5);
+    DiagnosisOptions options = quickly();
+    options.threads = 2;
+    options.progress = [](std::string_view what, std::size_t, std::size_t) {
+        if (what == "suspects") throw std::runtime_error("enough");
+    };
+    const Evidence evidence = measuring.of(
+        plain() + over_places([](double x) { return 8 * x * x + 3 * std::sin(9.4 * x); }));
+    EXPECT_THROW(diagnose(space, evidence, options), std::runtime_error);
+}
+
+TEST(Diagnosis, SuspectsOneConditionRatherThanAnEffect) {
+    const LinearSpace space = line_and();
+    Measuring measuring(6);
+    Eigen::VectorXd truth = plain();
+    truth.segment<2>(12).array() += 7;  // condition 6
+    int right = 0;
+    for (unsigned study = 1; study <= 20; ++study) {
+        const Diagnosis d = diagnose(space, measuring.of(truth), quickly(study));
+        right += d.verdict == Verdict::suspect_measurement && d.effects.empty() &&
+                 d.suspects == std::vector<std::string>{"condition 6"};
+    }
+    EXPECT_GE(right, 16);  // 19 expected
+}
+
+TEST(Diagnosis, SaysWhatElseWouldExplainTheReadings) {
+    // The jump is one condition alone.
+    const LinearSpace space =
+        line_and({column("last", [](double x) { return x > 0.95 ? 1.0 : 0.0; })});
+    Eigen::VectorXd truth = plain();
+    truth.tail(replicates).array() += 8;
+    Measuring measuring(21);
+    const Diagnosis d = diagnose(space, measuring.of(truth), quickly());
+    EXPECT_EQ(d.verdict, Verdict::missing);
+    EXPECT_THAT(d.effects, ElementsAre("last"));
+    EXPECT_THAT(d.suspects, ElementsAre("condition 14"));
+}
+
+TEST(Diagnosis, DoesNotTakeAnEffectAtItsBoundForAnExplanation) {
+    LinearSpace::Column bowl = column("bowl", [](double x) { return x * x; });
+    bowl.parameter.lower = 0;
+    Eigen::MatrixXd base(entries, 2);
+    base << Eigen::VectorXd::Ones(entries), over_places([](double x) { return x; });
+    const LinearSpace space(base, {bowl, column("wave", [](double x) { return std::sin(9 * x); }),
+                                   column("jump", [](double x) { return x > 0.3 ? 1.0 : 0.0; })});
+    Measuring measuring(22);
+    const Diagnosis d = diagnose(
+        space, measuring.of(plain() - 8 * over_places([](double x) { return x * x; })), quickly());
+    EXPECT_EQ(d.verdict, Verdict::unknown);
+}
+
+TEST(Diagnosis, LeavesAsideWhatIsTooLargeToBeReal) {
+    // The parabola would explain it, but only with more of it than can be.
+    LinearSpace::Column parabola = column("parabola", [](double x) { return x * x; });
+    parabola.possible = 3;
+    LinearSpace::Column never = column("never", [](double x) { return std::cos(5 * x); });
+    never.possible = 0.5;  // less than the size that matters
+    const LinearSpace space(Eigen::MatrixXd::Ones(entries, 1), {parabola, never});
+    Measuring measuring(23);
+    const Diagnosis d = diagnose(
+        space, measuring.of(over_places([](double x) { return 5 + 12 * x * x; })), quickly());
+    EXPECT_EQ(d.verdict, Verdict::unknown);
+    EXPECT_EQ(d.scan.size(), 2u);
+}
+
+TEST(ScoreTest, TakesOutWhatErrorsOfTheModelAdd) {
+    // Errors of the prediction and of the change, correlated by 0.8.
+    constexpr double of_prediction = 0.5, of_change = 0.1, together = 0.8;
+    const Eigen::VectorXd change = over_places([](double x) { return 0.5 * std::cos(2 * x); });
+    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(entries, entries);
+    std::mt19937_64 random(24);
+    std::normal_distribution<double> normal;
+    const auto draw = [&] {
+        return Eigen::VectorXd(
+            Eigen::VectorXd::NullaryExpr(entries, [&] { return normal(random); }));
+    };
+    double corrected = 0, uncorrected = 0;
+    constexpr int studies = 2000;
+    for (int study = 0; study < studies; ++study) {
+        const Eigen::VectorXd shared = draw();
+        const Eigen::VectorXd off = of_prediction * shared,
+                              seen = change +
+                                     of_change * (together * shared +
+                                                  std::sqrt(1 - together * together) * draw());
+        const Prediction prediction{plain() + off,
+                                    Eigen::MatrixXd::Ones(entries, 1),
+                                    of_prediction * of_prediction * one,
+                                    {}};
+        const WeightedResiduals residuals({plain() + draw(), one}, prediction);
+        Signature signature{.change = seen};
+        uncorrected += score_test(residuals, signature, false).estimate(0);
+        signature.errors = {of_change * of_change * one,
+                            together * of_prediction * of_change * one};
+        const ScoreTest test = score_test(residuals, signature, false);
+        ASSERT_GT(test.information, 0);
+        corrected += test.estimate(0) * test.information;  // U - b
+    }
+    // Nothing is missing: U - b is zero on average, U is far from it.
+    const double scatter = std::sqrt(entries * 0.3 / studies);
+    EXPECT_NEAR(corrected / studies, 0, 3 * scatter);
+    EXPECT_LT(uncorrected / studies, -0.3);
+}
+
+TEST(Diagnosis, SaysWhereItKnowsNoExplanation) {
+    const LinearSpace space = line_and();
+    Measuring measuring(7);
+    const Diagnosis d =
+        diagnose(space, measuring.of(plain() + 5 * over_places([](double x) {
+                                                   return std::cos(7 * std::numbers::pi * x);
+                                               })),
+                 quickly());
+    EXPECT_EQ(d.verdict, Verdict::unknown);
+    EXPECT_TRUE(d.effects.empty());
+}
+
+TEST(Diagnosis, IsInconclusiveOfWhatCouldHide) {
+    LinearSpace::Column faint = column("faint", [](double x) { return 0.05 * x * x * x * x; });
+    const LinearSpace space = line_and({faint});
+    Measuring measuring(8);
+    Evidence evidence = measuring.of(plain());
+    const Diagnosis d = diagnose(space, evidence, quickly());
+    EXPECT_EQ(d.verdict, Verdict::inconclusive);
+    EXPECT_THAT(d.effects, testing::Contains("faint"));
+    // A size of 1 matters to all of these; the wave is seen from a few tenths on.
+    for (const Finding& finding : d.scan) {
+        const bool seen = finding.power >= 0.8;
+        EXPECT_EQ(finding.decision, seen ? "absent" : "cannot be excluded");
+    }
+}
+
+TEST(Diagnosis, SaysNothingIsMissingOnlyOfMeasuredErrors) {
+    // Of sizes that matter as much as these, all would be seen.
+    Eigen::MatrixXd base = Eigen::MatrixXd::Ones(entries, 1);
+    const auto parabola = column("parabola", [](double x) { return 10 * x * x; });
+    const LinearSpace space(base, {parabola});
+    Measuring measuring(9);
+    int nothing_missing = 0;
+    for (int study = 0; study < 20; ++study) {
+        Evidence evidence = measuring.of(Eigen::VectorXd::Constant(entries, 3.0));
+        nothing_missing += diagnose(space, evidence, quickly()).verdict == Verdict::nothing_missing;
+        evidence.errors_assumed = true;
+        EXPECT_NE(diagnose(space, evidence, quickly()).verdict, Verdict::nothing_missing);
+    }
+    EXPECT_GE(nothing_missing, 16);  // 19 expected
+}
+
+TEST(Diagnosis, TakesSwitchesForOnOrOff) {
+    LinearSpace::Column on = column("jump", [](double x) { return x > 0.3 ? 3.0 : 0.0; });
+    on.parameter = on_switch("there is a jump");
+    Eigen::MatrixXd base = Eigen::MatrixXd::Ones(entries, 1);
+    const LinearSpace space(base, {on, column("parabola", [](double x) { return x * x; })});
+    Measuring measuring(10);
+    const Diagnosis d =
+        diagnose(space, measuring.of(Eigen::VectorXd::Ones(entries) + on.values), quickly());
+    EXPECT_EQ(d.verdict, Verdict::missing);
+    EXPECT_THAT(d.effects, ElementsAre("jump"));
+    EXPECT_NEAR(d.scan.front().value, 1, 4 * d.scan.front().standard_error);
+    EXPECT_EQ(d.confidence_set.front().fit.dof, entries - 1);  // nothing was fitted
+}
+
+TEST(Diagnosis, DoesNotLookForWhatIsAbsorbed) {
+    // The calibrated slope does all that this could.
+    const LinearSpace space = line_and({column("slope", [](double x) { return 3 * x; })});
+    Measuring measuring(11);
+    const Diagnosis d = diagnose(space, measuring.of(plain()), quickly());
+    const auto slope = std::ranges::find_if(
+        d.scan, [&](const Finding& f) { return space.candidates()[f.candidate].name == "slope"; });
+    EXPECT_FALSE(slope->identifiable);
+    EXPECT_EQ(slope->decision, "cannot be seen");
+    EXPECT_THAT(d.effects, testing::Not(testing::Contains("slope")));
+}
+
+TEST(Diagnosis, NeedsMoreReadingsThanParameters) {
+    const LinearSpace space(Eigen::MatrixXd::Identity(3, 3), {});
+    Evidence evidence;
+    evidence.measured = {Eigen::VectorXd::Ones(3), Eigen::MatrixXd::Identity(3, 3)};
+    evidence.errors = ErrorKnowledge::known(3);
+    evidence.conditions = {{0}, {1}, {2}};
+    try {
+        diagnose(space, evidence, quickly());
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("3 measured values and 3 calibrated parameters"));
+    }
+}

@@ -1,0 +1,235 @@
+// `pendular add` and `pendular drop`: what they refuse, what they say, what they write.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "reports/change_report.h"
+#include "reports/with_error.h"
+#include "tests/support/app_support.h"
+#include "tests/support/wet_study_support.h"
+#include "workflow/json.h"
+#include "workflow/ladder_file.h"
+#include "workflow/study_change.h"
+
+namespace app_add_test {
+
+using namespace pendular;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+const std::string start = R"(# Beads, dry.
+[grains]
+diameter = "500 um"
+density = "1050 kg/m^3"
+[[readings]]
+file = "points.csv"
+liquid_content = 0
+)";
+const std::string cell = R"([cell]
+inner_radius = "21 mm"
+outer_radius = "45 mm"
+bead_mass = "60 g"
+)";
+
+/// A study of ready-made dry readings whose list of effects is changed.
+class StudyChanges : public testing::Test {
+  protected:
+    fs::path study(const std::string& more) {
+        folder_.write("points.csv",
+                      "normal_stress [Pa],stress_ratio,solid_fraction,inertial_number\n"
+                      "1000,0.3,0.6,0.01\n2000,0.3,0.6,0.01\n");
+        return folder_.write("study.toml", start + more);
+    }
+    /// Expects that these words are refused and that nothing changes.
+    void expect_refused_whole(const std::string& words, const std::string& why) {
+        const std::string before = content_of(folder_.path() / "study.toml");
+        expect_refused(words, why);
+        EXPECT_EQ(content_of(folder_.path() / "study.toml"), before);
+        EXPECT_FALSE(fs::exists(folder_.path() / "out" / "fit.json"));
+    }
+    fs::path file() const { return folder_.path() / "study.toml"; }
+    StudyChange plan(Action change, const std::string& effect) const {
+        return plan_change(read_study(file()), change, effect);
+    }
+
+    TemporaryFolder folder_;
+};
+
+Rung rung(double chi2, int dof, double stress, double left_out) {
+    Rung r;
+    r.parameters = {{"friction", "1", 0.100, 0.002}};
+    r.chi2 = chi2;
+    r.dof = dof;
+    r.rms_percent = {stress, 0.3};
+    r.left_out_percent = {{left_out, 0.31}};
+    return r;
+}
+Rung with_torque(Rung r) {
+    r.effects = {"torque-offset"};
+    r.parameters = {{"friction", "1", 0.090, 0.003},
+                    {"torque-offset.torque", "N m", 1.04e-3, 3.1e-5}};
+    return r;
+}
+std::string advice(Action change, const Rung& before, const Rung& after) {
+    const StudyChange planned{change, "torque-offset", Study{}, "", ""};
+    std::string text;
+    for (const auto& line : advice_on(planned, before, after, "beads")) {
+        text += line + "\n";
+    }
+    return text;
+}
+
+/// A calibration made up for the purpose.
+Fitted after_fit() {
+    Calibration c = planted::calibration(planted::readings());
+    Comparison comparison = compare(c);
+    Rung r = with_torque(rung_of(c, comparison, std::nullopt));
+    return {.calibration = std::move(c), .comparison = std::move(comparison), .rung = std::move(r)};
+}
+
+TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {
+    const std::string path =
+        study(cell + "[model]\neffects = [\"torque-offset\"] # drag\n").string();
+    expect_refused_whole("add " + path + " torque-gian",
+                         "unknown effect 'torque-gian'; did you mean 'torque-gain'?");
+    expect_refused_whole("add " + path + " torque-offset", "lists \"torque-offset\" already");
+    expect_refused_whole("add " + path + " contact-angle",
+                         "contact-angle acts on wet beads, but this study has no [liquid]");
+    expect_refused_whole("drop " + path + " torque-gain", "does not list \"torque-gain\"");
+    expect_refused_whole("drop " + path + " torque-ofset", "did you mean 'torque-offset'?");
+    expect_refused_whole("add " + path, "the effect is missing; usage: pendular add STUDY EFFECT");
+    expect_refused_whole("drop", "the study or folder is missing; usage: pendular drop");
+    expect_refused_whole("add " + path + " lid-slip torque-gain", "too many arguments");
+    const std::string none = study(cell).string();
+    expect_refused_whole("drop " + none + " torque-gain", "the study lists no effects");
+    const std::string no_cell = study("").string();
+    expect_refused_whole("add " + no_cell + " torque-gain",
+                         "study.toml: torque-gain acts on the "
+                         "instrument, but this study has no");
+}
+
+TEST_F(StudyChanges, AreRefusedWhereTheLadderIsBroken) {
+    const std::string path = study(cell).string();
+    fs::create_directories(folder_.path() / "out");
+    const auto ladder = folder_.write("out/ladder.json", "{\"rungs\": [{\"step\"");
+    expect_refused_whole("add " + path + " torque-gain", "ladder.json: not the ladder of a study");
+    EXPECT_EQ(content_of(ladder), "{\"rungs\": [{\"step\"");
+}
+
+TEST_F(StudyChanges, ArePlannedInMemory) {
+    const std::string text = content_of(study(cell + "[model]\neffects = [\"torque-gain\"]\n"));
+    const StudyChange added = plan(Action::add, "lid-slip");
+    ASSERT_EQ(added.study.study().model.effects.size(), 2u);
+    EXPECT_EQ(added.study.study().model.effects[1].name, "lid-slip");
+    EXPECT_THAT(added.new_text, HasSubstr("[\"torque-gain\", \"lid-slip\"]"));
+    EXPECT_TRUE(plan(Action::drop, "torque-gain").study.study().model.effects.empty());
+    EXPECT_EQ(content_of(file()), text);
+}
+
+TEST_F(StudyChanges, AreCarriedOutWhole) {
+    study(cell + "[model]\neffects = []  # none yet\n");
+    const StudyChange change = plan(Action::add, "torque-offset");
+    const fs::path out = folder_.path() / "out";
+    Ladder ladder;
+    carry_out(change, rung(400, 41, 4, 4.3), after_fit(), ladder, out);
+    EXPECT_EQ(content_of(file()), change.new_text);
+    EXPECT_THAT(content_of(file()), HasSubstr("effects = [\"torque-offset\"]  # none yet"));
+    EXPECT_TRUE(nlohmann::json::parse(content_of(out / "fit.json")).contains("parameters"));
+    const Ladder kept = read_ladder(out / "ladder.json");
+    ASSERT_EQ(kept.size(), 2u);
+    EXPECT_EQ(kept[1].change, "add");
+    EXPECT_EQ(kept[1].effect, "torque-offset");
+}
+
+TEST_F(StudyChanges, LeaveAStudyThatWasEditedMeanwhile) {
+    study(cell);
+    const StudyChange change = plan(Action::add, "torque-offset");
+    const std::string edited = content_of(file()) + "# a note\n";
+    folder_.write("study.toml", edited);
+    Ladder ladder;
+    const std::string message = input_error([&] {
+        carry_out(change, rung(400, 41, 4, 4.3), after_fit(), ladder, folder_.path() / "out");
+    });
+    EXPECT_THAT(message, HasSubstr("nothing was written"));
+    EXPECT_EQ(content_of(file()), edited);
+    EXPECT_FALSE(fs::exists(folder_.path() / "out"));
+}
+
+TEST_F(StudyChanges, LeaveTheStudyWhereResultsCannotBeWritten) {
+    study(cell);
+    const std::string before = content_of(file());
+    const StudyChange change = plan(Action::add, "torque-offset");
+    Ladder ladder;
+    EXPECT_ANY_THROW(
+        carry_out(change, rung(400, 41, 4, 4.3), after_fit(), ladder, "/proc/nowhere"));
+    EXPECT_EQ(content_of(file()), before);
+}
+
+TEST_F(StudyChanges, AreToldInOneLineWithTheErrorBeforeAndAfter) {
+    study(cell);
+    const StudyChange change = plan(Action::add, "torque-offset");
+    const Rung before = rung(401.8, 41, 4.12, 4.31), after = with_torque(rung(44, 40, 1, 1.1));
+    EXPECT_EQ(verdict_of(change, before, after),
+              "torque-offset added: chi2/dof 9.8 -> 1.1, RMS error of shear stress 4.12 % -> 1 %, "
+              "of solid fraction 0.3 % -> 0.3 %; left-out conditions 4.31 % -> 1.1 % and 0.31 % -> "
+              "0.31 %");
+    const auto lines = parameter_changes(before, after);
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_THAT(lines[1], AllOf(HasSubstr("friction  "), HasSubstr("0.1000 +- 0.0020"),
+                                HasSubstr("0.0900 +- 0.0030"), HasSubstr("-5.0 standard errors")));
+    EXPECT_THAT(lines[2], AllOf(HasSubstr("torque-offset.torque [N m]"),
+                                HasSubstr("0.001040 +- 0.000031"), HasSubstr("new")));
+    EXPECT_THAT(parameter_changes(after, before)[2], HasSubstr("gone"));
+    const auto json = to_json(change, before, after, true);
+    EXPECT_EQ(json["change"], "add");
+    EXPECT_EQ(json["effect"], "torque-offset");
+    EXPECT_EQ(json["before"]["chi2"], 401.8);
+    EXPECT_EQ(json["after"]["dof"], 40);
+    EXPECT_EQ(json["after"]["rms_percent"]["shear_stress"], 1);
+    EXPECT_EQ(json["after"]["left_out_percent"]["shear_stress"], 1.1);
+    EXPECT_EQ(json["after"]["parameters"]["torque-offset.torque"]["value"], 1.04e-3);
+}
+
+TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
+    const Rung before = rung(50, 41, 4, 4.3);
+    const auto added = [&](double chi2, double left_out) {
+        return advice(Action::add, before, with_torque(rung(chi2, 40, 3, left_out)));
+    };
+    EXPECT_THAT(added(51, 4.3), AllOf(HasSubstr("did not fall: chi2 50 -> 51"),
+                                      HasSubstr("'pendular drop beads torque-offset'")));
+    EXPECT_THAT(added(48, 4.3), HasSubstr("fell by no more than chance"));
+    EXPECT_THAT(added(20, 5), HasSubstr("left out of the fit the error of shear stress rose"));
+    EXPECT_THAT(added(20, 2), AllOf(Not(HasSubstr("rose")), Not(HasSubstr("chance")),
+                                    HasSubstr("friction moved by 5.0 times the error it had")));
+}
+
+TEST(StudyChangeAdvice, SaysWhetherADroppedEffectIsMissed) {
+    const Rung before = with_torque(rung(44, 40, 1, 1.1));
+    EXPECT_THAT(advice(Action::drop, before, rung(402, 41, 4, 4.3)),
+                HasSubstr("'pendular add beads torque-offset' puts it back"));
+    EXPECT_THAT(advice(Action::drop, before, rung(46, 41, 1, 1.1)),
+                HasSubstr("rose by no more than chance"));
+    EXPECT_THAT(advice(Action::drop, before, rung(43, 41, 1, 1.1)),
+                HasSubstr("did not rise without torque-offset"));
+}
+
+TEST(StudyChangeHelp, NamesItsUse) {
+    for (const std::string command : {"add", "drop"}) {
+        const Outcome help = run_pendular(command + " --help");
+        EXPECT_EQ(help.code, 0);
+        EXPECT_THAT(help.output, AllOf(HasSubstr("Usage: pendular " + command + " STUDY EFFECT"),
+                                       HasSubstr("--confirm"), HasSubstr("Examples:")));
+    }
+}
+
+TEST(WithError, IsReadableForSmallForces) {
+    EXPECT_EQ(with_error(0.0972, 0.011), "0.097 +- 0.011");
+    EXPECT_EQ(with_error(1.0321e-6, 1.2e-8), "(1.032 +- 0.012)e-6");
+    EXPECT_EQ(with_error(0, 3.4e-8), "(0.0 +- 3.4)e-8");
+    EXPECT_EQ(with_error(0.02063, 0.00042), "0.02063 +- 0.00042");
+}
+
+}  // namespace app_add_test

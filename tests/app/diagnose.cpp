@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/app_support.h"
+#include "tests/support/data_support.h"
+
+namespace app_diagnose_test {
+
+using namespace pendular;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// Dry readings as of friction 0.09, shear stresses short by a constant that a tare could be.
+class DiagnoseCommand : public testing::Test {
+  protected:
+    std::string study(const std::string& points) {
+        std::ofstream(folder_.path() / "points.csv")
+            << "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction "
+               "[1],solid_fraction_sd [1],inertial_number [1]\n"
+            << points;
+        std::ofstream(folder_.path() / "study.toml")
+            << "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n"
+               "[[readings]]\nfile = \"points.csv\"\nliquid_content = 0.0\n"
+               "[[effect]]\nname = \"lost-stress\"\nparameter = \"stress\"\nunit = \"Pa\"\n"
+               "lower = -200.0\nupper = 200.0\nneutral = 0.0\nmatters = 10.0\n"
+               "stress_ratio = \"stress_ratio - stress/normal_stress\"\n";
+        return folder_.path().string();
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(DiagnoseCommand, IsDescribed) {
+    EXPECT_THAT(run_pendular("--help").output, HasSubstr("diagnose"));
+    EXPECT_THAT(run_pendular("diagnose --help").output,
+                AllOf(HasSubstr("Usage: pendular diagnose STUDY"), HasSubstr("Examples:"),
+                      HasSubstr("indistinguishable")));
+}
+
+TEST_F(DiagnoseCommand, NamesAnEffectThatTheStudyWrites) {
+    // Emulated at friction 0.09, less 20 Pa of shear stress, with errors of 1 % and 0.0012.
+    const std::string path = study(
+        "300,56.91,0.77,0.6189,0.0012,0.003\n"
+        "1000,233.82,2.56,0.6198,0.0012,0.003\n"
+        "3000,750.66,7.67,0.6203,0.0012,0.003\n"
+        "300,64.98,0.85,0.6138,0.0012,0.03\n"
+        "1000,266.67,2.84,0.6127,0.0012,0.03\n"
+        "3000,831.46,8.53,0.6141,0.0012,0.03\n");
+    const Outcome run = run_pendular("diagnose " + path + " --quiet --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    EXPECT_THAT(json.at("effects"), testing::Contains("lost-stress")) << run.errors;
+    for (const char* key : {"verdict", "confidence_set", "lack_of_fit_p", "chi2", "dof"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    for (const auto& row : json.at("scan"))
+        for (const char* key : {"effect", "predicted_drop", "estimate", "absorbed", "power", "p",
+                                "decision", "refit_drop"})
+            EXPECT_TRUE(row.contains(key)) << key;
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "diagnosis.json"));
+    EXPECT_THAT(run.errors, HasSubstr("lost-stress"));
+}
+
+TEST_F(DiagnoseCommand, SaysWhatCannotBeDiagnosed) {
+    const std::string path = study(
+        "300,79,0.8,0.5995,0.0012,0.003\n"
+        "300,78,0.8,0.5995,0.0012,0.003\n");
+    const Outcome run = run_pendular("diagnose " + path);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.errors, AllOf(HasSubstr("study.toml"), HasSubstr("at one condition"),
+                                  HasSubstr("measure at two normal stresses")));
+}
+
+TEST_F(DiagnoseCommand, SaysWhatToMeasureNext) {
+    const std::string path = study(
+        "300,79.1,0.8,0.6189,0.0012,0.003\n"
+        "1000,258.0,2.6,0.6198,0.0012,0.003\n"
+        "3000,774.0,7.7,0.6203,0.0012,0.003\n"
+        "300,86.5,0.9,0.6138,0.0012,0.03\n"
+        "1000,286.0,2.9,0.6127,0.0012,0.03\n"
+        "3000,855.0,8.6,0.6141,0.0012,0.03\n");
+    std::ofstream(folder_.path() / "study.toml", std::ios::app)
+        << "[rig]\nnormal_stress = [\"0.2 kPa\", \"5 kPa\"]\ninertial_number = [0.003, 0.03]\n";
+    const Outcome run = run_pendular("next " + path + " --quiet --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    EXPECT_GE(json.at("point").at("normal_stress"), 200);
+    EXPECT_TRUE(json.contains("rivals"));
+    EXPECT_TRUE(json.contains("repeats"));
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "next.json"));
+    EXPECT_THAT(run_pendular("next --help").output, HasSubstr("[rig]"));
+}
+
+TEST_F(DiagnoseCommand, RefusesARigThatCannotBe) {
+    const std::string path = study("300,79.1,0.8,0.6189,0.0012,0.003\n");
+    std::ofstream(folder_.path() / "study.toml", std::ios::app)
+        << "[rig]\nnormal_stress = \"2 kg\"\ninertial_number = 0.01\n";
+    const Outcome run = run_pendular("next " + path);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.errors, AllOf(HasSubstr("study.toml:"), HasSubstr("normal_stress")));
+}
+
+}  // namespace app_diagnose_test

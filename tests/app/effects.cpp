@@ -1,0 +1,201 @@
+// `pendular effects` and what the other commands make of a study's list of effects.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "sim/catalogue/effect.h"
+#include "tests/support/app_support.h"
+
+namespace app_effects_test {
+
+using pendular::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string start = R"([grains]
+diameter = "500 um"
+density = "1050 kg/m^3"
+[[readings]]
+file = "points.csv"
+)";
+const std::string cell = R"([cell]
+inner_radius = "21 mm"
+outer_radius = "45 mm"
+bead_mass = "60 g"
+)";
+const std::string drag = R"([[effect]]
+name = "speed-drag"
+parameter = "drag"
+unit = "mN m s"
+lower = -5
+upper = 5
+summary = "drag that grows with speed"
+torque = "torque + drag*angular_velocity"
+)";
+
+/// A study of ready-made readings.
+class EffectsOfAStudy : public testing::Test {
+  protected:
+    std::string study(const std::string& more) {
+        folder_.write("points.csv",
+                      "normal_stress [Pa],stress_ratio,solid_fraction,inertial_number\n"
+                      "1000,0.3,0.6,0.01\n2000,0.3,0.6,0.01\n");
+        folder_.write("study.toml", start + more);
+        return folder_.path().string();
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST(Effects, ListsTheCatalogue) {
+    const Outcome run = run_pendular("effects");
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output,
+                AllOf(HasSubstr("the instrument\n"), HasSubstr("torque-offset"), HasSubstr("N m"),
+                      HasSubstr("drag of bearings and seals"), Not(HasSubstr("in study"))));
+    EXPECT_THAT(run_pendular("--help").output, HasSubstr("effects"));
+    EXPECT_THAT(run_pendular("effects --help").output,
+                AllOf(HasSubstr("Usage: pendular effects"), HasSubstr("Examples:")));
+}
+
+TEST(Effects, ShowsOneEntryWhole) {
+    const Outcome run = run_pendular("effects torque-offset");
+    EXPECT_EQ(run.code, 0) << run.errors;
+    for (const char* part :
+         {"T_shown = T + torque", "torque [N m], -0.1 to 0.1, gone at 0, matters from 0.0001 on",
+          "1/normal_stress", "Schulze", "effects = [\"torque-offset\"]",
+          "pendular virtual-lab OUT --torque-offset.torque 0.0001", "all readings"})
+        EXPECT_THAT(run.output, HasSubstr(part));
+}
+
+TEST(Effects, AreJson) {
+    const Outcome all = run_pendular("effects --json -");
+    ASSERT_EQ(all.code, 0) << all.errors;
+    const auto list = nlohmann::json::parse(all.output).at("effects");
+    const auto found = std::ranges::find_if(
+        list, [](const auto& effect) { return effect.at("name") == "torque-offset"; });
+    ASSERT_NE(found, list.end());
+    auto one = nlohmann::json::parse(run_pendular("effects torque-offset --json -").output);
+    EXPECT_EQ(one.at("format"), 1);
+    one.erase("format");
+    EXPECT_EQ(one, *found);
+    EXPECT_EQ(one.at("changes"), "instrument");
+    EXPECT_EQ(one.at("touches"), "all");
+    EXPECT_EQ(one.at("written"), false);
+    const auto& parameter = one.at("parameters").at(0);
+    EXPECT_EQ(parameter.at("name"), "torque");
+    EXPECT_EQ(parameter.at("unit"), "N m");
+    EXPECT_EQ(parameter.at("upper"), 0.1);
+    EXPECT_EQ(parameter.at("matters"), 1e-4);
+    EXPECT_EQ(parameter.at("switch"), false);
+    EXPECT_FALSE(one.contains("applies"));
+}
+
+TEST(Effects, PointToTheNearestName) {
+    expect_refused("effects torque-ofset", "did you mean 'torque-offset'?");
+    expect_refused("effects torque-offset other", "too many arguments");
+    expect_refused("effects --study /nowhere/at/all", "not there");
+}
+
+/// Text of a page without the signs that keep words from being Markdown.
+std::string words_of(const std::filesystem::path& page) {
+    std::string text = content_of(page);
+    std::erase(text, '\\');
+    return text;
+}
+
+/// Expects that every link of a page leads to a file that is not empty.
+void expect_links_resolve(const std::filesystem::path& page) {
+    const std::string text = content_of(page);
+    const std::regex link(R"(\]\(([^)]+)\))");
+    for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found) {
+        const auto target = page.parent_path() / (*found)[1].str();
+        EXPECT_TRUE(std::filesystem::exists(target) && !std::filesystem::is_empty(target))
+            << page << " links to " << target;
+    }
+}
+
+TEST(EffectsManual, TellsAllThatIsKnownOfEveryEffect) {
+    const TemporaryFolder folder;
+    const auto manual = folder.path() / "manual";
+    const Outcome run = run_pendular("effects --json - --manual " + manual.string());
+    ASSERT_EQ(run.code, 0) << run.errors;
+    expect_links_resolve(manual / "index.md");
+    const std::string index = content_of(manual / "index.md");
+    for (const pendular::Effect& effect : pendular::built_in_effects()) {
+        EXPECT_THAT(index, HasSubstr("[" + effect.name + "](" + effect.name + ".md)"));
+        const auto page = manual / (effect.name + ".md");
+        const std::string words = words_of(page);
+        EXPECT_THAT(words, AllOf(HasSubstr("# " + effect.name + "\n"), HasSubstr(effect.equation),
+                                 HasSubstr("effects = [\"" + effect.name + "\"]")));
+        for (const pendular::EffectParameter& p : effect.parameters) {
+            EXPECT_THAT(words, HasSubstr("| `" + p.name + "` | " +
+                                         (p.is_switch() ? "switch" : p.unit) + " |"));
+            EXPECT_THAT(words, HasSubstr(p.meaning));
+        }
+        for (const std::string& reference : effect.references) {
+            EXPECT_THAT(words, HasSubstr("- " + reference + "\n"));
+        }
+        expect_links_resolve(page);
+    }
+    // Effects on grains have a figure where the atlas has runs with them, all others always.
+    const auto pages = nlohmann::json::parse(run.output).at("pages");
+    for (const auto& page : pages) {
+        const std::string name = page.at("effect");
+        const bool figure = page.at("figure");
+        EXPECT_TRUE(figure || pendular::built_in_effect(name).of_grains()) << name;
+        EXPECT_EQ(figure, std::filesystem::exists(manual / "figures" / (name + ".svg"))) << name;
+    }
+}
+
+TEST(EffectsManual, IsOfAllEffects) {
+    expect_refused("effects torque-offset --manual /tmp/nowhere", "leave out the name");
+}
+
+TEST_F(EffectsOfAStudy, AreShownWithThoseItWrites) {
+    const std::string path = study(cell + drag + "[model]\neffects = [\"speed-drag\"]\n");
+    const Outcome all = run_pendular("effects --study " + path);
+    EXPECT_EQ(all.code, 0) << all.errors;
+    EXPECT_THAT(all.output, AllOf(HasSubstr("speed-drag"), HasSubstr("drag that grows with speed"),
+                                  HasSubstr("in study")));
+    const Outcome one = run_pendular("effects speed-drag --study " + path);
+    EXPECT_THAT(one.output, AllOf(HasSubstr("torque_shown = torque + drag*angular_velocity"),
+                                  HasSubstr("study.toml:10"), HasSubstr("switched on")));
+    expect_refused("effects speed-drag", "unknown effect 'speed-drag'");
+}
+
+TEST_F(EffectsOfAStudy, SayWhetherTheyApply) {
+    const std::string path = study(drag);
+    const Outcome all = run_pendular("effects --json - --study " + path);
+    ASSERT_EQ(all.code, 0) << all.errors;
+    const auto effects = nlohmann::json::parse(all.output).at("effects");
+    for (const auto& effect : effects) {
+        EXPECT_EQ(effect.at("listed"), false);
+        if (effect.at("changes") == "instrument") {
+            EXPECT_EQ(effect.at("applies"), false);
+            EXPECT_THAT(effect.at("why_not").get<std::string>(),
+                        HasSubstr(effect.at("touches") == "wet" ? "no [liquid]" : "no [cell]"));
+        }
+    }
+    EXPECT_THAT(run_pendular("effects --study " + path).output, HasSubstr("note: torque-offset"));
+}
+
+TEST_F(EffectsOfAStudy, AreCheckedByEveryCommandThatReadsOne) {
+    const std::string unknown = study(cell + "[model]\neffects = [\"torque-ofset\"]\n");
+    for (const std::string command : {"import ", "calibrate --quiet ", "compare "})
+        expect_refused(command + unknown,
+                       "study.toml:11:12: 'effects': unknown effect 'torque-ofset'; did you mean "
+                       "'torque-offset'?");
+    const std::string useless = study("[model]\neffects = [\"torque-offset\"]\n");
+    for (const std::string command : {"import ", "calibrate --quiet ", "compare "})
+        expect_refused(command + useless, "study.toml:7:12: 'effects': torque-offset acts on");
+    std::string wrong = drag;
+    wrong.replace(wrong.find("*angular"), 8, "*angulr");
+    for (const std::string command : {"import ", "calibrate --quiet ", "compare "})
+        expect_refused(command + study(cell + wrong), "study.toml:17:10: ");
+}
+
+}  // namespace app_effects_test

@@ -1,0 +1,215 @@
+// `pendular predict` and `pendular calibrate` on the emulator, as their users meet them.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/app_support.h"
+
+namespace app_predict_test {
+
+using nlohmann::json;
+using pendular::TemporaryFolder;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// The source's dry reading and its wet ones, as in examples/polystyrene.
+Outcome calibrate_example(const TemporaryFolder& folder, const std::string& words) {
+    fs::copy(PENDULAR_SOURCE_DIR "/examples/polystyrene", folder.path() / "study",
+             fs::copy_options::recursive | fs::copy_options::skip_existing);
+    return run_pendular(fmt::format("calibrate {} --fidelity quick --quiet --json - --out {} {}",
+                                    (folder.path() / "study").string(), folder.path().string(),
+                                    words));
+}
+
+TEST(Predict, TellsADryStateWithErrors) {
+    const Outcome run = run_pendular("predict --friction 0.09 --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const json said = json::parse(run.output);
+    // The source's simulation in the quasi-static limit: 0.257 +- 0.002.
+    EXPECT_NEAR(said["stress_ratio"]["value"], 0.257, 0.008);
+    EXPECT_LT(said["stress_ratio"]["stderr"], 0.004);
+    EXPECT_GT(said["stress_ratio"]["by"]["friction"]["value"], 0.5);
+    EXPECT_FALSE(said.contains("distant_force"));
+    EXPECT_EQ(said["beyond"], "");
+}
+
+TEST(Predict, TellsAWetStateOfALiquidContent) {
+    const Outcome run = run_pendular("predict --reduced-pressure 1 --liquid-content 0.03 --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const json said = json::parse(run.output);
+    EXPECT_NEAR(said["liquid_content"]["value"], 0.03, 0.0006);
+    EXPECT_GT(said["stress_ratio"]["value"], 0.5);
+    EXPECT_NEAR(said["distant_force"]["value"], 0.5, 0.06);  // over F0
+    EXPECT_GT(said["bridge_volume"], 0.003);
+}
+
+/// The command of a message that begins with these words.
+std::string command_in(const std::string& message, const std::string& words) {
+    const auto begin = message.find("    pendular " + words);
+    return begin == std::string::npos
+               ? ""
+               : message.substr(begin + 13, message.find('\n', begin) - begin - 13);
+}
+
+TEST(Predict, RefusesWhatRunsDoNotSupportAndSaysWhatToDo) {
+    const Outcome run =
+        run_pendular("predict --friction 0.9 --reduced-pressure 0.1 --liquid-content 0.03");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ(run.output, "");
+    EXPECT_THAT(run.errors, HasSubstr("friction 0.9 is above 0.6, reduced pressure 0.1 is below"));
+    // Both commands can be pasted; the first answers.
+    const std::string near = command_in(run.errors, "predict ");
+    EXPECT_THAT(near, HasSubstr("--liquid-content"));
+    EXPECT_EQ(run_pendular(near).code, 0) << near;
+    EXPECT_THAT(command_in(run.errors, "simulate "),
+                testing::StartsWith("simulate --friction 0.9 --inertial-number 0.002 "
+                                    "--reduced-pressure 0.1 --bridge-volume 0.00"));
+    // A state that cannot be simulated either: what can be is the nearest supported one.
+    const Outcome absurd =
+        run_pendular("predict --friction 0.9 --reduced-pressure 0.02 --liquid-content 0.2");
+    EXPECT_EQ(absurd.code, 2);
+    EXPECT_THAT(absurd.errors, HasSubstr("cannot be simulated either: reduced pressure 0.02"));
+    EXPECT_THAT(command_in(absurd.errors, "simulate "), HasSubstr("--reduced-pressure 0.5"));
+}
+
+TEST(Predict, SimulatesOnRequestWhatRunsDoNotSupport) {
+    const TemporaryFolder folder;
+    const std::string words =
+        "predict --friction 0.3 --inertial-number 0.4 --simulate --fidelity quick --json - "
+        "--store " +
+        (folder.path() / "runs.sqlite").string();
+    const Outcome run = run_pendular(words);
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const json simulated = json::parse(run.output);
+    EXPECT_EQ(simulated["simulated"], true);
+    EXPECT_THAT(run.errors, HasSubstr("Simulated at quick fidelity"));
+    // Faster than I = 0.1 the stress ratio is higher, and flow more dilute.
+    const json slower = json::parse(
+        run_pendular("predict --friction 0.3 --inertial-number 0.1 --json - --fidelity quick")
+            .output);
+    EXPECT_GT(simulated["stress_ratio"]["value"], slower["stress_ratio"]["value"]);
+    EXPECT_LT(simulated["solid_fraction"]["value"], slower["solid_fraction"]["value"]);
+    // The run is kept: the same state is supported now.
+    const Outcome again = run_pendular(words);
+    EXPECT_EQ(json::parse(again.output)["simulated"], false);
+    EXPECT_THAT(again.errors, HasSubstr("nothing was simulated"));
+    expect_refused("predict --simulate --along friction=0:0.3", "--simulate answers for one state");
+}
+
+TEST(Predict, LeavesOutThePartOfACurveThatRunsDoNotSupport) {
+    const TemporaryFolder folder;
+    const std::string out = " --points 20 --out " + folder.path().string();
+    const Outcome run = run_pendular(
+        "predict --along reduced-pressure=0.1:10 --bridge-volume 0.002 --json -" + out);
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const json said = json::parse(run.output);
+    // 0.1 x 100^(k/19) is at least 0.5 from k = 7 on.
+    EXPECT_EQ(said["left_out"], 7);
+    EXPECT_EQ(said["states"].size(), 13u);
+    EXPECT_THAT(run.errors, HasSubstr("7 of 20 states are left out"));
+    EXPECT_THAT(run.errors, HasSubstr("Kept is reduced pressure 0.5456 to 10"));
+    EXPECT_EQ(std::ranges::count(content_of(folder.path() / "prediction.csv"), '\n'), 14);
+    expect_refused("predict --along friction=0.8:0.9" + out, "friction 0.8 is above 0.6");
+}
+
+TEST(Predict, AnswersWithinTheSupportedRangeOnly) {
+    // Corners and middle of the range of the atlas.
+    for (const std::string friction : {"0", "0.09", "0.6"}) {
+        for (const std::string number : {"0", "0.1"}) {
+            for (const std::string wet : {"", " --reduced-pressure 0.5 --bridge-volume 0.008",
+                                          " --reduced-pressure 50 --bridge-volume 0.0005"}) {
+                const Outcome run = run_pendular("predict --json - --friction " + friction +
+                                                 " --inertial-number " + number + wet);
+                ASSERT_EQ(run.code, 0) << run.errors;
+                const json said = json::parse(run.output);
+                EXPECT_GT(said["stress_ratio"]["value"], 0.05);
+                EXPECT_GT(said["solid_fraction"]["value"], 0.4);
+                EXPECT_LT(said["solid_fraction"]["value"], 0.74);
+            }
+        }
+    }
+}
+
+TEST(Predict, DrawsACurve) {
+    const TemporaryFolder folder;
+    const Outcome run = run_pendular(
+        "predict --along reduced-pressure=0.5:20 --liquid-content 0.03 "
+        "--points 12 --inertial-number 0.003 --out " +
+        folder.path().string());
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const std::string table = content_of(folder.path() / "prediction.csv");
+    EXPECT_THAT(table, testing::StartsWith("friction,inertial_number,reduced_pressure"));
+    EXPECT_EQ(std::ranges::count(table, '\n'), 13);
+    EXPECT_TRUE(fs::exists(folder.path() / "figures" / "prediction.png"));
+}
+
+TEST(Predict, RefusesWhatIsNoState) {
+    expect_refused("predict --friction -0.1", "--friction -0.1");
+    expect_refused("predict --inertial-number 2", "0 to 0.5 is needed");
+    expect_refused("predict --reduced-pressure 1", "either --bridge-volume or --liquid-content");
+    expect_refused("predict --bridge-volume 0.001", "need --reduced-pressure");
+    expect_refused("predict --reduced-pressure -1 --bridge-volume 0.001", "a positive number");
+    expect_refused("predict --along frition=0:1", "did you mean 'friction'");
+    expect_refused("predict --along friction=0.3", "as in friction=0.5:10");
+    expect_refused("predict --along friction=0.3:0.1", "the lesser first");
+    expect_refused("predict --along friction=0:2", "--friction 2");
+    expect_refused("predict --along inertial-number=0.01:0.1x", "two numbers");
+    const TemporaryFolder folder;
+    const fs::path bad = folder.write("atlas.csv", "friction\n0.1\n");
+    setenv("PENDULAR_ATLAS", bad.c_str(), 1);
+    expect_refused("predict", "atlas.csv:1:1");
+    unsetenv("PENDULAR_ATLAS");
+}
+
+TEST(Calibrate, AnswersFromTheAtlasAtOnce) {
+    const TemporaryFolder folder;
+    const Outcome run = calibrate_example(folder, "--no-confirm");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const json fit = json::parse(run.output);
+    EXPECT_NEAR(fit["parameters"]["friction"]["value"], 0.09, 0.02);
+    EXPECT_EQ(fit["emulator"]["runs_ordered"].size(), 0u);
+    EXPECT_EQ(fit, json::parse(content_of(folder.path() / "fit.json")));
+}
+
+/// A study of dry points, each a row of normal stress, stress ratio, solid fraction and inertial
+/// number.
+fs::path points_study(const TemporaryFolder& folder, const std::string& rows,
+                      const std::string& model) {
+    folder.write("points.csv",
+                 "normal_stress [Pa],stress_ratio [1],stress_ratio_sd,"
+                 "solid_fraction [1],solid_fraction_sd,inertial_number [1]\n" +
+                     rows);
+    folder.write("study.toml", "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n" +
+                                   model + "[[readings]]\nfile = \"points.csv\"\n");
+    return folder.path();
+}
+
+TEST(Calibrate, NamesReadingsThatRunsDoNotSupport) {
+    const TemporaryFolder folder;
+    const Outcome run = run_pendular(
+        "calibrate --no-confirm --quiet " +
+        points_study(folder, "1000,0.27,0.005,0.615,0.001,0.003\n1000,0.6,0.02,0.55,0.002,0.3\n",
+                     "")
+            .string());
+    ASSERT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr("do not support the predictions of 1 of 2 readings: "
+                                      "points.csv:3 (inertial number 0.3 is above 0.1)"));
+    EXPECT_THAT(run.output, HasSubstr("without --no-confirm"));
+}
+
+TEST(Calibrate, SaysThatAnEffectAtItsNeutralBoundIsNotNeeded) {
+    // Adhesion raises the stress ratio where the normal stress is low; here it falls there.
+    const TemporaryFolder folder;
+    const std::string study =
+        points_study(folder,
+                     "300,0.24,0.003,0.612,0.001,0.003\n1000,0.26,0.003,0.612,0.001,0.003\n"
+                     "3000,0.27,0.003,0.612,0.001,0.003\n",
+                     "[model]\neffects = [\"dry-adhesion\"]\n")
+            .string();
+    const Outcome run = run_pendular("calibrate --no-confirm --quiet " + study);
+    EXPECT_THAT(run.output, HasSubstr("The readings show no sign of dry-adhesion"));
+    EXPECT_THAT(run.output, HasSubstr("pendular drop " + study + " dry-adhesion"));
+    EXPECT_THAT(run.output, testing::Not(HasSubstr("ask for more than it can give")));
+}
+
+}  // namespace app_predict_test

@@ -1,0 +1,245 @@
+// The program as its users meet it: exit codes, messages, JSON, interruption.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/support/app_support.h"
+
+namespace app_program_test {
+
+using pendular::TemporaryFolder;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string grains = R"([grains]
+diameter = "500 um"
+density = "1050 kg/m^3"
+)";
+const std::string cell = R"([cell]
+inner_radius = "21 mm"
+outer_radius = "45 mm"
+bead_mass = "20 g"
+)";
+const std::string recording = "[[recording]]\nfile = \"run.csv\"\n";
+const std::string header =
+    "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+
+/// A study whose only recording is broken in one place.
+Outcome import_with(const std::string& table, const std::string& toml = grains + cell + recording) {
+    const TemporaryFolder folder;
+    folder.write("study.toml", toml);
+    folder.write("run.csv", table);
+    return run_pendular("import " + folder.path().string());
+}
+
+std::string rows(int count, const std::string& torque = "12.5", int from = 0) {
+    std::string text;
+    for (int k = from; k < from + count; ++k) {
+        text += std::to_string(k) + "," + torque + ",5.0,6.2,1.1\n";
+    }
+    return text;
+}
+
+TEST(Program, ExplainsItself) {
+    EXPECT_EQ(run_pendular("--help").code, 0);
+    EXPECT_THAT(run_pendular("--help").output, HasSubstr("calibrate"));
+    for (const std::string command :
+         {"import", "simulate", "calibrate", "compare", "virtual-lab"}) {
+        const Outcome help = run_pendular(command + " --help");
+        EXPECT_EQ(help.code, 0);
+        EXPECT_THAT(help.output, HasSubstr("Usage: pendular " + command));
+        EXPECT_THAT(help.output, HasSubstr("Examples:"));
+    }
+    EXPECT_EQ(run_pendular("--version").code, 0);
+}
+
+TEST(Program, PointsToTheNearestWordItKnows) {
+    const Outcome command = run_pendular("calibarte somewhere");
+    EXPECT_EQ(command.code, 2);
+    EXPECT_THAT(command.errors, HasSubstr("did you mean 'calibrate'"));
+    const Outcome option = run_pendular("simulate --frction 0.1");
+    EXPECT_EQ(option.code, 2);
+    EXPECT_THAT(option.errors, HasSubstr("--friction"));
+    const Outcome fidelity = run_pendular("simulate --fidelity quik");
+    EXPECT_EQ(fidelity.code, 2);
+    EXPECT_THAT(fidelity.errors, HasSubstr("quick"));
+}
+
+TEST(Program, RefusesWhatItCannotSimulate) {
+    const Outcome negative = run_pendular("simulate --friction=-0.1 --quiet");
+    EXPECT_EQ(negative.code, 2);
+    EXPECT_THAT(negative.errors, HasSubstr("friction -0.1"));
+    EXPECT_EQ(run_pendular("simulate --friction much").code, 2);
+    EXPECT_EQ(run_pendular("simulate --beads 10 --quiet").code, 2);
+    EXPECT_EQ(run_pendular("simulate --threads 0 --quiet").code, 2);
+    EXPECT_EQ(run_pendular("simulate --seed=-1 --quiet").code, 2);
+    EXPECT_EQ(run_pendular("simulate --json / --quiet").code, 2);
+    EXPECT_EQ(run_pendular("simulate --json /dev/null/none/run.json --quiet").code, 2);
+    EXPECT_EQ(run_pendular("calibrate").code, 2);
+    EXPECT_EQ(run_pendular("calibrate /nowhere/at/all").code, 2);
+}
+
+TEST(Simulate, PrintsJsonAloneOnStandardOutput) {
+    const Outcome run = run_pendular(
+        "simulate --beads 100 --stiffness-number 300 --inertial-number 0.05 --strain 1 --friction "
+        "0.2 --seed 7 --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    for (const std::string key :
+         {"stress_ratio", "solid_fraction", "contact_coordination", "distant_coordination",
+          "liquid_content", "distant_force", "capillary_stress_22", "capillary_shear_stress",
+          "capillary_shear_stress_contact", "capillary_shear_stress_distant", "fabric_12_contact",
+          "fabric_12_distant", "localization", "first_normal_stress_difference",
+          "second_normal_stress_difference"}) {
+        EXPECT_TRUE(json.at(key).contains("value") && json.at(key).contains("stderr")) << key;
+    }
+    for (const std::string key : {"particle_steps_per_second", "wall_seconds", "steps", "time_step",
+                                  "strain_averaged", "crystallised", "steady", "seed"}) {
+        EXPECT_TRUE(json.contains(key)) << key;
+    }
+    EXPECT_EQ(json["seed"], 7);
+    EXPECT_GT(json["stress_ratio"]["value"], 0.1);
+    EXPECT_THAT(run.errors, HasSubstr("stress ratio"));  // the verdict moved aside
+}
+
+TEST(Simulate, JoinsBeadsByBridges) {
+    const Outcome run = run_pendular(
+        "simulate --beads 100 --stiffness-number 300 --inertial-number 0.05 --strain 1 "
+        "--reduced-pressure 2 --bridge-volume 0.012 --bridge-force as_printed --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    const auto value = [&](const char* key) { return json.at(key).at("value").get<double>(); };
+    EXPECT_NEAR(value("liquid_content"),
+                3 / std::numbers::pi * 0.012 *
+                    (value("contact_coordination") + value("distant_coordination")),
+                1e-9);
+    EXPECT_LT(value("capillary_stress_22"), -0.3);  // attraction, over s22
+    EXPECT_GT(value("capillary_shear_stress_contact"), 0);
+    EXPECT_LT(value("capillary_shear_stress_distant"), 0);
+    EXPECT_GT(value("distant_force"), 0.3);  // over F0
+    EXPECT_LT(value("distant_force"), 0.8);
+    EXPECT_EQ(json["bridge_force"], "as_printed");
+    EXPECT_THAT(run.errors, HasSubstr("0.008 a^3"));  // bridges merge beyond
+}
+
+TEST(Simulate, RefusesBridgesItCannotHold) {
+    const auto refused = [](const std::string& words, const std::string& why) {
+        expect_refused("simulate --quiet --beads 64 " + words, why);
+    };
+    refused("--reduced-pressure 3 --bridge-volume 0.9", "quarter of the box");
+    refused("--reduced-pressure 0", "reduced pressure 0");
+    refused("--reduced-pressure=-2", "reduced pressure -2");
+    refused("--reduced-pressure 3 --bridge-volume 0", "bridge volume 0");
+    refused("--bridge-volume 0.002", "need --reduced-pressure");
+    refused("--reduced-pressure 3 --bridge-force printed", "as_printed");
+}
+
+TEST(Simulate, StopsCleanlyWhenInterrupted) {
+    const TemporaryFolder folder;
+    const std::string json = (folder.path() / "run.json").string();
+    const std::string command = std::string("timeout -s INT 3 ") + PENDULAR_PROGRAM +
+                                " simulate --strain 500 --quiet --json " + json + " 2>" +
+                                (folder.path() / "err").string();
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 124);  // timeout's own code: the program ended at its signal
+    EXPECT_THAT(content_of(folder.path() / "err"), HasSubstr("interrupted"));
+    EXPECT_FALSE(std::filesystem::exists(json));
+}
+
+TEST(BadInput, IsAnsweredWithFileLineColumnAndExitCode2) {
+    const struct {
+        std::string what, table, where, message;
+    } cases[] = {
+        {"missing column", "Time [s],Torque [mN m],Gap [mm],Angular velocity [rad/s]\n0,1,6,1\n",
+         "run.csv:1", "normal_force"},
+        {"unknown unit",
+         "Time [s],Torque [mN blorp],Normal force [N],Gap [mm],Angular velocity [rad/s]\n" +
+             rows(30),
+         "run.csv:1:", "blorp"},
+        {"text in a number", header + rows(3) + "3,twelve,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
+         "run.csv:5:3", "twelve"},
+        {"decimal comma", header + "0,\"12,5\",5,6.2,1.1\n", "run.csv:2:3", "12,5"},
+        {"empty file", "", "run.csv", "empty"},
+        {"not a number", header + rows(3) + "3,nan,5.0,6.2,1.1\n" + rows(30, "12.5", 4),
+         "run.csv:5:3", "nan"},
+        {"mixed torque signs", header + rows(40) + rows(40, "-12.5", 40), "run.csv:", "sign"},
+    };
+    for (const auto& c : cases) {
+        const Outcome outcome = import_with(c.table);
+        EXPECT_EQ(outcome.code, 2) << c.what << ": " << outcome.errors;
+        EXPECT_THAT(outcome.errors, HasSubstr(c.where)) << c.what;
+        EXPECT_THAT(outcome.errors, HasSubstr(c.message)) << c.what;
+        EXPECT_EQ(outcome.output, "") << c.what;
+    }
+}
+
+TEST(BadInput, InTheStudyIsAnsweredAtItsLine) {
+    const std::string swapped =
+        "[cell]\ninner_radius = \"45 mm\"\nouter_radius = \"21 mm\"\nbead_mass = \"20 g\"\n";
+    const Outcome radii = import_with(header + rows(30), grains + swapped + recording);
+    EXPECT_EQ(radii.code, 2);
+    EXPECT_THAT(radii.errors, HasSubstr("study.toml:5:"));
+    const Outcome key =
+        import_with(header + rows(30), "[grains]\ndiametre = \"500 um\"\n" + cell + recording);
+    EXPECT_EQ(key.code, 2);
+    EXPECT_THAT(key.errors, HasSubstr("study.toml:2:1"));
+    EXPECT_THAT(key.errors, HasSubstr("'diameter'"));
+}
+
+TEST(BadInput, OfWetStudiesIsAnsweredWithTheReason) {
+    const Outcome dry =
+        import_with(header + rows(40), grains + cell + recording + "liquid_content = 0.03\n");
+    EXPECT_EQ(dry.code, 2);
+    EXPECT_THAT(dry.errors, HasSubstr("no [liquid]; add it"));
+
+    const TemporaryFolder folder;
+    folder.write(
+        "points.csv",
+        "normal_stress [Pa],stress_ratio [1],solid_fraction [1],inertial_number [1],"
+        "liquid_content [1]\n300,0.4,0.6,0,0.03\n300,0.5,0.6,0,0.2\n300,0.3,0.6,0,0.0005\n");
+    folder.write("study.toml",
+                 grains +
+                     "[liquid]\nsurface_tension = \"20.6 mN/m\"\ncontact_angle = \"0 deg\"\n"
+                     "[[readings]]\nfile = \"points.csv\"\n");
+    const Outcome wet = run_pendular("import " + folder.path().string());
+    EXPECT_EQ(wet.code, 0);  // a warning, with the reason
+    EXPECT_THAT(wet.output + wet.errors,
+                HasSubstr("liquid content 0.2 is above the pendular range"));
+    EXPECT_THAT(wet.output + wet.errors, HasSubstr("liquid content 0.0005 is below"));
+    EXPECT_THAT(wet.output + wet.errors, Not(HasSubstr("liquid content 0.03 is")));
+    // Nothing dry to fit, and the way out.
+    const Outcome fit = run_pendular("calibrate --quiet " + folder.path().string());
+    EXPECT_EQ(fit.code, 2);
+    EXPECT_THAT(fit.errors, HasSubstr("fit_to = \"all\""));
+}
+
+TEST(Import, WritesReadingsAndWhatItLeftOut) {
+    const TemporaryFolder folder;
+    const std::string out = folder.path().string();
+    const Outcome outcome = run_pendular(
+        "import " PENDULAR_SOURCE_DIR "/examples/dry-recordings --json - --out " + out);
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    const auto json = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(json["readings"].size(), 9u);
+    EXPECT_EQ(json["excluded"].size(), 9u);  // the start of every step
+    EXPECT_THAT(content_of(folder.path() / "readings.csv"), HasSubstr("shear_stress [Pa]"));
+    EXPECT_THAT(content_of(folder.path() / "excluded.csv"), HasSubstr("transient"));
+    for (const auto& reading : json["readings"]) {
+        EXPECT_NEAR(
+            reading["shear_stress"]["value"].get<double>() / reading["normal_stress"].get<double>(),
+            0.2929, 4 * 0.04 * 0.2929);
+        EXPECT_NEAR(reading["inertial_number"].get<double>(), 0.003, 1e-4);
+    }
+}
+
+TEST(Compare, AsksForACalibrationFirst) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_pendular(
+        "compare " PENDULAR_SOURCE_DIR "/examples/polystyrene --out " + folder.path().string());
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("pendular calibrate"));
+}
+
+}  // namespace app_program_test

@@ -1,0 +1,265 @@
+// Whatever the program writes as JSON is what docs/reference says of it.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "tests/support/app_support.h"
+
+namespace app_schemas_test {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using pendular::TemporaryFolder;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const fs::path reference = PENDULAR_SOURCE_DIR "/docs/reference";
+
+json schema_named(const std::string& kind) {
+    return json::parse(content_of(reference / (kind + ".schema.json")));
+}
+
+/// What a document violates of a schema, a line each; empty: nothing.
+std::string violations(const json& document, const json& schema) {
+    valijson::Schema parsed;
+    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+        .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), parsed);
+    valijson::ValidationResults results;
+    valijson::Validator().validate(parsed, valijson::adapters::NlohmannJsonAdapter(document),
+                                   &results);
+    std::string text;
+    for (valijson::ValidationResults::Error error; results.popError(error);) {
+        for (const std::string& part : error.context) {
+            text += part;
+        }
+        text += ": " + error.description + "\n";
+    }
+    return text;
+}
+
+/// Expects a document of this kind, its format first.
+void expect_valid(const std::string& text, const std::string& kind) {
+    const ordered_json document = ordered_json::parse(text, nullptr, false);
+    ASSERT_TRUE(document.is_object()) << kind << ": " << text.substr(0, 200);
+    EXPECT_EQ(document.begin().key(), "format") << kind;
+    EXPECT_EQ(violations(json::parse(text), schema_named(kind)), "") << kind;
+}
+
+/// Every schema within a schema that says what a value is, with where it stands.
+void for_each_value(const json& schema, const std::string& place,
+                    const std::function<void(const json&, const std::string&)>& look) {
+    look(schema, place);
+    if (schema.contains("properties")) {
+        for (const auto& [key, value] : schema["properties"].items()) {
+            EXPECT_TRUE(value.contains("description")) << place << "/" << key;
+            for_each_value(value, place + "/" + key, look);
+        }
+    }
+    if (schema.contains("items")) for_each_value(schema["items"], place + "/items", look);
+    if (schema.contains("additionalProperties") && schema["additionalProperties"].is_object()) {
+        for_each_value(schema["additionalProperties"], place + "/*", look);
+    }
+}
+
+bool may_be(const json& schema, const std::string& type) {
+    const json& types = schema["type"];
+    return types == type ||
+           (types.is_array() && std::ranges::find(types, json(type)) != types.end());
+}
+
+TEST(Schemas, DescribeEveryKeyWithItsUnit) {
+    std::size_t schemas = 0;
+    for (const auto& entry : fs::directory_iterator(reference)) {
+        if (!entry.path().filename().string().ends_with(".schema.json")) continue;
+        ++schemas;
+        const json schema = json::parse(content_of(entry.path()));
+        EXPECT_EQ(schema["$schema"], "http://json-schema.org/draft-07/schema#");
+        for_each_value(schema, entry.path().filename(),
+                       [](const json& value, const std::string& place) {
+                           if (may_be(value, "number") || may_be(value, "integer")) {
+                               EXPECT_THAT(value.value("description", ""),
+                                           testing::MatchesRegex(".*\\[.+\\].*"))
+                                   << place;
+                           }
+                           if (may_be(value, "object")) {
+                               EXPECT_TRUE(value.contains("additionalProperties"))
+                                   << place;  // no unknown keys
+                           }
+                       });
+    }
+    EXPECT_GE(schemas, 17u);
+}
+
+TEST(Schemas, RefuseKeysTheyDoNotKnowAndNumbersThatAreNull) {
+    json document = {{"format", 1}, {"added", 3}, {"runs", 8}};
+    EXPECT_EQ(violations(document, schema_named("runs-added")), "");
+    document["more"] = 1;
+    EXPECT_NE(violations(document, schema_named("runs-added")), "");
+    document.erase("more");
+    document["runs"] = nullptr;
+    EXPECT_NE(violations(document, schema_named("runs-added")), "");
+    document["runs"] = 8, document["format"] = 2;
+    EXPECT_NE(violations(document, schema_named("runs-added")), "");
+}
+
+/// Runs the program and expects JSON of this kind on its standard output.
+std::string expect_output(const std::string& words, const std::string& kind) {
+    const Outcome run = run_pendular(words + " --quiet --json -");
+    EXPECT_EQ(run.code, 0) << words << "\n" << run.errors;
+    expect_valid(run.output, kind);
+    return run.output;
+}
+
+class JsonOutput : public testing::Test {
+  protected:
+    std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+    std::string copied(const std::string& example) const {
+        fs::copy(fs::path(PENDULAR_SOURCE_DIR "/examples") / example, folder_.path() / example,
+                 fs::copy_options::recursive);
+        return path(example);
+    }
+    /// Dry readings as of friction 0.09, shear stresses short by a constant.
+    std::string dry_study(const std::string& more) const {
+        folder_.write("points.csv",
+                      "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction "
+                      "[1],solid_fraction_sd [1],inertial_number [1]\n"
+                      "300,56.91,0.77,0.6189,0.0012,0.003\n1000,233.82,2.56,0.6198,0.0012,0.003\n"
+                      "3000,750.66,7.67,0.6203,0.0012,0.003\n300,64.98,0.85,0.6138,0.0012,0.03\n"
+                      "1000,266.67,2.84,0.6127,0.0012,0.03\n3000,831.46,8.53,0.6141,0.0012,0.03\n");
+        folder_.write("study.toml",
+                      "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n[[readings]]\n"
+                      "file = \"points.csv\"\nliquid_content = 0.0\n" +
+                          more);
+        return folder_.path().string();
+    }
+    const std::string effect_ =
+        "[[effect]]\nname = \"lost-stress\"\nparameter = \"stress\"\nunit = \"Pa\"\n"
+        "lower = -200.0\nupper = 200.0\nmatters = 10.0\n"
+        "stress_ratio = \"stress_ratio - stress/normal_stress\"\n";
+    const std::string rig_ =
+        "[rig]\nnormal_stress = [\"0.1 kPa\", \"5 kPa\"]\ninertial_number = [0.003, 0.05]\n"
+        "repeats = 5\n";
+
+    const TemporaryFolder folder_;
+};
+
+const std::string small_run =
+    "simulate --beads 100 --stiffness-number 300 --inertial-number 0.05 --strain 1 --friction 0.2 "
+    "--seed 7 ";
+
+TEST_F(JsonOutput, OfRunsIsAsTheSchemasSay) {
+    const std::string store = " --store " + path("runs.sqlite"),
+                      other = " --store " + path("other.sqlite");
+    const std::string run = expect_output(small_run + "--out " + path("run") + store, "run");
+    EXPECT_EQ(content_of(path("run/run.json")), run);
+    expect_output(small_run + "--reduced-pressure 4 --rolling-resistance.coefficient 0.1" + store,
+                  "run");
+    expect_output("runs list" + store, "runs");
+    expect_output("runs show 1" + store, "runs");
+    expect_output("runs compare 1 2" + store, "runs-compare");
+    ASSERT_EQ(run_pendular("runs export " + path("runs.csv") + store).code, 0);
+    expect_output("runs import " + path("runs.csv") + other, "runs-added");
+    expect_output("runs merge " + path("other.sqlite") + store, "runs-added");
+    const auto file = folder_.write("few.toml",
+                                    "[[grid]]\nfriction = [0.1]\ninertial_number = [0.5]\n"
+                                    "stiffness_number = 300\nbeads = 100\nstrain = 1\n");
+    expect_output("campaign " + file.string() + store, "campaign");
+}
+
+TEST_F(JsonOutput, OfPredictionsAndEffectsIsAsTheSchemasSay) {
+    expect_output("predict --friction 0.09", "predict");
+    expect_output(
+        "predict --along reduced-pressure=0.5:20 --liquid-content 0.03 --points 3 --out " +
+            path("along"),
+        "predict");
+    expect_output("effects", "effects");
+    expect_output("effects torque-offset", "effect");
+    expect_output("effects --study " + dry_study(effect_), "effects");
+    expect_output("effects --manual " + path("manual"), "effects-manual");
+}
+
+TEST_F(JsonOutput, OfAVirtualLaboratoryIsAsTheSchemasSay) {
+    const std::string truth = expect_output(
+        "virtual-lab " + path("lab") +
+            " --fidelity quick --dry --dry-normal-stresses \"1 kPa\" --inertial-numbers 0.5 "
+            "--replicates 1 --rows 200 --friction 0.4 --torque-gain.gain 1.1",
+        "truth");
+    EXPECT_EQ(json::parse(content_of(path("lab/truth.json"))), json::parse(truth));
+    expect_output("import " + path("lab"), "import");
+}
+
+TEST_F(JsonOutput, OfAWetStudyIsAsTheSchemasSay) {
+    const std::string study = copied("wet"), out = study + "/out/";
+    expect_output("import " + study, "import");
+    const std::string fit = expect_output("calibrate " + study + " --no-confirm --profile", "fit");
+    EXPECT_EQ(content_of(out + "fit.json"), fit);
+    EXPECT_LT(fit.size(), 100'000u);  // the runs stand elsewhere
+    const std::string compared = expect_output("compare " + study, "compare");
+    EXPECT_EQ(content_of(out + "compare.json"), compared);
+}
+
+TEST_F(JsonOutput, OfADiagnosisAndItsChangesIsAsTheSchemasSay) {
+    const std::string study = dry_study(effect_ + rig_), out = study + "/out/";
+    const std::string diagnosis = expect_output("diagnose " + study, "diagnosis");
+    EXPECT_EQ(content_of(out + "diagnosis.json"), diagnosis);
+    const std::string next = expect_output("next " + study, "next");
+    EXPECT_EQ(content_of(out + "next.json"), next);
+    for (const char* change : {"add ", "drop "}) {
+        expect_output(change + study + " lost-stress", "change");
+        expect_valid(content_of(out + "fit.json"), "fit");
+        expect_valid(content_of(out + "ladder.json"), "ladder");
+    }
+}
+
+/// A study that was calibrated, and what becomes of it when its files change.
+class CalibratedStudy : public JsonOutput {
+  protected:
+    CalibratedStudy() : study_(dry_study("")) {
+        expect_output("calibrate " + study_ + " --no-confirm", "fit");
+    }
+    nlohmann::ordered_json fit() const { return nlohmann::ordered_json::parse(content_of(file_)); }
+    void expect_refused_with(const std::string& why) const {
+        expect_refused("compare " + study_, why);
+    }
+    void write(const nlohmann::ordered_json& fit) const {
+        folder_.write("out/fit.json", fit.dump());
+    }
+
+    const std::string study_;
+    const std::string file_ = path("out/fit.json");
+};
+
+TEST_F(CalibratedStudy, OfAnotherFormatSaysWhatToDo) {
+    auto other = fit();
+    other["format"] = 2;
+    write(other);
+    expect_refused_with("run 'pendular calibrate' again");
+    expect_refused_with("has the format 2");
+    other.erase("format");  // older than formats
+    write(other);
+    EXPECT_EQ(run_pendular("compare " + study_ + " --quiet").code, 0);
+}
+
+TEST_F(CalibratedStudy, RefusesALadderOfAnotherFormat) {
+    folder_.write("out/ladder.json", "{\"format\": 2, \"rungs\": []}");
+    expect_refused("add " + study_ + " dry-adhesion", "ladder.json");
+}
+
+TEST_F(CalibratedStudy, WhoseRunsAreGoneSaysWhatToDo) {
+    auto other = fit();
+    other["runs"][3] = "0123456789abcdef";
+    write(other);
+    expect_refused_with("1 of the ");
+    expect_refused_with("run 'pendular calibrate' again");
+}
+
+}  // namespace app_schemas_test

@@ -1,0 +1,162 @@
+#include "data/files/columns.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "data/files/header_cell.h"
+#include "data/quantities/units.h"
+#include "tests/support/data_support.h"
+
+namespace pendular::data_columns_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(Quantities, HaveOneNameAndOneMeaningPerSpelling) {
+    std::set<std::string_view> names;
+    for (const Quantity& each : quantities()) {
+        EXPECT_TRUE(names.insert(each.name).second) << each.name;
+        EXPECT_FALSE(each.meaning.empty()) << each.name;
+        EXPECT_NO_THROW(Unit{each.unit}) << each.name;
+        EXPECT_EQ(find_quantity(each.name), &each) << each.name;
+        for (const std::string_view other : each.also)
+            EXPECT_EQ(find_quantity(other), &each) << other;
+    }
+}
+
+TEST(Quantities, AreFoundInAnyCaseAndSeparator) {
+    for (const char* spelling : {"normal_force", "Normal force", "NormalForce", "NORMAL-FORCE",
+                                 "F_N", "Fn", "Axial Force"})
+        EXPECT_EQ(find_quantity(spelling), &quantity("normal_force")) << spelling;
+    EXPECT_EQ(find_quantity("T"), &quantity("torque"));
+    EXPECT_EQ(find_quantity("t"), &quantity("time"));
+    EXPECT_EQ(find_quantity("Gap"), &quantity("height"));
+    EXPECT_EQ(find_quantity("colour"), nullptr);
+}
+
+TEST(HeaderCell, IsTakenApart) {
+    const auto parts = [](const char* text) {
+        const HeaderCell cell = parse_header_cell(text);
+        return cell.name + "|" + cell.unit + "|" + (cell.deviation ? "sd" : "");
+    };
+    EXPECT_EQ(parts("Torque [mN m]"), "Torque|mN m|");
+    EXPECT_EQ(parts(" Torque[mN m] "), "Torque|mN m|");
+    EXPECT_EQ(parts("Torque (mN m)"), "Torque|mN m|");
+    EXPECT_EQ(parts("Torque (smooth) [mN m]"), "Torque (smooth)|mN m|");
+    EXPECT_EQ(parts("rate (1/(s))"), "rate|1/(s)|");
+    EXPECT_EQ(parts("Gap in mm"), "Gap|mm|");
+    EXPECT_EQ(parts("stress_ratio"), "stress_ratio||");
+    EXPECT_EQ(parts("shear_stress_sd [Pa]"), "shear_stress|Pa|sd");
+    EXPECT_EQ(parts("Shear stress std (Pa)"), "Shear stress|Pa|sd");
+    EXPECT_EQ(parts("sd"), "sd||");
+}
+
+class ColumnsOf : public testing::Test {
+  protected:
+    const Columns& read(const std::string& content) {
+        table_ = read_table(folder_.write("t.csv", content));
+        columns_.emplace(table_);
+        return *columns_;
+    }
+    std::string error(const std::string& content, const char* name) {
+        return input_error([&] { read(content).require(name); });
+    }
+    const Row& row(std::size_t i = 0) const { return table_.rows.at(i); }
+
+    TemporaryFolder folder_;
+    Table table_;
+    std::optional<Columns> columns_;
+};
+
+TEST_F(ColumnsOf, ConvertToSiInAnyOrderAndUnit) {
+    const Columns& columns = read("Gap [mm];Torque (mNm);Time in min;M_extra\n20;3;2;7\n");
+    EXPECT_DOUBLE_EQ(columns.value(row(), "height"), 0.02);
+    EXPECT_DOUBLE_EQ(columns.value(row(), "torque"), 3e-3);
+    EXPECT_DOUBLE_EQ(columns.value(row(), "time"), 120);
+    EXPECT_THAT(columns.others({"time", "torque"}), ElementsAre("Gap [mm]", "M_extra"));
+}
+
+TEST_F(ColumnsOf, GiveDeviationsTheUnitOfTheirValue) {
+    const Columns& columns = read("shear_stress_sd,shear_stress [kPa]\n0.01,0.25\n,0.3\n");
+    EXPECT_DOUBLE_EQ(*columns.deviation(row(), "shear_stress"), 10);
+    EXPECT_EQ(columns.deviation(row(1), "shear_stress"), std::nullopt);
+    EXPECT_EQ(columns.deviation(row(), "torque"), std::nullopt);
+}
+
+TEST_F(ColumnsOf, TranslateTheOtherInertialNumber) {
+    const Columns& columns = read("inertial_number_diameter_density [1]\n0.01\n");
+    EXPECT_DOUBLE_EQ(columns.value(row(), "inertial_number"),
+                     0.01 / std::sqrt(6 / std::numbers::pi));
+}
+
+TEST_F(ColumnsOf, CountTurnsInASpeedAndRadiansInAnAngularVelocity) {
+    const double turn = 2 * std::numbers::pi;
+    EXPECT_DOUBLE_EQ(read("Speed [1/min]\n60\n").value(row(), "angular_velocity"), turn);
+    EXPECT_DOUBLE_EQ(read("Angular velocity [rpm]\n60\n").value(row(), "angular_velocity"), turn);
+    EXPECT_DOUBLE_EQ(read("Angular velocity [1/s]\n2\n").value(row(), "angular_velocity"), 2);
+    EXPECT_DOUBLE_EQ(read("Angular velocity [Hz]\n1\n").value(row(), "angular_velocity"), turn);
+    EXPECT_NEAR(read("Angular velocity [mHz]\n1000\n").value(row(), "angular_velocity"), turn,
+                1e-12);
+    EXPECT_NEAR(read("Angular velocity [deg/s]\n360\n").value(row(), "angular_velocity"), turn,
+                1e-12);
+    EXPECT_NEAR(read("Angular velocity [rad/min]\n60\n").value(row(), "angular_velocity"), 1,
+                1e-12);
+    EXPECT_DOUBLE_EQ(read("omega [rad/s]\n2\n").value(row(), "angular_velocity"), 2);
+    EXPECT_THAT(error("x,Angular velocity [1/min]\n1,60\n", "angular_velocity"),
+                AllOf(HasSubstr("t.csv:1:3:"), HasSubstr("turns or radians"), HasSubstr("rpm")));
+}
+
+TEST_F(ColumnsOf, RefuseAWrongUnitAtItsHeader) {
+    EXPECT_THAT(error("Time [s],Torque [g cm]\n1,2\n", "torque"),
+                AllOf(HasSubstr("t.csv:1:10: column 'Torque [g cm]'"), HasSubstr("'gf cm'")));
+    EXPECT_THAT(error("Normal stress [pa]\n1\n", "normal_stress"),
+                AllOf(HasSubstr("t.csv:1:1:"), HasSubstr("'Pa'")));
+    EXPECT_THAT(error("Torque [bananas]\n1\n", "torque"), HasSubstr("'bananas' is not a unit"));
+    EXPECT_THAT(error("Torque\n1\n", "torque"), HasSubstr("has no unit; write 'Torque [N m]'"));
+    EXPECT_THAT(error("Shear rate [rpm]\n1\n", "shear_rate"), HasSubstr("measures"));
+}
+
+TEST_F(ColumnsOf, RefuseTwoColumnsOfOneQuantity) {
+    EXPECT_THAT(error("Gap [mm],Height [mm]\n1,2\n", "height"),
+                AllOf(HasSubstr("t.csv:1:10:"), HasSubstr("'Gap [mm]' and 'Height [mm]'")));
+}
+
+TEST_F(ColumnsOf, LeaveColumnsAloneThatNobodyNeeds) {
+    const Columns& columns = read("Torque,Torque [kg],Gap [mm]\n1,2,3\n");
+    EXPECT_DOUBLE_EQ(columns.value(row(), "height"), 3e-3);
+}
+
+TEST_F(ColumnsOf, NameAMissingColumnAndThoseFound) {
+    const Columns& columns = read("Time [s],Gap [mm]\n1,2\n");
+    EXPECT_THAT(input_error([&] { columns.require("torque"); }),
+                AllOf(HasSubstr("t.csv:1: column 'torque [N m]' is missing"),
+                      HasSubstr("'Time [s]', 'Gap [mm]'")));
+    EXPECT_THAT(input_error([&] { columns.require_one_of("shear_stress", "stress_ratio"); }),
+                HasSubstr("'shear_stress [Pa]' or 'stress_ratio [1]' is missing"));
+}
+
+TEST_F(ColumnsOf, RefuseCellsThatAreNoNumbers) {
+    const auto cell_error = [&](const std::string& text) {
+        const Columns& columns = read("Time [s];Gap [mm]\n1;" + text + "\n2,5;3,5\n4,5;1\n");
+        return input_error([&] { columns.value(row(), "height"); });
+    };
+    EXPECT_THAT(cell_error("abc"),
+                HasSubstr("t.csv:2:3: column 'Gap [mm]': \"abc\" is not a finite number; correct"));
+    EXPECT_THAT(cell_error("nan"), HasSubstr("\"nan\" is not a finite number"));
+    EXPECT_THAT(cell_error("inf"), HasSubstr("\"inf\" is not a finite number"));
+    EXPECT_THAT(cell_error("1e999"), HasSubstr("\"1e999\" is not a finite number"));
+    EXPECT_THAT(cell_error("2 mm"), HasSubstr("\"2 mm\" is not a finite number"));
+    EXPECT_THAT(cell_error(""), HasSubstr("t.csv:2:3: column 'Gap [mm]': the cell is empty"));
+    EXPECT_THAT(cell_error("1,25"),
+                HasSubstr("t.csv:2:3: column 'Gap [mm]': \"1,25\" is not a number with decimal "
+                          "point '.'; this file uses ',' in 3 other cells: export"));
+}
+
+TEST_F(ColumnsOf, RefuseDeviationsThatAreNotPositive) {
+    const Columns& columns = read("solid_fraction,solid_fraction_sd\n0.6,0\n");
+    EXPECT_THAT(input_error([&] { columns.deviation(row(), "solid_fraction"); }),
+                AllOf(HasSubstr("t.csv:2:5:"), HasSubstr("must be positive")));
+}
+
+}  // namespace pendular::data_columns_test

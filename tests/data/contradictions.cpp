@@ -1,0 +1,215 @@
+#include "data/recordings/contradictions.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "data/quantities/number.h"
+#include "data/recordings/measurements.h"
+#include "tests/support/data_support.h"
+
+namespace pendular::data_contradictions_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const AnnularCell cell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 0.02 / 1050};
+
+/// 200 rows of 16 strains at 5 N and 30 mN m with 1 % of noise, and what follows from them.
+Recording measured() {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
+    Recording recording;
+    recording.file = "run.csv";
+    for (int i = 0; i < 200; ++i) {
+        recording.line.push_back(i + 2);
+        recording.time.push_back(0.1 * i);
+        recording.torque.push_back(0.03 * (1 + 0.01 * normal(random)));
+        recording.normal_force.push_back(5 * (1 + 0.01 * normal(random)));
+        recording.height.push_back(6.3e-3 * (1 + 0.001 * normal(random)));
+        recording.angular_velocity.push_back(0.1);
+        recording.shear_stress.push_back(shear_stress(recording.torque.back(), cell));
+        recording.normal_stress.push_back(normal_stress(recording.normal_force.back(), cell));
+        recording.shear_rate.push_back(shear_rate(0.1, recording.height.back(), cell));
+    }
+    return recording;
+}
+
+struct Outcome {
+    Measurements said;
+    Contradictions found;
+};
+
+Outcome compared(Recording& recording, const ImportChoice& choice = {}) {
+    Outcome outcome;
+    outcome.found = take_out_contradictions(recording, cell, choice, outcome.said);
+    return outcome;
+}
+
+void scale(std::vector<double>& values, double factor) {
+    for (double& value : values)
+        value *= factor;
+}
+
+TEST(Contradictions, AreNoneWhereColumnsAgree) {
+    Recording recording = measured();
+    scale(recording.normal_stress, -1);  // another convention of sign
+    recording.shear_stress[7] = std::numeric_limits<double>::quiet_NaN();
+    const Outcome outcome = compared(recording);
+    EXPECT_THAT(outcome.said.doubts, IsEmpty());
+    EXPECT_THAT(outcome.said.notes, IsEmpty());
+    EXPECT_EQ(recording.size(), 200u);
+}
+
+TEST(Contradictions, NameACommonFactor) {
+    const auto said = [](double factor, std::vector<double> Recording::*column) {
+        Recording recording = measured();
+        scale(recording.*column, factor);
+        const Outcome outcome = compared(recording);
+        EXPECT_EQ(outcome.said.doubts.size(), 1u);
+        EXPECT_TRUE(outcome.found.file);
+        EXPECT_TRUE(outcome.said.doubts.at(0).set_aside);
+        return outcome.said.doubts.at(0).what;
+    };
+    EXPECT_THAT(said(2, &Recording::shear_stress),
+                AllOf(HasSubstr("run.csv"), HasSubstr("2 times"), HasSubstr("torque_formula")));
+    EXPECT_THAT(said(1000, &Recording::shear_stress), HasSubstr("10^3: check the units"));
+    EXPECT_THAT(said(1.3, &Recording::normal_stress),
+                AllOf(HasSubstr("1.3 times"), HasSubstr("inner_radius")));
+    EXPECT_THAT(said(2 * M_PI, &Recording::shear_rate), HasSubstr("turns per second"));
+}
+
+TEST(Contradictions, LeaveRatesAtOtherRadiiToANote) {
+    Recording recording = measured();
+    scale(recording.shear_rate, 1.36);  // at the rim
+    const Outcome outcome = compared(recording);
+    EXPECT_THAT(outcome.said.doubts, IsEmpty());
+    EXPECT_THAT(outcome.said.notes.at(0), HasSubstr("1.36 times"));
+}
+
+TEST(Contradictions, OfSomeRowsTakeThemOut) {
+    // A thousands separator was eaten: 40 torques are ten times too large.
+    Recording recording = measured();
+    for (std::size_t i = 50; i < 90; ++i)
+        recording.torque[i] *= 10;
+    Recording kept = recording;
+    const Outcome outcome = compared(recording);
+    ASSERT_EQ(outcome.said.doubts.size(), 1u);
+    EXPECT_EQ(outcome.said.doubts[0].quantity, "shear_stress");
+    EXPECT_THAT(outcome.said.doubts[0].what,
+                AllOf(HasSubstr("in 40 of 200 rows"), HasSubstr("line 52"), HasSubstr("0.1 times"),
+                      HasSubstr("median ratio 1")));
+    EXPECT_EQ(recording.size(), 160u);
+    ASSERT_EQ(outcome.said.excluded.size(), 1u);
+    EXPECT_EQ(outcome.said.excluded[0].origin.line, 52);
+    EXPECT_EQ(outcome.said.excluded[0].last_line, 91);
+    EXPECT_FALSE(compared(kept, {.keep_implausible = true}).said.doubts.at(0).set_aside);
+    EXPECT_EQ(kept.size(), 200u);
+}
+
+TEST(Contradictions, SpoilTheReadingsTheyAreIn) {
+    Reading spoilt, fine, hardly;
+    spoilt.origin.line = 2, spoilt.last_line = 101;
+    fine.origin.line = 102, fine.last_line = 201;
+    hardly.origin.line = 202, hardly.last_line = 401;
+    Measurements part;
+    part.readings = {spoilt, fine, hardly};
+    set_aside_contradicted({.lines = {50, 51, 300}, .file = {}}, part);
+    ASSERT_EQ(part.readings.size(), 2u);
+    EXPECT_EQ(part.readings[0].origin.line, 102);
+    EXPECT_THAT(part.excluded.at(0).reason, HasSubstr("2 of 100 rows"));
+    set_aside_contradicted({.lines = {}, .file = "all wrong"}, part);
+    EXPECT_THAT(part.readings, IsEmpty());
+}
+
+class ContradictoryStudy : public testing::Test {
+  protected:
+    Measurements read(const std::string& more_header, const std::string& more_cells) {
+        std::string text =
+            "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]" +
+            more_header + "\n";
+        const Recording r = measured();
+        for (std::size_t i = 0; i < r.size(); ++i)
+            text += fmt::format("{},{},{},{},0.1{}\n", r.time[i], 1e3 * r.torque[i],
+                                r.normal_force[i], 1e3 * r.height[i],
+                                fmt::format(fmt::runtime(more_cells), r.shear_stress[i]));
+        folder_.write("run.csv", text);
+        folder_.write("study.toml",
+                      "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n"
+                      "[cell]\ninner_radius = \"21 mm\"\nouter_radius = \"45 mm\"\n"
+                      "bead_mass = \"20 g\"\n[[recording]]\nfile = \"run.csv\"\n");
+        return read_measurements(read_study(folder_.path()));
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(ContradictoryStudy, SetsItsReadingsAside) {
+    EXPECT_EQ(read(",Shear stress [Pa]", ",{}").readings.size(), 1u);
+    const Measurements twice = read(",Shear stress [mPa]", ",{}");
+    EXPECT_THAT(twice.readings, IsEmpty());
+    EXPECT_EQ(twice.doubts.size(), 1u);
+}
+
+TEST_F(ContradictoryStudy, DoesNotMindColumnsItCannotRead) {
+    EXPECT_EQ(read(",Shear stress", ",{}").readings.size(), 1u);
+    EXPECT_EQ(read(",Shear stress [Pa]", ",n/a {}").readings.size(), 1u);
+    EXPECT_EQ(read(",Shear stress [Pa],Tau [Pa]", ",{},2").readings.size(), 1u);
+}
+
+/// Rows of a published recording, its blocks as intervals, under a header this program reads.
+std::optional<std::string> published(const std::string& name) {
+    const char* const samples = std::getenv("PENDULAR_SAMPLES");
+    if (!samples) return std::nullopt;
+    const auto file = std::filesystem::path(samples) / "antonpaar_powder" / name;
+    if (!std::filesystem::exists(file)) throw std::runtime_error(file.string() + " is missing");
+    std::ifstream stream(file);
+    std::string text =
+        "Interval,Point,Time [s],Gap [mm],Normal force [N],Normal stress [Pa],Torque [mN m],"
+        "Shear stress [Pa],Speed [1/min]\n";
+    int interval = 0;
+    for (std::string line; std::getline(stream, line);) {
+        std::istringstream cells(line);
+        std::size_t numbers = 0;
+        for (std::string text_of_cell; std::getline(cells, text_of_cell, ',');)
+            numbers += parse_number(text_of_cell).has_value();
+        if (numbers != 8) continue;
+        interval += line.starts_with("1,");
+        text += fmt::format("{},{}\n", interval, std::string(trimmed(line)));
+    }
+    return text;
+}
+
+Measurements of_published(const std::string& table, const std::string& diameter) {
+    const TemporaryFolder folder;
+    folder.write("run.csv", table);
+    folder.write("study.toml",
+                 "[grains]\ndiameter = \"" + diameter +
+                     "\"\ndensity = \"2500 kg/m^3\"\n[cell]\ninner_radius = \"10.5 mm\"\n"
+                     "outer_radius = \"21.5 mm\"\nbead_mass = \"27.9 g\"\n[[recording]]\n"
+                     "file = \"run.csv\"\n");
+    return read_measurements(read_study(folder.path()));
+}
+
+TEST(PublishedRecordings, AreNotBelievedWhereTheFillingCannotBe) {
+    const auto table = published("jank_flat_glass420_w10_3kPa.csv");
+    if (!table) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
+    const Measurements all = of_published(*table, "420 um");
+    EXPECT_THAT(all.readings, IsEmpty());
+    EXPECT_THAT(all.doubts,
+                testing::Contains(testing::Field(
+                    &Doubt::what, AllOf(HasSubstr("solid fraction"), HasSubstr("above 0.74"),
+                                        HasSubstr("bead mass")))));
+}
+
+TEST(PublishedRecordings, AreNotBelievedWhereTorquesAreCorrupt) {
+    const auto table = published("jank_flat_glass230_original_3kPa_CORRUPT_TORQUE.csv");
+    if (!table) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
+    const Measurements all = of_published(*table, "230 um");
+    EXPECT_THAT(all.doubts, testing::Contains(testing::Field(&Doubt::quantity, "shear_stress")));
+}
+
+}  // namespace pendular::data_contradictions_test

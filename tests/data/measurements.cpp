@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "data/files/write_tables.h"
+#include "data/recordings/measurements.h"
+#include "data/study/study.h"
+#include "tests/support/data_support.h"
+
+namespace pendular::data_measurements_test {
+
+using testing::HasSubstr;
+
+/// A recording of 200 rows at 5 N, its torque scaled, with 1 % noise.
+std::string recording(double scale, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    std::string text =
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    for (int i = 0; i < 200; ++i)
+        text += fmt::format("{},{},5,{},0.1\n", 0.1 * i, 30 * scale * (1 + 0.01 * normal(random)),
+                            4 * (1 + 0.001 * normal(random)));
+    return text;
+}
+
+const std::string study_text = R"([grains]
+diameter = "500 um"
+density = "1050 kg/m^3"
+[liquid]
+surface_tension = "20.6 mN/m"
+contact_angle = "0 deg"
+[cell]
+inner_radius = "21 mm"
+outer_radius = "45 mm"
+bead_mass = "10 g"
+[[recording]]
+file = "wet_*.csv"
+liquid_content = 0.03
+bead_mass = "11 g"
+[[recording]]
+file = "dry_*.csv"
+liquid_content = 0
+)";
+
+class ReadMeasurements : public testing::Test {
+  protected:
+    ReadMeasurements() {
+        folder_.write("study.toml", study_text);
+        folder_.write("dry_1.csv", recording(1, 1));
+        folder_.write("dry_2.csv", recording(1.04, 2));
+        folder_.write("wet_1.csv", recording(1.5, 3));
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(ReadMeasurements, GoesThroughTheSourcesInRunOrder) {
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    ASSERT_EQ(all.readings.size(), 3u);
+    std::vector<std::string> names;
+    for (const Reading& reading : all.readings)
+        names.push_back(std::filesystem::path(reading.origin.file).filename());
+    EXPECT_THAT(names, testing::ElementsAre("wet_1.csv", "dry_1.csv", "dry_2.csv"));
+    EXPECT_EQ(all.readings[0].condition.liquid_content, 0.03);
+    // The entry's 11 g go before the cell's 10 g.
+    EXPECT_NEAR(all.readings[0].value(1) / all.readings[1].value(1), 1.1, 1e-3);
+}
+
+TEST_F(ReadMeasurements, LetsRecordingsFollowOneAnotherInTime) {
+    // Each lasts 19.9 s from 0 on; the first two seconds or so may be left out as a transient.
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    for (std::size_t k = 0; k < all.readings.size(); ++k) {
+        const Reading& reading = all.readings[k];
+        const double end = 19.9 * static_cast<double>(k + 1);
+        EXPECT_NEAR(reading.condition.time, end - reading.sampled_seconds / 2, 1e-9);
+    }
+    EXPECT_NEAR(*all.readings[0].condition.bead_volume, 0.011 / 1050, 1e-12);
+    EXPECT_NEAR(*all.readings[1].condition.bead_volume, 0.010 / 1050, 1e-12);
+}
+
+TEST_F(ReadMeasurements, AddsTheScatterBetweenReplicatesToAll) {
+    // Two replicates 4 % apart: s_rep = 2.8 %, where the means are known to 0.1 %; one
+    // pair knows it poorly, which widens it 6.98 times.
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    EXPECT_EQ(all.readings[1].replicates, 2);
+    for (const Reading& reading : all.readings)
+        EXPECT_NEAR(std::sqrt(reading.covariance(0, 0)) / reading.value(0), 6.98 * 0.028,
+                    6.98 * 0.003);
+}
+
+TEST_F(ReadMeasurements, AreTheSameAfterWritingAndReadingThem) {
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    write_readings(folder_.path() / "readings.csv", all);
+    folder_.write("study.toml", study_text.substr(0, study_text.find("[[recording]]")) +
+                                    "[[readings]]\nfile = \"readings.csv\"\n");
+    const Measurements back = read_measurements(read_study(folder_.path()));
+    ASSERT_EQ(back.readings.size(), all.readings.size());
+    for (std::size_t i = 0; i < all.readings.size(); ++i) {
+        EXPECT_EQ(back.readings[i].value, all.readings[i].value);
+        EXPECT_LT((back.readings[i].covariance - all.readings[i].covariance).norm(),
+                  1e-9 * all.readings[i].covariance.norm());
+        EXPECT_EQ(back.readings[i].replicates, all.readings[i].replicates);
+        EXPECT_EQ(back.readings[i].condition.time, all.readings[i].condition.time);
+        EXPECT_EQ(back.readings[i].condition.bead_volume, all.readings[i].condition.bead_volume);
+    }
+}
+
+TEST_F(ReadMeasurements, ListsWhatItLeftOut) {
+    folder_.write("dry_3.csv",
+                  "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n"
+                  "0,30,5,4,0.1\n");
+    const Measurements all = read_measurements(read_study(folder_.path()));
+    const Excluded& last = all.excluded.back();
+    EXPECT_THAT(to_string(last.origin), HasSubstr("dry_3.csv:2"));
+    EXPECT_EQ(last.last_line, 2);
+    EXPECT_THAT(last.reason, HasSubstr("1 rows"));
+}
+
+TEST(Examples, PolystyreneHoldsThePublishedDryReading) {
+    const Study study =
+        read_study(std::filesystem::path(PENDULAR_SOURCE_DIR) / "examples" / "polystyrene");
+    const Measurements all = read_measurements(study);
+    ASSERT_EQ(
+        std::ranges::count_if(all.readings, [](const Reading& r) { return r.condition.dry(); }), 1);
+    EXPECT_EQ(all.readings.size(), 5u);  // and four wet ones
+    const Reading& reading = all.readings[0];
+    EXPECT_DOUBLE_EQ(reading.stress_ratio(), 0.25);
+    EXPECT_DOUBLE_EQ(reading.value(1), 0.615);
+    EXPECT_NEAR(std::sqrt(reading.covariance(0, 0)) / reading.condition.normal_stress, 0.02, 1e-12);
+    EXPECT_NEAR(std::sqrt(reading.covariance(1, 1)), 0.002, 1e-12);
+    EXPECT_TRUE(reading.condition.dry());
+    EXPECT_EQ(reading.condition.inertial_number, 0);
+    EXPECT_FALSE(reading.error_assumed);
+    EXPECT_DOUBLE_EQ(study.liquid->viscosity, 50e-3);
+}
+
+TEST_F(ReadMeasurements, NotesAFileThatEndsBeforeItsReplicate) {
+    // Two steps, the second at twice the force; the other file ends after the first.
+    const std::string one = recording(1, 1);
+    std::string two = recording(1.01, 2);
+    std::istringstream rows(recording(2, 3));
+    std::string row;
+    std::getline(rows, row);
+    for (int i = 0; std::getline(rows, row); ++i) {
+        row.replace(row.find(",5,"), 3, ",10,");
+        two += fmt::format("{}{}\n", 0.1 * (200 + i), row.substr(row.find(',')));
+    }
+    folder_.write("dry_1.csv", one);
+    folder_.write("dry_2.csv", two);
+    const auto notes = read_measurements(read_study(folder_.path())).notes;
+    EXPECT_THAT(notes, testing::Contains(testing::AllOf(HasSubstr("dry_1.csv ends after step 1"),
+                                                        HasSubstr("dry_2.csv goes on to step 2"))));
+    folder_.write("dry_2.csv", recording(1.01, 4));
+    EXPECT_THAT(read_measurements(read_study(folder_.path())).notes,
+                testing::Not(testing::Contains(HasSubstr("ends after"))));
+}
+
+TEST_F(ReadMeasurements, NotesTheWeightOfTheGrainsOnce) {
+    // M g/A = 0.06 kg x 9.81 m/s^2/(pi (45^2 - 21^2) mm^2) = 118 Pa, above a tenth of 5 N/A = 1
+    // kPa.
+    const auto weight_notes = [&](const std::string& text) {
+        folder_.write("study.toml", text);
+        std::vector<std::string> notes = read_measurements(read_study(folder_.path())).notes;
+        std::erase_if(notes, [](const std::string& note) {
+            return note.find("weight of the grains") == std::string::npos;
+        });
+        return notes;
+    };
+    std::string heavy = study_text;
+    for (const std::string light : {"\"10 g\"", "\"11 g\""}) {
+        heavy.replace(heavy.find(light), light.size(), "\"60 g\"");
+    }
+    heavy += "[import]\nkeep_implausible = true\n";  // six times the beads in the same gap
+    const auto notes = weight_notes(heavy);
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_THAT(notes[0], HasSubstr("118 Pa"));
+    EXPECT_THAT(notes[0], HasSubstr("3 of 3 readings (dry_1.csv, dry_2.csv, wet_1.csv; 1005 Pa)"));
+    EXPECT_THAT(notes[0], HasSubstr("pendular diagnose " + folder_.path().string()));
+    EXPECT_TRUE(weight_notes(study_text).empty());
+    EXPECT_TRUE(weight_notes(heavy + "[model]\neffects = [\"grain-weight\"]\n").empty());
+}
+
+}  // namespace pendular::data_measurements_test

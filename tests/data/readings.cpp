@@ -1,0 +1,233 @@
+#include "data/recordings/readings.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "data/files/csv.h"
+#include "data/files/write_tables.h"
+#include "tests/support/data_support.h"
+
+namespace pendular::data_readings_test {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class ReadPoints : public testing::Test {
+  protected:
+    ReadPoints() {
+        study_.grains = {.diameter = 500e-6, .density = 1050};
+        study_.liquid = Liquid{.surface_tension = 20.6e-3};
+        source_.kind = Source::Kind::readings;
+        source_.liquid_content = 0;
+    }
+    Measurements read(const std::string& content) {
+        return read_points(folder_.write("p.csv", content), source_, study_);
+    }
+    std::string error(const std::string& content) {
+        return input_error([&] { read(content); });
+    }
+
+    TemporaryFolder folder_;
+    Study study_;
+    Source source_;
+};
+
+TEST_F(ReadPoints, TurnsAStressRatioIntoAShearStress) {
+    const Reading reading =
+        read(
+            "normal_stress [kPa],stress_ratio,stress_ratio_sd,solid_fraction [%],"
+            "solid_fraction_sd [%],inertial_number,height [mm],normal_stress_sd [kPa]\n"
+            "2,0.25,0.02,61.5,0.2,0,4,0.1\n")
+            .readings.at(0);
+    EXPECT_DOUBLE_EQ(reading.value(0), 500);
+    EXPECT_DOUBLE_EQ(reading.value(1), 0.615);
+    // The ratio hardly depends on the normal stress: its deviation is left out.
+    EXPECT_NEAR(reading.covariance(0, 0), 40 * 40, 1e-9);
+    EXPECT_NEAR(reading.covariance(1, 1), 0.002 * 0.002, 1e-15);
+    EXPECT_EQ(reading.condition.normal_stress, 2000);
+    EXPECT_EQ(reading.condition.inertial_number, 0);
+    EXPECT_EQ(reading.shear_rate, 0);
+    EXPECT_TRUE(reading.condition.dry());
+    EXPECT_DOUBLE_EQ(*reading.condition.height, 0.004);
+    EXPECT_EQ(reading.origin.line, 2);
+    EXPECT_DOUBLE_EQ(reading.stress_ratio(), 0.25);
+}
+
+TEST_F(ReadPoints, TakesShearStressAndRate) {
+    source_.liquid_content.reset();
+    const Reading reading =
+        read(
+            "liquid_content,shear_rate [1/s],normal_stress [Pa],normal_stress_sd [Pa],"
+            "shear_stress [Pa],shear_stress_sd [Pa],solid_fraction\n0.03,2,1000,40,300,5,0.6\n")
+            .readings.at(0);
+    EXPECT_EQ(reading.condition.liquid_content, 0.03);
+    EXPECT_EQ(reading.shear_rate, 2);
+    EXPECT_DOUBLE_EQ(reading.condition.inertial_number, inertial_number(2, 1000, study_.grains));
+    // 5 Pa of its own and 0.3 times 40 Pa of the normal stress.
+    EXPECT_NEAR(reading.covariance(0, 0), 5 * 5 + 12 * 12, 1e-9);
+}
+
+TEST_F(ReadPoints, AcceptsTheInertialNumberOfTheOtherConvention) {
+    const double rate = 2;
+    const double other = rate * 500e-6 * std::sqrt(1050 / 1000.0);
+    const Reading reading = read(fmt::format("normal_stress [Pa],stress_ratio,solid_fraction,"
+                                             "inertial_number_diameter_density\n1000,0.3,0.6,{}\n",
+                                             other))
+                                .readings.at(0);
+    EXPECT_NEAR(reading.condition.inertial_number, inertial_number(rate, 1000, study_.grains),
+                1e-12);
+}
+
+TEST_F(ReadPoints, RefusesAnInertialNumberThatDoesNotGoWithTheShearRate) {
+    const double other = 2 * 500e-6 * std::sqrt(1050 / 1000.0);
+    EXPECT_THAT(error(fmt::format("normal_stress [Pa],stress_ratio,solid_fraction,shear_rate [1/s],"
+                                  "inertial_number\n1000,0.3,0.6,2,{}\n",
+                                  other)),
+                AllOf(HasSubstr("p.csv:2:16: "), HasSubstr("does not go with the shear rate"),
+                      HasSubstr("inertial_number_diameter_density")));
+}
+
+const std::string head = "normal_stress [Pa],stress_ratio,solid_fraction,inertial_number";
+
+TEST_F(ReadPoints, RefusesMissingColumns) {
+    EXPECT_THAT(error("stress_ratio\n1\n"), HasSubstr("p.csv:1: column 'normal_stress [Pa]'"));
+    EXPECT_THAT(error("normal_stress [Pa]\n1\n"),
+                HasSubstr("'shear_stress [Pa]' or 'stress_ratio"));
+    EXPECT_THAT(error("normal_stress [Pa],stress_ratio\n1,1\n"), HasSubstr("'solid_fraction [1]'"));
+    EXPECT_THAT(error("normal_stress [Pa],stress_ratio,solid_fraction\n1,1,1\n"),
+                HasSubstr("'inertial_number [1]' is missing"));
+    EXPECT_THAT(error(head + ",shear_stress [Pa]\n1,1,1,1,1\n"),
+                AllOf(HasSubstr("p.csv:1:20: both"), HasSubstr("remove one")));
+    source_.liquid_content.reset();
+    EXPECT_THAT(error(head + "\n1000,0.3,0.6,0\n"), HasSubstr("'liquid_content [1]' is missing"));
+}
+
+TEST_F(ReadPoints, RefusesAMisspeltColumnButNotARemark) {
+    EXPECT_THAT(error(head + ",solid_fractoin_sd\n1000,0.3,0.6,0,0.01\n"),
+                AllOf(HasSubstr("p.csv:1:64: unknown column 'solid_fractoin'"),
+                      HasSubstr("'solid_fraction'")));
+    EXPECT_THAT(read(head + ",Remark\n1000,0.3,0.6,0,fine\n").notes.at(0), HasSubstr("'Remark'"));
+}
+
+TEST_F(ReadPoints, RefusesImpossibleValues) {
+    const auto row_error = [&](const std::string& row) { return error(head + "\n" + row + "\n"); };
+    EXPECT_THAT(row_error("0,0.3,0.6,0"), AllOf(HasSubstr("p.csv:2:1: "), HasSubstr("positive")));
+    EXPECT_THAT(row_error("1000,-0.3,0.6,0"),
+                AllOf(HasSubstr("p.csv:2:6: "), HasSubstr("positive")));
+    EXPECT_THAT(row_error("1000,0.3,0,0"), AllOf(HasSubstr("p.csv:2:10: "), HasSubstr("positive")));
+    EXPECT_THAT(row_error("1000,0.3,0.6,-1"), HasSubstr("p.csv:2:14: an inertial number must not"));
+    EXPECT_THAT(row_error("1000,0.3,0.6,"), HasSubstr("neither shear rate nor inertial number"));
+    EXPECT_THAT(row_error("1000,,0.6,0"),
+                HasSubstr("p.csv:2:6: column 'stress_ratio': the cell is"));
+    EXPECT_THAT(error(head + ",height [m]\n1000,0.3,0.6,0,-1\n"), HasSubstr("p.csv:2:16: "));
+    EXPECT_THAT(error("normal_stress [Pa],stress_ratio,solid_fraction,shear_rate [1/s]\n"
+                      "1000,0.3,0.6,0\n"),
+                AllOf(HasSubstr("p.csv:2:14: "), HasSubstr("write inertial_number = 0")));
+    EXPECT_THAT(error(head + ",error_correlation\n1000,0.3,0.6,0,1\n"), HasSubstr("p.csv:2:16: "));
+}
+
+TEST_F(ReadPoints, RefusesALiquidContentThatDoesNotFitTheStudy) {
+    EXPECT_THAT(error(head + ",liquid_content\n1000,0.3,0.6,0,0\n"),
+                AllOf(HasSubstr("'liquid_content'"), HasSubstr("remove one")));
+    source_.liquid_content.reset();
+    EXPECT_THAT(error(head + ",liquid_content\n1000,0.3,0.6,0,-1\n"), HasSubstr("p.csv:2:16: "));
+    study_.liquid.reset();
+    EXPECT_THAT(error(head + ",liquid_content\n1000,0.3,0.6,0,0.03\n"),
+                AllOf(HasSubstr("p.csv:2:16: "), HasSubstr("no [liquid]")));
+    EXPECT_NO_THROW(read(head + "\n1000,0.3,0.6,0\n"));  // a dry study needs none
+}
+
+TEST_F(ReadPoints, KnowsTheCellAsFarAsItIsTold) {
+    const std::string row = "\n1000,0.3,0.6,0.01";
+    const auto condition = [&](const std::string& columns, const std::string& cells) {
+        return read(head + columns + row + cells + "\n").readings.at(0).condition;
+    };
+    EXPECT_EQ(condition("", "").height, std::nullopt);
+    EXPECT_EQ(condition("", "").bead_volume, std::nullopt);
+    EXPECT_EQ(condition("", "").time, 0);
+    EXPECT_EQ(condition(",Time [min]", ",2").time, 120);
+    source_.bead_volume = 2e-5;
+    EXPECT_EQ(condition("", "").bead_volume, 2e-5);
+    EXPECT_EQ(condition("", "").height, std::nullopt);
+    study_.cell = AnnularCell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 3e-5};
+    // The entry goes before the cell, the column before both.
+    EXPECT_EQ(condition("", "").bead_volume, 2e-5);
+    EXPECT_DOUBLE_EQ(*condition("", "").height, 2e-5 / (0.6 * study_.cell->area()));
+    EXPECT_DOUBLE_EQ(*condition(",bead_volume [cm^3]", ",10").bead_volume, 1e-5);
+    EXPECT_DOUBLE_EQ(*condition(",height [mm]", ",7").height, 7e-3);
+    source_.bead_volume.reset();
+    EXPECT_EQ(condition("", "").bead_volume, 3e-5);
+    EXPECT_THAT(error(head + ",bead_volume [cm^3]" + row + ",-1\n"), HasSubstr("positive"));
+}
+
+Measurements some_readings() {
+    Measurements some;
+    std::mt19937_64 random(9);
+    std::uniform_real_distribution<double> uniform(0.5, 1.5);
+    for (int i = 0; i < 20; ++i) {
+        Reading reading;
+        reading.origin = {"folder/some, file.csv", i + 2, 0};
+        reading.step = i % 3;
+        reading.condition = {1000 * uniform(random), i % 4 ? 0.01 * uniform(random) : 0,
+                             i % 2 ? 0.03 : 0, std::nullopt};
+        if (i % 5) reading.condition.height = 0.01 * uniform(random);
+        if (i % 3) reading.condition.bead_volume = 1e-5 * uniform(random);
+        reading.condition.time = i * 100 * uniform(random);
+        reading.value = {300 * uniform(random), 0.6 * std::min(uniform(random), 1.2)};
+        const double a = 3 * uniform(random), b = 0.01 * uniform(random);
+        reading.covariance << a * a, -0.4 * a * b, -0.4 * a * b, b * b;
+        reading.sampled_seconds = i % 3 ? 30 * uniform(random) : 0;
+        reading.error_assumed = i == 7;
+        some.readings.push_back(reading);
+    }
+    return some;
+}
+
+TEST_F(ReadPoints, ReadsWhatWasWritten) {
+    source_.liquid_content.reset();
+    const Measurements written = some_readings();
+    const std::filesystem::path path = folder_.path() / "out" / "readings.csv";
+    write_readings(path, written);
+    const Measurements back = read_points(path, source_, study_);
+    EXPECT_THAT(back.notes, IsEmpty());
+    ASSERT_EQ(back.readings.size(), written.readings.size());
+    for (std::size_t i = 0; i < written.readings.size(); ++i) {
+        const Reading& a = written.readings[i];
+        const Reading& b = back.readings[i];
+        EXPECT_EQ(a.value, b.value);
+        EXPECT_LT((a.covariance - b.covariance).norm(), 1e-12 * a.covariance.norm());
+        EXPECT_EQ(a.condition.normal_stress, b.condition.normal_stress);
+        EXPECT_EQ(a.condition.inertial_number, b.condition.inertial_number);
+        EXPECT_EQ(a.condition.liquid_content, b.condition.liquid_content);
+        EXPECT_EQ(a.condition.height, b.condition.height);
+        EXPECT_EQ(a.condition.bead_volume, b.condition.bead_volume);
+        EXPECT_EQ(a.condition.time, b.condition.time);
+        EXPECT_EQ(a.sampled_seconds, b.sampled_seconds);
+        EXPECT_EQ(a.error_assumed, b.error_assumed);
+        EXPECT_EQ(a.step, b.step);
+    }
+}
+
+TEST(WriteTables, SayWhereEachReadingAndExclusionComesFrom) {
+    TemporaryFolder folder;
+    Measurements all;
+    Reading reading;
+    reading.origin = {(folder.path() / "dry.csv").string(), 12, 0};
+    reading.condition.normal_stress = 1000;
+    all.readings.push_back(reading);
+    all.excluded.push_back({{(folder.path() / "dry.csv").string(), 2, 0}, 11, "transient, long"});
+    write_readings(folder.path() / "out" / "readings.csv", all);
+    write_excluded(folder.path() / "out" / "excluded.csv", all);
+    const Table readings = read_table(folder.path() / "out" / "readings.csv");
+    EXPECT_EQ(readings.rows.at(0).cells.at(13).text, "../dry.csv");
+    EXPECT_EQ(readings.rows.at(0).cells.at(14).text, "12");
+    const Table excluded = read_table(folder.path() / "out" / "excluded.csv");
+    const std::vector<Cell>& cells = excluded.rows.at(0).cells;
+    EXPECT_EQ(cells.at(0).text, "../dry.csv");
+    EXPECT_EQ(cells.at(1).text, "2");
+    EXPECT_EQ(cells.at(2).text, "11");
+    EXPECT_EQ(cells.at(3).text, "transient, long");
+}
+
+}  // namespace pendular::data_readings_test

@@ -1,0 +1,179 @@
+#include "data/quantities/units.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace pendular::data_units_test {
+
+using testing::HasSubstr;
+
+std::string refusal(const std::string& text, const std::string& expected) {
+    try {
+        quantity_in_si(text, Unit(expected));
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    ADD_FAILURE() << text << " was taken for a quantity in " << expected;
+    return "";
+}
+
+struct Spelling {
+    const char* unit;
+    const char* si;
+    double factor;
+};
+
+// The factors follow from the definitions: kgf = 9.80665 N, turn = 2 pi rad, P = 0.1 Pa s.
+const Spelling spellings[] = {
+    {"Nm", "N m", 1},
+    {"N·m", "N m", 1},
+    {"N*m", "N m", 1},
+    {"N-m", "N m", 1},
+    {"mNm", "N m", 1e-3},
+    {"mN m", "N m", 1e-3},
+    {"mN.m", "N m", 1e-3},
+    {"µNm", "N m", 1e-6},
+    {"uNm", "N m", 1e-6},
+    {"kNm", "N m", 1e3},
+    {"Ncm", "N m", 1e-2},
+    {"N.mm", "N m", 1e-3},
+    {"kgf cm", "N m", 0.0980665},
+    {"gf cm", "N m", 9.80665e-5},
+    {"gf", "N", 9.80665e-3},
+    {"kgf", "N", 9.80665},
+    {"dyn cm", "N m", 1e-7},
+    {"µm", "m", 1e-6},  // micro sign
+    {"μm", "m", 1e-6},  // Greek mu
+    {"um", "m", 1e-6},
+    {"micron", "m", 1e-6},
+    {"kPa", "Pa", 1e3},
+    {"N/m²", "Pa", 1},
+    {"N/m^2", "Pa", 1},
+    {"mPa.s", "Pa s", 1e-3},
+    {"mPa·s", "Pa s", 1e-3},
+    {"mPas", "Pa s", 1e-3},
+    {"cP", "Pa s", 1e-3},
+    {"mN/m", "N/m", 1e-3},
+    {"g/cm^3", "kg/m^3", 1e3},
+    {"g/cm3", "kg/m^3", 1e3},
+    {"kg/m³", "kg/m^3", 1},
+    {"kg m-3", "kg/m^3", 1},
+    {"1/s", "s^-1", 1},
+    {"s⁻¹", "s^-1", 1},
+    {"1/min", "s^-1", 1.0 / 60},
+    {"rad/min", "rad/s", 1.0 / 60},
+    {"deg", "rad", std::numbers::pi / 180},
+    {"°", "rad", std::numbers::pi / 180},
+    {"deg/s", "rad/s", std::numbers::pi / 180},
+    {"rpm", "rad/s", std::numbers::pi / 30},
+    {"RPM", "rad/s", std::numbers::pi / 30},
+    {"rev/min", "rad/s", std::numbers::pi / 30},
+    {"tr/min", "rad/s", std::numbers::pi / 30},
+    {"%", "1", 0.01},
+    {"-", "1", 1},
+    {"", "1", 1},
+};
+
+TEST(Units, ReadCommonSpellings) {
+    for (const Spelling& each : spellings) {
+        SCOPED_TRACE(each.unit);
+        const Unit unit(each.unit);
+        EXPECT_TRUE(unit.same_dimension(Unit(each.si)));
+        EXPECT_NEAR(unit.to_si(1), each.factor, 1e-12 * each.factor);
+    }
+}
+
+TEST(Units, KeepOffsets) {
+    EXPECT_NEAR(Unit("degC").to_si(20), 293.15, 1e-9);
+}
+
+TEST(Units, TellApartWhatMeasuresDifferentThings) {
+    EXPECT_FALSE(Unit("mN m").same_dimension(Unit("mN/m")));
+    EXPECT_FALSE(Unit("rad").same_dimension(Unit("1")));
+    EXPECT_FALSE(Unit("Pa").same_dimension(Unit("Pa s")));
+}
+
+TEST(Units, RefuseWordsThatAreNone) {
+    for (const char* word : {"bananas", "N m;", "2", "10", "lg(re 1 W)", "/s"})
+        EXPECT_THROW(Unit{word}, std::invalid_argument) << word;
+}
+
+TEST(Units, RefuseWrongCaseWithTheRightOne) {
+    // UDUNITS reads "pa" as a pico-are, 1e-10 m^2.
+    EXPECT_THAT(refusal("3 pa", "Pa"), AllOf(HasSubstr("case"), HasSubstr("'Pa'")));
+    EXPECT_THAT(refusal("3 kpa", "Pa"), HasSubstr("'kPa'"));
+    EXPECT_THAT(refusal("3 KPa", "Pa"), HasSubstr("'kPa'"));
+}
+
+TEST(Quantities, AreReadWithTheirUnit) {
+    EXPECT_DOUBLE_EQ(quantity_in_si("500 um", Unit("m")), 500e-6);
+    EXPECT_DOUBLE_EQ(quantity_in_si("  20.6mN/m ", Unit("N/m")), 20.6e-3);
+    EXPECT_DOUBLE_EQ(quantity_in_si("3.3e9 Pa", Unit("Pa")), 3.3e9);
+    EXPECT_DOUBLE_EQ(quantity_in_si("3 %", Unit("1")), 0.03);
+    EXPECT_DOUBLE_EQ(quantity_in_si("0.3", Unit("1")), 0.3);
+}
+
+TEST(Quantities, RefuseAMassTimesALengthAsTorqueAndSuggestTheWeight) {
+    EXPECT_THAT(refusal("5 g.cm", "N m"), AllOf(HasSubstr("kg m"), HasSubstr("'gf.cm'")));
+    EXPECT_THAT(refusal("5 kg cm", "N m"), HasSubstr("'kgf cm'"));
+}
+
+TEST(Quantities, RefuseAnotherDimension) {
+    EXPECT_THAT(refusal("21 kg", "m"), AllOf(HasSubstr("measures kg"), HasSubstr("not m")));
+    EXPECT_THAT(refusal("10 deg", "1"), HasSubstr("measures rad"));
+}
+
+TEST(Quantities, RefuseANumberWithoutUnit) {
+    EXPECT_THAT(refusal("21", "m"), AllOf(HasSubstr("no unit"), HasSubstr("21 m")));
+}
+
+TEST(Quantities, RefuseWhatIsNoNumber) {
+    EXPECT_THAT(refusal("large", "m"), HasSubstr("not a number"));
+    EXPECT_THAT(refusal("1,25 m", "m"), HasSubstr("decimal sign is '.'"));
+    EXPECT_THAT(refusal("nan m", "m"), HasSubstr("not a number"));
+    EXPECT_THAT(refusal("", "m"), HasSubstr("not a number"));
+}
+
+TEST(Quantities, ComeInListsThatShareAUnit) {
+    using testing::ElementsAre;
+    EXPECT_THAT(quantities_in_si("0.3, 1, 3 kPa", Unit("Pa")), ElementsAre(300, 1000, 3000));
+    EXPECT_THAT(quantities_in_si("500 Pa,2,3 kPa", Unit("Pa")), ElementsAre(500, 2000, 3000));
+    EXPECT_THAT(quantities_in_si("0.007, 3 %", Unit("1")),
+                ElementsAre(testing::DoubleEq(7e-5), 0.03));
+    EXPECT_THAT(quantities_in_si(" 0.1", Unit("1")), ElementsAre(0.1));
+    const auto refused = [](const std::string& list) -> std::string {
+        try {
+            quantities_in_si(list, Unit("Pa"));
+        } catch (const std::invalid_argument& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(refused("1 kPa, 2"), HasSubstr("\"2\" has no unit"));
+    EXPECT_THAT(refused("1, , 2 kPa"), HasSubstr("not a number"));
+    EXPECT_THAT(refused("1, 2 mm"), HasSubstr("measures m"));
+    EXPECT_THAT(refused(""), HasSubstr("not a number"));
+}
+
+TEST(Units, CanBeReadFromSeveralThreads) {
+    std::vector<std::thread> threads;
+    std::vector<double> sums(4, 0);
+    for (double& sum : sums)
+        threads.emplace_back([&sum] {
+            for (int i = 0; i < 200; ++i)
+                sum += Unit(i % 2 ? "kPa" : "mNm").to_si(1);
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+    for (const double sum : sums)
+        EXPECT_NEAR(sum, 100 * (1e3 + 1e-3), 1e-6);
+}
+
+}  // namespace pendular::data_units_test

@@ -1,0 +1,152 @@
+// Which effects there are for a study, and which of them apply to it.
+#include "sim/catalogue/effect_catalogue.h"
+
+#include <stdexcept>
+
+#include "tests/support/data_support.h"
+
+namespace pendular::effect_catalogue_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string grains = "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n";
+const std::string liquid = "[liquid]\nsurface_tension = \"20 mN/m\"\ncontact_angle = \"0 deg\"\n";
+const std::string empty_cell = "[cell]\ninner_radius = \"21 mm\"\nouter_radius = \"45 mm\"\n";
+const std::string cell = empty_cell + "bead_mass = \"60 g\"\n";
+const std::string readings = "[[readings]]\nfile = \"points.csv\"\n";
+const std::string drag =
+    "[[effect]]\nname = \"speed-drag\"\nparameter = \"drag\"\nunit = \"mN m s\"\nlower = -5\n"
+    "upper = 5\ntorque = \"torque + drag*angular_velocity\"\n";
+
+class Catalogue : public testing::Test {
+  protected:
+    Study read(const std::string& content) {
+        folder_.write("points.csv", "a\n1\n");
+        folder_.write("study.toml", content);
+        return read_study(folder_.path());
+    }
+    auto at(const std::string& position) const {
+        return StartsWith((folder_.path() / "study.toml").string() + position);
+    }
+    std::vector<std::string> active(const std::string& content) {
+        const Study study = read(content);
+        const EffectCatalogue catalogue(study);
+        std::vector<std::string> names;
+        for (const Effect* effect : catalogue.active(study))
+            names.push_back(effect->name);
+        return names;
+    }
+    std::string active_error(const std::string& content) {
+        return input_error([&] { active(content); });
+    }
+
+    TemporaryFolder folder_;
+};
+
+/// An effect that does nothing in particular.
+Effect acting(Change change, Touches touches = Touches::all) {
+    return {.name = "acting", .change = std::move(change), .touches = touches};
+}
+
+TEST_F(Catalogue, HasTheBuiltInEffectsWithoutAStudy) {
+    const EffectCatalogue catalogue;
+    EXPECT_EQ(catalogue.all().size(), built_in_effects().size());
+    EXPECT_EQ(catalogue.find("torque-offset").name, "torque-offset");
+    EXPECT_FALSE(catalogue.is_written(catalogue.find("torque-offset")));
+}
+
+TEST_F(Catalogue, HasTheEffectsAStudyWrites) {
+    const Study study = read(grains + readings + drag);
+    const EffectCatalogue catalogue(study);
+    EXPECT_EQ(catalogue.all().size(), built_in_effects().size() + 1);
+    EXPECT_TRUE(catalogue.is_written(catalogue.find("speed-drag")));
+}
+
+TEST_F(Catalogue, NamesTheNearestEffect) {
+    const Study study = read(grains + readings + drag);
+    const EffectCatalogue catalogue(study);
+    const auto message = [&](const std::string& name) -> std::string {
+        try {
+            catalogue.find(name);
+        } catch (const std::invalid_argument& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(message("torque-ofset"), HasSubstr("did you mean 'torque-offset'?"));
+    EXPECT_THAT(message("sped-drag"), HasSubstr("did you mean 'speed-drag'?"));
+}
+
+TEST_F(Catalogue, RefusesTheNameOfABuiltInEffect) {
+    std::string text = drag;
+    text.replace(text.find("speed-drag"), 10, "torque-offset");
+    EXPECT_THAT(active_error(grains + readings + text),
+                AllOf(at(":7:8: 'name': "), HasSubstr("\"torque-offset\" comes with the program")));
+}
+
+TEST_F(Catalogue, RefusesAWrittenEffectThatIsNotSwitchedOnToo) {
+    EXPECT_THAT(active_error(grains + readings + drag + "height = \"height + 1\"\n"),
+                at(":13:10: 'height' of effect 'speed-drag': "));
+}
+
+TEST_F(Catalogue, GivesTheListedEffectsInTheirOrder) {
+    EXPECT_EQ(active(grains + cell + readings + drag +
+                     "[model]\neffects = [\"torque-offset\", \"speed-drag\"]\n"),
+              (std::vector<std::string>{"torque-offset", "speed-drag"}));
+    EXPECT_TRUE(active(grains + readings + drag).empty());
+}
+
+TEST_F(Catalogue, RefusesUnknownAndUselessEffectsAtTheirPlaceInTheList) {
+    const std::string list = "[model]\neffects = [\"torque-offset\", \"torque-ofset\"]\n";
+    EXPECT_THAT(active_error(grains + cell + readings + list),
+                AllOf(at(":11:29: 'effects': unknown effect 'torque-ofset'; did you mean "
+                         "'torque-offset'?")));
+    EXPECT_THAT(active_error(grains + readings + list),
+                AllOf(at(":7:12: 'effects': torque-offset acts on the instrument"),
+                      HasSubstr("has no [cell]: add it")));
+}
+
+TEST_F(Catalogue, KnowsWhatInstrumentEffectsNeed) {
+    const Effect offset = built_in_effect("torque-offset");
+    EXPECT_THAT(why_not(offset, read(grains + readings)).value_or(""), HasSubstr("no [cell]"));
+    EXPECT_THAT(why_not(offset, read(grains + empty_cell + readings)).value_or(""),
+                AllOf(HasSubstr("entry of line 7"), HasSubstr("bead_mass")));
+    EXPECT_EQ(why_not(offset, read(grains + cell + readings)), std::nullopt);
+    EXPECT_EQ(why_not(offset, read(grains + empty_cell + readings + "bead_mass = \"60 g\"\n")),
+              std::nullopt);
+}
+
+TEST_F(Catalogue, KnowsWhatWetAndDryEffectsNeed) {
+    const Effect wet = acting(dem::ChangePairs{}, Touches::wet);
+    const Effect dry = acting(ChangeFlow{}, Touches::dry);
+    const auto why = [&](const Effect& effect, const std::string& text) {
+        return why_not(effect, read(grains + text)).value_or("");
+    };
+    EXPECT_THAT(why(wet, readings),
+                AllOf(StartsWith("acting acts on wet beads, but this study has no [liquid]"),
+                      HasSubstr("add it")));
+    EXPECT_THAT(why(wet, liquid + readings + "liquid_content = 0\n"),
+                HasSubstr("nothing in this study was measured with a liquid_content above 0"));
+    EXPECT_EQ(why(wet, liquid + readings), "");  // a column may say so
+    EXPECT_EQ(why(wet, liquid + readings + "liquid_content = 0.03\n"), "");
+    EXPECT_THAT(why(dry, liquid + readings + "liquid_content = 0.03\n"),
+                HasSubstr("everything in this study was measured wet"));
+    EXPECT_EQ(why(dry, readings), "");
+}
+
+TEST_F(Catalogue, KnowsWhichBaseAnEffectBelongsTo) {
+    const Study dem = read(grains + readings),
+                rumpf = read(grains + readings + "[model]\nbase = \"rumpf\"\n");
+    EXPECT_THAT(why_not(acting(ChangeClosure{.base = "rumpf"}), dem).value_or(""),
+                HasSubstr("write base = \"rumpf\""));
+    EXPECT_EQ(why_not(acting(ChangeClosure{.base = "rumpf"}), rumpf), std::nullopt);
+    for (const Study& study : {dem, rumpf}) {
+        EXPECT_EQ(why_not(acting(ChangeFlow{}), study), std::nullopt);
+        EXPECT_EQ(why_not(acting(dem::ChangePairs{}), study), std::nullopt);
+        EXPECT_EQ(why_not(acting(ChangeCondition{}), study), std::nullopt);
+    }
+}
+
+}  // namespace pendular::effect_catalogue_test

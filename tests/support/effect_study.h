@@ -1,0 +1,96 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "calib/fit/calibration.h"
+#include "calib/model/effect_model.h"
+#include "calib/model/rumpf.h"
+#include "tests/support/emulator_support.h"
+
+// A study as the virtual laboratory would measure it, and the emulator of the atlas as its model.
+namespace pendular {
+
+constexpr double planted_friction = 0.12;
+
+inline Study study_with(const std::string& base) {
+    Study study;
+    study.grains = {.diameter = 500e-6, .density = 1050};
+    study.liquid = Liquid{.surface_tension = 20.6e-3};
+    study.cell = AnnularCell{21e-3, 45e-3, 60e-3 / 1050};
+    study.model.base = base;
+    return study;
+}
+
+/// What the virtual laboratory measures, and some lower content besides.
+inline std::vector<Condition> conditions() {
+    std::vector<Condition> all;
+    double time = 0;
+    const auto add = [&](double stress, double number, double content) {
+        Condition c{.normal_stress = stress, .inertial_number = number, .liquid_content = content};
+        const AnnularCell cell = *study_with("dem").cell;
+        c.bead_volume = cell.bead_volume;
+        c.height = height(0.6, cell);
+        c.time = time += 30;
+        all.push_back(c);
+    };
+    for (const double number : {3e-3, 3e-2}) {
+        for (const double stress : {300.0, 1000.0, 3000.0}) {
+            add(stress, number, 0);
+        }
+        for (const double content : {0.004, 0.007, 0.03}) {
+            for (const double stress : {300.0, 600.0, 1000.0, 3000.0}) {
+                add(stress, number, content);
+            }
+        }
+    }
+    return all;
+}
+
+/// The emulator of the atlas with all its effects.
+class Laboratory {
+  public:
+    explicit Laboratory(const std::string& base, const closures::Terms& terms = {})
+        : study_(study_with(base)) {
+        for (const Effect& effect : built_in_effects()) {
+            study_.model.effects.push_back({effect.name, {}});  // their runs serve
+        }
+        const Fidelity quick = fidelity_named("quick");
+        KnownRuns known{runs_serving(study_, quick, all_shipped_runs()), shipped_scales(), false};
+        const auto simulation = std::make_shared<EmulatedSimulation>(
+            study_, quick, Emulator(known.runs, std::move(known.scales)));
+        inside_ = simulation;
+        if (base == "rumpf") {
+            inside_ = std::make_shared<RumpfModel>(simulation, study_, terms);
+        }
+    }
+    EffectModel predictor(std::vector<const Effect*> effects) const {
+        return {inside_, study_, std::move(effects)};
+    }
+    ModelOfReadings with(std::vector<const Effect*> effects) const {
+        return {std::make_shared<EffectModel>(predictor(std::move(effects))), conditions()};
+    }
+
+  private:
+    Study study_;
+    std::shared_ptr<const FlowPredictor> inside_;
+};
+
+/// Whether it can be predicted: an effect on grains needs runs in the atlas.
+inline bool predictable(const Effect& effect) {
+    static const std::vector<dem::RunResult> runs = all_shipped_runs();
+    return !effect.of_grains() || std::ranges::any_of(runs, [&](const dem::RunResult& run) {
+        const auto& effects = run.parameters.effects;
+        return effects.size() == 1 && effects[0].effect == effect.name;
+    });
+}
+
+inline Laboratory& laboratory() {
+    static Laboratory shared("dem");
+    return shared;
+}
+
+}  // namespace pendular

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <vector>
+
+#include "calib/emulator/emulated_observables.h"
+#include "calib/emulator/emulator.h"
+#include "calib/emulator/emulator_scales.h"
+#include "sim/runs/store/run_table.h"
+
+namespace pendular {
+
+/// The runs that come with the program, those with effects on grains included.
+inline std::vector<dem::RunResult> all_shipped_runs() {
+    std::vector<dem::RunResult> runs;
+    for (const StoredRun& stored : read_runs(PENDULAR_SOURCE_DIR "/sim/atlas/atlas.csv")) {
+        runs.push_back(stored.run);
+    }
+    return runs;
+}
+
+/// Those of plain beads.
+inline std::vector<dem::RunResult> shipped_runs() {
+    std::vector<dem::RunResult> runs = all_shipped_runs();
+    std::erase_if(runs, [](const auto& run) { return !run.parameters.effects.empty(); });
+    return runs;
+}
+
+inline EmulatorScales shipped_scales() {
+    return read_scales(std::filesystem::path(PENDULAR_SOURCE_DIR "/sim/atlas") / scales_name);
+}
+
+/// A flow law of this file's own, smooth in all that determines a state.
+struct InventedLaw {
+    static double stress_ratio(const FlowState& s) {
+        const double dry =
+            0.1 + 0.3 * s.friction / (s.friction + 0.15) + std::pow(s.inertial_number, 0.75);
+        return dry +
+               (s.dry() ? 0
+                        : s.inverse_pressure / (1 + 0.2 * s.inverse_pressure) *
+                              (0.25 + 0.03 * std::log(s.bridge_volume / 0.002) + 0.1 * s.friction));
+    }
+    static double solid_fraction(const FlowState& s) {
+        return 0.64 - 0.06 * s.friction / (s.friction + 0.2) - 0.3 * s.inertial_number -
+               0.02 * s.inverse_pressure / (1 + 0.3 * s.inverse_pressure);
+    }
+};
+
+/// Runs as that law would give them, with standard errors of 0.002 and 0.0004 correlated by -0.5.
+inline std::vector<dem::RunResult> invented_runs(std::size_t count, std::uint64_t seed,
+                                                 double factor = 1) {
+    using enum dem::Observable;
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> uniform;
+    std::normal_distribution<double> normal;
+    std::vector<dem::RunResult> runs;
+    for (std::size_t k = 0; k < count; ++k) {
+        dem::RunResult run;
+        auto& p = run.parameters;
+        p.friction = 0.6 * uniform(random);
+        p.inertial_number = 0.001 * std::pow(100, uniform(random));
+        p.beads = 1000;
+        p.seed = seed + k;
+        if (k % 2 == 0) {
+            p.wetting = {.reduced_pressure = 0.5 * std::pow(40, uniform(random)),
+                         .bridge_volume = 0.0005 * std::pow(16, uniform(random))};
+        }
+        const FlowState state = emulated::state_of(p);
+        const double a = normal(random), b = -0.5 * a + std::sqrt(0.75) * normal(random);
+        const auto mean = [&](dem::Observable which, double value, double error) {
+            run.means[static_cast<std::size_t>(which)] = {value, error};
+        };
+        mean(stress_ratio, factor * InventedLaw::stress_ratio(state) + 0.002 * a, 0.002);
+        const double overlap = 0.001;
+        const double solid = InventedLaw::solid_fraction(state);
+        mean(solid_fraction, solid + dem::rigidity_shift(solid, overlap) + 0.0004 * b, 0.0004);
+        mean(mean_overlap, overlap, 1e-6);
+        mean(contact_coordination, 5, 0.02);
+        if (p.wetting) {
+            mean(distant_coordination, 2 + 0.2 * std::log(p.wetting->bridge_volume / 0.002), 0.02);
+        }
+        run.covariance = -0.5 * 0.002 * 0.0004;
+        run.strain_averaged = p.strain = 6;
+        run.steady = true;
+        runs.push_back(run);
+    }
+    return runs;
+}
+
+}  // namespace pendular

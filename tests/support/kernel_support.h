@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "calib/emulator/kernel.h"
+
+namespace pendular {
+
+inline std::string name_of(Domain domain) {
+    return domain == Domain::all_flow   ? "AllFlow"
+           : domain == Domain::contacts ? "Contacts"
+                                        : "Bridges";
+}
+
+/// No two of them equal, so that none can stand in for another.
+inline Scales uneven_scales() {
+    return {.dry_amplitude = 0.3,
+            .dry_x = 0.7,
+            .dry_q = 0.25,
+            .wet_amplitude = 0.2,
+            .wet_x = 1.1,
+            .wet_q = 0.4,
+            .wet_u = 0.9,
+            .wet_v = 1.3,
+            .noise = 1.2,
+            .between = 0.01};
+}
+
+/// Wet places over the range of the emulator.
+inline std::vector<Coordinates> scattered_places(std::size_t count, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> uniform;
+    std::vector<Coordinates> places;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double x = 2 * uniform(random) - 1, q = 0.5 * uniform(random);
+        const double u = 0.05 + uniform(random), v = 2 * uniform(random) - 1;
+        places.push_back({.x = x, .q = q, .u = u, .v = v});
+    }
+    return places;
+}
+
+/// A place moved along one of the coordinates, by its number.
+inline Coordinates moved(Coordinates at, int coordinate, double by) {
+    double* const all[] = {&at.x, &at.q, &at.u, &at.v};
+    *all[coordinate] += by;
+    return at;
+}
+
+/// At each place the value, then the derivative by each coordinate.
+inline std::vector<Kernel::Prepared> prepared_with_derivatives(
+    const Kernel& kernel, const std::vector<Coordinates>& places) {
+    std::vector<Kernel::Prepared> prepared;
+    for (const Coordinates& at : places) {
+        for (int derivative = Functional::value; derivative < coordinate_count; ++derivative) {
+            prepared.push_back(kernel.prepare({at, derivative}));
+        }
+    }
+    return prepared;
+}
+
+}  // namespace pendular

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "analysis/diagnosis/diagnosis.h"
+#include "tests/support/linear_space.h"
+
+// Readings along a line with errors of 1, and what a line may lack: every answer is known.
+namespace pendular {
+
+constexpr int line_conditions = 15, replicates = 2, entries = line_conditions * replicates;
+
+/// Where entry k was measured, from -1 to 1; replicates follow one another.
+inline double place(Eigen::Index k) {
+    return -1 + 2.0 * static_cast<double>(k / replicates) / (line_conditions - 1);
+}
+
+template <typename Function>
+Eigen::VectorXd over_places(Function function) {
+    return Eigen::VectorXd::NullaryExpr(entries,
+                                        [&](Eigen::Index k) { return function(place(k)); });
+}
+
+inline LinearSpace::Column column(const std::string& name, double (*shape)(double)) {
+    return {.name = name, .values = over_places(shape)};
+}
+
+/// A line, which may lack a parabola, a cubic, a wave, or a jump.
+inline LinearSpace line_and(std::vector<LinearSpace::Column> more = {}) {
+    Eigen::MatrixXd base(entries, 2);
+    base << Eigen::VectorXd::Ones(entries), over_places([](double x) { return x; });
+    std::vector<LinearSpace::Column> columns = {
+        column("parabola", [](double x) { return x * x; }),
+        column("wave", [](double x) { return std::sin(3 * std::numbers::pi * x); }),
+        column("jump", [](double x) { return x > 0.3 ? 1.0 : 0.0; })};
+    columns.insert(columns.end(), more.begin(), more.end());
+    return {base, columns};
+}
+
+class Measuring {
+  public:
+    explicit Measuring(std::uint64_t seed) : random_(seed) {}
+
+    /// Readings with errors of 1 about the truth; `estimated`: believed to have the errors that
+    /// replicates show.
+    Evidence of(const Eigen::VectorXd& truth, bool estimated = false) {
+        Evidence evidence;
+        evidence.measured.value = truth;
+        for (double& value : evidence.measured.value)
+            value += normal_(random_);
+        evidence.errors = ErrorKnowledge::known(entries);
+        double variance = 1;
+        if (estimated) {
+            variance = 0;
+            for (Eigen::Index k = 0; k < entries; k += 2) {
+                variance +=
+                    std::pow(evidence.measured.value(k) - evidence.measured.value(k + 1), 2) / 2;
+            }
+            variance /= line_conditions;
+            evidence.errors.freedom = {line_conditions};
+        }
+        evidence.measured.covariance = variance * Eigen::MatrixXd::Identity(entries, entries);
+        for (Eigen::Index k = 0; k < entries; k += 2) {
+            evidence.conditions.push_back({k, k + 1});
+            Suspect suspect{"condition " + std::to_string(k / 2),
+                            Eigen::MatrixXd::Zero(entries, 1)};
+            suspect.columns(k, 0) = suspect.columns(k + 1, 0) = 1;
+            evidence.suspects.push_back(suspect);
+        }
+        return evidence;
+    }
+
+  private:
+    std::mt19937_64 random_;
+    std::normal_distribution<double> normal_;
+};
+
+/// The fewer draws, the more the limits of one seed are off: each study has its own.
+inline DiagnosisOptions quickly(std::uint64_t seed = 1) {
+    return {.draws = 1000, .seed = seed};
+}
+
+inline Eigen::VectorXd plain() {
+    return over_places([](double x) { return 5 + 2 * x; });
+}
+
+}  // namespace pendular

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "calib/model/model_space.h"
+
+namespace pendular {
+
+/// f = X theta + sum of candidate columns times their values: every answer of a diagnosis is known.
+class LinearSpace : public ModelSpace {
+  public:
+    struct Column {
+        std::string name;
+        Eigen::VectorXd values;
+        EffectParameter parameter = {
+            .name = "amplitude", .lower = -1e6, .upper = 1e6, .neutral = 0, .matters = 1};
+        double possible = 1e9;  ///< beyond this size nothing real could be measured
+    };
+    LinearSpace(Eigen::MatrixXd base, std::vector<Column> columns)
+        : base_(std::move(base)), columns_(std::move(columns)) {
+        for (const Column& column : columns_) {
+            candidates_.push_back({column.name, {column.parameter}});
+        }
+    }
+    const std::vector<Candidate>& candidates() const override { return candidates_; }
+    std::shared_ptr<const Model> with(const Choice& chosen) const override {
+        return std::make_shared<Linear>(*this, chosen);
+    }
+
+  private:
+    class Linear : public Model {
+      public:
+        Linear(const LinearSpace& space, const Choice& chosen)
+            : columns_(space.base_), constant_(Eigen::VectorXd::Zero(space.base_.rows())) {
+            for (Eigen::Index k = 0; k < columns_.cols(); ++k) {
+                add_parameter({.name = "base" + std::to_string(k), .lower = -1e6, .upper = 1e6});
+            }
+            for (const std::size_t k : chosen) {
+                const Column& column = space.columns_[k];
+                if (column.parameter.is_switch()) {
+                    constant_ += column.values;
+                    continue;
+                }
+                columns_.conservativeResize(Eigen::NoChange, columns_.cols() + 1);
+                columns_.rightCols(1) = column.values;
+                possible_.conservativeResize(possible_.size() + 1);
+                possible_(possible_.size() - 1) = column.possible;
+                add_parameter({.name = column.name,
+                               .lower = column.parameter.lower,
+                               .upper = column.parameter.upper,
+                               .start = column.parameter.neutral});
+            }
+        }
+        const std::vector<Parameter>& parameters() const override { return parameters_; }
+        Prediction predict(const Eigen::VectorXd& parameters, Ask /*what*/) const override {
+            const auto n = columns_.rows();
+            if (possible_.size() > 0 &&
+                (parameters.tail(possible_.size()).cwiseAbs() - possible_).maxCoeff() > 0) {
+                throw std::domain_error("so much of it that nothing real shows this");
+            }
+            return {columns_ * parameters + constant_, columns_, Eigen::MatrixXd::Zero(n, n),
+                    Eigen::MatrixXd::Zero(n, n)};
+        }
+        Supported supported() const override {
+            const auto p = columns_.cols();
+            return {Eigen::VectorXd::Constant(p, -1e6), Eigen::VectorXd::Constant(p, 1e6)};
+        }
+
+      private:
+        void add_parameter(Parameter parameter) { parameters_.push_back(std::move(parameter)); }
+
+        Eigen::MatrixXd columns_;
+        Eigen::VectorXd constant_, possible_;
+        std::vector<Parameter> parameters_;
+    };
+
+    Eigen::MatrixXd base_;
+    std::vector<Column> columns_;
+    std::vector<Candidate> candidates_;
+};
+
+}  // namespace pendular

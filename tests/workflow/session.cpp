@@ -1,0 +1,101 @@
+// A study from its recordings to a verdict without a command line.
+#include "workflow/session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "tests/support/data_support.h"
+
+namespace pendular::workflow_session_test {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::HasSubstr;
+
+/// A copy of a study of friction 0.09 whose walls rub.
+class Sessions : public testing::Test {
+  protected:
+    Sessions() {
+        fs::copy(fs::path(PENDULAR_SOURCE_DIR) / "examples/hidden-effect", study_,
+                 fs::copy_options::recursive);
+        fs::remove_all(study_ / "out");
+    }
+    SessionOptions options() {
+        return {.fidelity = fidelity_named("quick"), .listener = [this](const Event& event) {
+                    kinds_.insert(event.kind);
+                    texts_.push_back(event.text);
+                }};
+    }
+    Session session(OutputPlaces outputs = {}) {
+        return Session(study_, options(), std::move(outputs));
+    }
+
+    TemporaryFolder folder_;
+    const fs::path study_ = folder_.path() / "study";
+    std::set<Event::Kind> kinds_;
+    std::vector<std::string> texts_;
+};
+
+TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    {
+        const Session before = session();
+        EXPECT_THAT(input_error([&] { before.predict({}); }), HasSubstr("no calibration yet"));
+        EXPECT_EQ(before.measurements().readings.size(), 24u);
+        const CalibratedStudy calibrated = before.calibrate();
+        EXPECT_FALSE(calibrated.belief.believable());
+        EXPECT_TRUE(fs::exists(study_ / "out/fit.json"));
+        EXPECT_EQ(before.compare().calibration.fit.parameters(0),
+                  calibrated.calibration.fit.parameters(0));
+        const Reading& first = calibrated.calibration.readings.front();
+        const Prediction again = before.predict({first.condition});
+        EXPECT_NEAR(again.value(0), calibrated.comparison.readings.front().predicted(0),
+                    1e-9 * again.value(0));
+        EXPECT_GT(again.covariance(0, 0), 0);
+        const StudyDiagnosis diagnosis = before.diagnose();
+        EXPECT_EQ(diagnosis.diagnosis.verdict, Verdict::missing);
+        EXPECT_THAT(diagnosis.diagnosis.effects, testing::ElementsAre("wall-friction"));
+        const ChangedStudy added = before.add("wall-friction");
+        EXPECT_TRUE(added.written);
+        EXPECT_LT(added.after.rung.chi2_per_dof(), 0.1 * added.before.rung.chi2_per_dof());
+        EXPECT_TRUE(added.after.belief.believable());
+        EXPECT_EQ(added.ladder.size(), 2u);
+        // The session is of the study as it was.
+        EXPECT_THAT(input_error([&] { before.add("lid-slip"); }), HasSubstr("has changed"));
+    }
+    const Session after(study_ / "study.toml", options());
+    EXPECT_EQ(after.study().model.effects.size(), 1u);
+    const StudyDiagnosis diagnosis = after.diagnose();
+    EXPECT_FALSE(after.next(diagnosis).sharpenings.empty());
+    const ChangedStudy dropped = after.drop("wall-friction");
+    EXPECT_TRUE(dropped.change.study.study().model.effects.empty());
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    for (const auto kind : {Event::Kind::round, Event::Kind::stage, Event::Kind::refits})
+        EXPECT_THAT(kinds_, Contains(kind));
+    EXPECT_THAT(texts_, Contains("fitting with wall-friction"));
+}
+
+TEST_F(Sessions, RefuseToWriteOverTheirInputs) {
+    EXPECT_THAT(input_error([&] {
+                    session({.folder = study_, .files = {"dry_1.csv"}, .json = std::nullopt});
+                }),
+                HasSubstr("nothing was written"));
+}
+
+TEST_F(Sessions, EndAtACleanPointWhenToldToStop) {
+    std::stop_source stop;
+    SessionOptions stopped = options();
+    stopped.stop = stop.get_token();
+    const Session session(study_, stopped);
+    stop.request_stop();
+    EXPECT_THROW(session.diagnose(), dem::Interrupted);
+    EXPECT_THROW(session.add("wall-friction"), dem::Interrupted);
+    EXPECT_FALSE(fs::exists(study_ / "out/fit.json"));
+}
+
+}  // namespace pendular::workflow_session_test

@@ -1,0 +1,171 @@
+#include "workflow/state_prediction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "data/input_error.h"
+#include "data/quantities/nearest.h"
+#include "data/quantities/number.h"
+#include "workflow/known_runs.h"
+
+namespace pendular {
+namespace {
+
+/// @throws InputError where there are too few runs
+Emulator emulator_of_known_runs(const Fidelity& fidelity, const RunStore* store) {
+    auto known = known_runs(Study{}, fidelity, store);
+    if (!known) {
+        throw InputError(
+            "there are too few runs to predict from; name an atlas in PENDULAR_ATLAS, or make runs "
+            "with 'pendular campaign'");
+    }
+    return Emulator(known->runs, std::move(known->scales));
+}
+
+/// The correction to very soft grains may lead to solid fractions that no packing has.
+/// @throws InputError for them
+void demand_physical(const std::vector<EmulatedObservable>& observables, double stiffness_number) {
+    for (const auto& one : observables) {
+        if (one.which == dem::Observable::solid_fraction &&
+            !(one.value.value >= KnownRange::lowest_fraction &&
+              one.value.value <= KnownRange::highest_fraction)) {
+            throw InputError(
+                fmt::format("--stiffness-number {:g}: the solid fraction would be {:.3g}, which is "
+                            "not between {} and {}; give a larger stiffness number",
+                            stiffness_number, one.value.value, KnownRange::lowest_fraction,
+                            KnownRange::highest_fraction));
+        }
+    }
+}
+
+}  // namespace
+
+VariedQuantity VariedQuantity::parsed(const std::string& text, int points) {
+    const std::vector<std::string> names = {"friction", "inertial-number", "reduced-pressure",
+                                            "bridge-volume", "liquid-content"};
+    const auto equals = std::min(text.find('='), text.size());
+    const auto colon = std::min(text.find(':', equals), text.size());
+    const std::string name = text.substr(0, equals);
+    const auto number = [&](std::size_t begin, std::size_t end) {
+        return begin < text.size() ? parse_number(text.substr(begin, end - begin)) : std::nullopt;
+    };
+    const auto from = number(equals + 1, colon), to = number(colon + 1, text.size());
+    if (std::ranges::find(names, name) == names.end()) {
+        throw InputError(fmt::format("--along {}: nothing to vary is called '{}'; {}", text, name,
+                                     did_you_mean(name, names)));
+    }
+    if (!from || !to || !(*from < *to) || points < 2) {
+        throw InputError(fmt::format(
+            "--along {}: two numbers are needed, the lesser first, as in {}=0.5:10", text, name));
+    }
+    VariedQuantity varied{.name = name, .from = *from, .to = *to, .points = points};
+    varied.logarithmic = name != "friction" && *from > 0;
+    std::ranges::replace(varied.name, '-', '_');
+    return varied;
+}
+
+double VariedQuantity::at(int k) const {
+    const double part = static_cast<double>(k) / (points - 1);
+    return logarithmic ? from * std::pow(to / from, part) : from + (to - from) * part;
+}
+
+void VariedQuantity::set(RequestedState& requested, double value) const {
+    if (name == "friction") {
+        requested.friction = value;
+    } else if (name == "inertial_number") {
+        requested.inertial_number = value;
+    } else if (name == "reduced_pressure") {
+        requested.reduced_pressure = value;
+    } else if (name == "bridge_volume") {
+        requested.bridge_volume = value;
+    } else {
+        requested.liquid_content = value;
+    }
+}
+
+StatePredictor::StatePredictor(const Fidelity& fidelity, const RunStore* store,
+                               double stiffness_number)
+    : fidelity_(fidelity),
+      stiffness_number_(stiffness_number),
+      emulator_(emulator_of_known_runs(fidelity, store)),
+      known_(emulator_) {
+    check_stiffness_number(stiffness_number);
+}
+
+void StatePredictor::check_stiffness_number(double stiffness_number) {
+    if (!(stiffness_number >= 100)) {
+        throw InputError(
+            fmt::format("--stiffness-number {}: 100 or more is needed", stiffness_number));
+    }
+}
+
+bool StatePredictor::supports(const RequestedState& requested) const {
+    return known_.why_unsupported(requested.state(emulator_, known_)).empty();
+}
+
+StatePrediction StatePredictor::at(const RequestedState& requested) const {
+    const FlowState state = requested.state(emulator_, known_);
+    if (const std::string why = known_.why_unsupported(state); !why.empty()) {
+        throw InputError(unsupported(requested, state, why));
+    }
+    return {.state = state,
+            .observables = observables_at(state),
+            .stiffness_number = stiffness_number_,
+            .beyond = emulator_.beyond(state),
+            .runs = emulator_.runs().size()};
+}
+
+PredictionCurve StatePredictor::along(RequestedState requested,
+                                      const VariedQuantity& varied) const {
+    PredictionCurve curve{.variable = varied.name, .stiffness_number = stiffness_number_};
+    std::optional<RequestedState> first_left_out;
+    for (int k = 0; k < varied.points; ++k) {
+        varied.set(requested, varied.at(k));
+        const FlowState state = requested.state(emulator_, known_);
+        if (std::string why = known_.why_unsupported(state); !why.empty()) {
+            ++curve.left_out;
+            if (!first_left_out) {
+                first_left_out = requested, curve.why_left_out = std::move(why);
+            }
+            continue;
+        }
+        curve.at.push_back(varied.at(k));
+        curve.states.push_back(state);
+        curve.observables.push_back(observables_at(state));
+    }
+    if (curve.at.size() < 2) {
+        throw InputError(
+            fmt::format("--along: {} of {} states can be predicted, a curve needs 2; {}",
+                        curve.at.size(), varied.points,
+                        unsupported(*first_left_out, first_left_out->state(emulator_, known_),
+                                    curve.why_left_out)));
+    }
+    return curve;
+}
+
+dem::RunParameters StatePredictor::run_for(const RequestedState& requested) const {
+    const FlowState state = requested.state(emulator_, known_);
+    dem::RunParameters run = run_of(with_known_coordination(requested, state, emulator_, known_),
+                                    fidelity_, stiffness_number_);
+    if (const std::string why = why_impossible(run); !why.empty()) {
+        throw InputError("--simulate: " + why);
+    }
+    return run;
+}
+
+std::vector<EmulatedObservable> StatePredictor::observables_at(const FlowState& state) const {
+    auto observables = emulated_at(emulator_, state, stiffness_number_, observables_of(state));
+    demand_physical(observables, stiffness_number_);
+    return observables;
+}
+
+std::string StatePredictor::unsupported(const RequestedState& requested, const FlowState& state,
+                                        const std::string& why) const {
+    return unsupported_text(requested, state, why, emulator_, known_, fidelity_, stiffness_number_);
+}
+
+}  // namespace pendular
