@@ -275,7 +275,7 @@ Imported imported(const LabPlan& plan) {
 }
 
 /// Imposed condition of a plan's only dry step, or of its only wet one.
-Condition imposed(const LabPlan& plan, bool wet) {
+EffectiveCondition imposed(const LabPlan& plan, bool wet) {
     return imposed_condition(plan, recordings_of(plan).at(wet ? 1 : 0).conditions.at(0));
 }
 
@@ -330,7 +330,7 @@ TEST(LabWithEffects, LosesLiquidAsTimeGoesOn) {
     double last = 1;
     for (const PlannedRecording& recording : recordings) {
         for (const Condition& asked : recording.conditions) {
-            const Condition truth = imposed_condition(plan, asked);
+            const EffectiveCondition truth = imposed_condition(plan, asked);
             EXPECT_DOUBLE_EQ(truth.liquid_content,
                              asked.liquid_content * std::exp(-0.05 * asked.time));
             if (truth.dry()) continue;
