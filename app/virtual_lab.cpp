@@ -13,6 +13,7 @@
 #include "data/quantities/units.h"
 #include "reports/truth.h"
 #include "sim/lab/virtual_lab.h"
+#include "sim/lab/virtual_study.h"
 
 namespace pendular::app {
 namespace {

@@ -1,10 +1,12 @@
 # Fails where a folder includes a folder to its right, data <- sim <- calib <- analysis <- workflow
 # <- reports <- app,
 # where the solver, sim/dem, includes anything else of sim,
+# where a source file of sim lacks a header of its name (effects need none: the registry names them),
 # and where units include one another in a circle. A unit is a header with its source file.
 cmake_minimum_required(VERSION 3.25)
 set(layers data sim calib analysis workflow reports app)
 set(broken "")
+set(headless "")
 set(right ${layers})
 set(units "")
 foreach(layer IN LISTS layers)
@@ -14,6 +16,9 @@ foreach(layer IN LISTS layers)
     file(STRINGS ${ROOT}/${file} includes REGEX "^#include \"")
     string(REGEX REPLACE "\\.(h|cpp)$" "" unit ${file})
     list(APPEND units ${unit})
+    if(file MATCHES "^sim/.*\\.cpp$" AND NOT file MATCHES "^sim/effects/" AND NOT EXISTS ${ROOT}/${unit}.h)
+      string(APPEND headless "${file}\n")
+    endif()
     foreach(include IN LISTS includes)
       string(REGEX REPLACE "^#include \"(.*)\\.h\".*$" "\\1" other ${include})
       string(REGEX REPLACE "/.*$" "" folder ${other})
@@ -31,6 +36,10 @@ foreach(layer IN LISTS layers)
 endforeach()
 if(broken)
   message(FATAL_ERROR "a folder includes only folders to its left:\n${broken}")
+endif()
+
+if(headless)
+  message(FATAL_ERROR "source files without a header of their name:\n${headless}")
 endif()
 
 # Units that need no other that is left are taken away, again and again; a circle stays.

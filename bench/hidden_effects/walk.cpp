@@ -12,6 +12,7 @@
 #include "bench/hidden_effects/rig.h"
 #include "data/files/text_file.h"
 #include "data/recordings/replicate_groups.h"
+#include "sim/lab/virtual_study.h"
 #include "sim/runs/seeds.h"
 #include "workflow/session.h"
 

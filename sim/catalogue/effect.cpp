@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -38,14 +37,6 @@ double run_unit(const std::string& unit, double normal_stress, const Grains& gra
 }
 
 }  // namespace
-
-double CellState::area() const {
-    return std::numbers::pi * (outer_radius * outer_radius - inner_radius * inner_radius);
-}
-
-double CellState::weight() const {
-    return bead_volume * density * gravity;
-}
 
 bool Effect::of_grains() const {
     return std::holds_alternative<dem::ChangePairs>(change) ||

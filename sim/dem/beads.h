@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "sim/dem/pair_sizes.h"
 #include "sim/dem/vector.h"
 
 namespace pendular::dem {
@@ -58,10 +59,9 @@ struct Beads {
     double contact_distance(std::size_t i, std::size_t j) const {
         return diameters.empty() ? 1.0 : 0.5 * (diameters[i] + diameters[j]);
     }
-    /// Mean of the diameters that enters the laws of contact and bridge: 2 d1 d2/(d1 + d2).
-    double mean_diameter(std::size_t i, std::size_t j) const {
-        return diameters.empty() ? 1.0
-                                 : 2 * diameters[i] * diameters[j] / (diameters[i] + diameters[j]);
+    /// Sizes of a pair, as the laws of contact and bridge take them.
+    PairSizes sizes(std::size_t i, std::size_t j) const {
+        return diameters.empty() ? PairSizes{} : PairSizes::of(diameters[i], diameters[j]);
     }
     double largest_diameter() const {
         return diameters.empty() ? 1.0 : *std::ranges::max_element(diameters);

@@ -13,12 +13,11 @@ GrainEffects::GrainEffects(const std::vector<GrainEffect>& on) {
             memory_ += change.memory;
             bridges_without_contact_ |= change.bridges_without_contact;
             changes_bridges_ |= change.bridge != nullptr;
-            hooked_ |=
+            changes_forces_ |=
                 change.bridge || change.limit || change.add || change.bridges_without_contact;
         } else {
             samples_.push_back(
                 {std::get<const ChangeSample*>(effect.change), effect.parameters, effect.values});
-            hooked_ = true;
         }
     }
 }

@@ -27,8 +27,10 @@ class GrainEffects {
     GrainEffects() = default;
     explicit GrainEffects(const std::vector<GrainEffect>& on);
 
-    /// Whether the force loop must call anyone.
-    bool hooked() const { return hooked_; }
+    /// Whether the force loop must call effects between its stages.
+    bool changes_forces() const { return changes_forces_; }
+    /// Whether pairs follow other laws than equal grains without effects: forces or sizes differ.
+    bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
     /// Words that a pair remembers for all of them.
     std::size_t memory() const { return memory_; }
     bool bridges_without_contact() const { return bridges_without_contact_; }
@@ -69,7 +71,7 @@ class GrainEffects {
     std::vector<OnPairs> pairs_;
     std::vector<OnSample> samples_;
     std::size_t memory_ = 0;
-    bool hooked_ = false, bridges_without_contact_ = false, changes_bridges_ = false;
+    bool changes_forces_ = false, bridges_without_contact_ = false, changes_bridges_ = false;
 };
 
 }  // namespace pendular::dem

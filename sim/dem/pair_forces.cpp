@@ -1,9 +1,9 @@
 #include "sim/dem/pair_forces.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "sim/dem/pair_lanes.h"
+#include "sim/dem/grain_effects.h"
+#include "sim/dem/pair_stages.h"
 #include "sim/dem/simd.h"
 
 namespace pendular::dem {
@@ -12,198 +12,237 @@ namespace {
 /// Larger samples are fetched from memory ahead of their use, so many pairs ahead.
 constexpr std::size_t cached_beads = 20'000, ahead = 2 * lanes;
 
-/// Contact and capillary forces of a batch; pairs that do not touch get zeros without a branch.
-/// What is not asked for, bridges or books, is not computed.
-template <bool wet, bool books>
-[[gnu::always_inline]] inline void near_batch(Batch& b, Pairs& pairs, std::size_t begin,
-                                              const PairLaws& laws, LaneSums& sums,
-                                              LaneEnergy& energy) {
-    double* __restrict sx = pairs.sx.data() + begin;
-    double* __restrict sy = pairs.sy.data() + begin;
-    double* __restrict sz = pairs.sz.data() + begin;
-    double* __restrict root = pairs.root.data() + begin;
-    double* __restrict bridge = pairs.bridge.data() + begin;
-    const double modulus = laws.material.modulus, damping = laws.material.damping;
-    const double friction = laws.material.friction, dt = laws.time_step;
-    const double ratio = tangential_ratio(laws.material.poisson_ratio);
-    const Flow flow = laws.flow;
-    const BridgeLaw bridges = laws.bridges;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < lanes; ++k) {
-        const Meeting m = meet(b, k, flow);
-        const double overlap = m.distance < 1 ? 1 - m.distance : 0.0;
+/// Stages of the loop over the lanes of a batch. Effects act between the first two.
+enum class Stage {
+    normal,      ///< kinematics, normal forces and bridges
+    tangential,  ///< tangential forces, then force and torque of the pair
+    both         ///< one after the other, with nothing stored in between
+};
 
-        // Normal motion: elastic and viscous force.
-        const Hertz hertz = Hertz::at(overlap, modulus);
-        const double viscous = hertz.viscous(-m.normal_speed, damping);
-        double normal_force = hertz.elastic + viscous;
-        if constexpr (wet) {
-            const double gap = m.distance > 1 ? m.distance - 1 : 0.0;
-            const double joined = bridges.joined(overlap, gap, bridge[k]);
-            normal_force -= joined * bridges.pull_off_force * bridges.relative_force(gap);
-            if constexpr (books) {
-                const double depth = bridges.potential(gap) - bridges.pull_off_force * overlap;
-                energy.capillary[k] += joined * depth;
-                energy.bridges[k] += (bridge[k] - joined) * depth;
+/// Loop over the pairs of a sample that has exactly these needs (PairNeeds).
+template <bool sized, bool wet, bool accounted, bool staged>
+class ForceLoop {
+  public:
+    [[gnu::always_inline]] ForceLoop(const Beads& beads, Pairs& pairs, const PairLaws& laws,
+                                     Beads::Load* load)
+        : beads_(beads),
+          pairs_(pairs),
+          laws_(laws),
+          load_(load),
+          shifts_(image_shifts(laws.cell)),
+          memory_(pairs.memory.size()) {
+        if constexpr (staged && !sized) {
+            sizes_.set_equal();
+        }
+    }
+
+    [[gnu::always_inline]] PairSums sum(Stretch stretch) {
+        const bool fetching = beads_.size() > cached_beads;
+        for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
+            if (fetching && begin + ahead + lanes <= pairs_.size()) {
+                fetch(begin + ahead);
             }
-            bridge[k] = joined;
+            read(begin);
+            if constexpr (staged) {
+                work_with_effects(begin);
+            } else {
+                work<Stage::both>(begin);
+            }
+            constexpr auto torques = sized || staged ? Torques::separate : Torques::shared;
+            scatter<torques>(batch_, pairs_, begin, load_);
         }
-        if constexpr (books) {
-            energy.elastic[k] += hertz.energy(overlap);
-        }
-        const Grip grip{hertz.root, root[k], ratio * hertz.normal_stiffness,
-                        ratio * (modulus / 2 * root[k]), friction * hertz.elastic};
-        slide<books>(b, k, m, dt, grip, sx[k], sy[k], sz[k], energy);
-        root[k] = hertz.root;
-        assemble(b, k, m, normal_force, sx[k], sy[k], sz[k]);
-        add_virial(b, k, sums);
-        sums.largest_overlap[k] =
-            overlap > sums.largest_overlap[k] ? overlap : sums.largest_overlap[k];
+        return sums_.total(accounted ? EnergyAccounting::on : EnergyAccounting::off);
     }
-}
 
-/// Attraction of a batch of distant pairs.
-template <bool books>
-[[gnu::always_inline]] inline void distant_batch(Batch& b, Pairs& pairs, std::size_t begin,
-                                                 const BridgeLaw& law, LaneSums& sums,
-                                                 LaneEnergy& energy) {
-    double* __restrict bridge = pairs.bridge.data() + begin;
-    const BridgeLaw bridges = law;
+  private:
+    /// Asks for what a batch reads and writes of the second grains, which are spread over memory;
+    /// the first ones are in order.
+    [[gnu::always_inline]] void fetch(std::size_t begin) const {
+        for (std::size_t k = begin; k < begin + lanes; ++k) {
+            const auto bead = static_cast<std::size_t>(pairs_.second[k]);
+            const char* motion = reinterpret_cast<const char*>(&beads_.motion[bead]);
+            __builtin_prefetch(motion, 1);
+            __builtin_prefetch(motion + sizeof(Beads::Motion) - 1, 1);
+            __builtin_prefetch(&load_[bead], 1);
+        }
+    }
+
+    [[gnu::always_inline]] void read(std::size_t begin) {
+        if constexpr (sized) {
+            gather_sizes(beads_, pairs_, begin, sizes_);
+        }
+        constexpr auto part = sized ? Gathered::weighted_motion : Gathered::motion;
+        gather<part>(beads_.motion.data(), pairs_, begin, shifts_, sizes_, batch_);
+        if constexpr (staged) {
+            gather_rolling(beads_.motion.data(), pairs_, begin, stages_.rolling);
+        }
+    }
+
+    /// Forces and torques of the pairs from `begin` on; those that neither touch nor are joined get
+    /// zeros.
+    template <Stage stage>
+    [[gnu::always_inline]] void work(std::size_t begin) {
+        double* __restrict sx = pairs_.sx.data() + begin;
+        double* __restrict sy = pairs_.sy.data() + begin;
+        double* __restrict sz = pairs_.sz.data() + begin;
+        double* __restrict root = pairs_.root.data() + begin;
+        double* __restrict bridge = pairs_.bridge.data() + begin;
+        const Material material = laws_.material;
+        const BridgeLaw bridges = laws_.bridges;
+        const Flow flow = laws_.flow;
+        const double dt = laws_.time_step;
+        // Bridges may form without contact, and effects may replace the force of their potential.
+        const double always = staged && laws_.effects->bridges_without_contact() ? 1.0 : 0.0;
+        const double potential = staged && laws_.effects->changes_bridges() ? 0.0 : 1.0;
 #pragma GCC ivdep
-    for (std::size_t k = 0; k < lanes; ++k) {
-        const double distance =
-            std::sqrt(b.rx[k] * b.rx[k] + b.ry[k] * b.ry[k] + b.rz[k] * b.rz[k]);
-        const double gap = distance > 1 ? distance - 1 : 0.0;
-        const double joined = bridges.joined(0.0, gap, bridge[k]);
-        const double over_distance =
-            -joined * bridges.pull_off_force * bridges.relative_force(gap) / distance;
-        b.fx[k] = over_distance * b.rx[k];
-        b.fy[k] = over_distance * b.ry[k];
-        b.fz[k] = over_distance * b.rz[k];
-        add_virial(b, k, sums);
-        if constexpr (books) {
-            const double depth = bridges.potential(gap);
-            energy.capillary[k] += joined * depth;
-            energy.bridges[k] += (bridge[k] - joined) * depth;
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const PairSizes sizes = sized ? sizes_[k] : PairSizes{};
+            ContactKinematics kinematics;
+            NormalForces normal;
+            if constexpr (stage == Stage::tangential) {
+                kinematics = stages_.kinematics(k);
+                normal = stages_.forces(k);
+            } else {
+                kinematics = ContactKinematics::of(batch_.motion(k), flow);
+                normal = contact_forces(kinematics, sizes, material);
+                if constexpr (wet) {
+                    const double before = staged && always > bridge[k] ? always : bridge[k];
+                    add_bridge(normal, before, sizes, bridges);
+                }
+            }
+            if constexpr (stage == Stage::normal) {
+                stages_.set(k, kinematics, normal);
+            } else {
+                const auto step =
+                    TangentialStep::of({sx[k], sy[k], sz[k]}, kinematics, normal, root[k],
+                                       tangential_stiffness(root[k], sizes, material), dt);
+                if constexpr (accounted) {
+                    account(k, normal, step, sizes, material);
+                }
+                if constexpr (accounted && wet) {
+                    const double energy = potential * bridge_energy(normal, sizes, bridges);
+                    sums_.capillary[k] += normal.joined * energy;
+                    sums_.bridges[k] += (bridge[k] - normal.joined) * energy;
+                }
+                sx[k] = step.force.x, sy[k] = step.force.y, sz[k] = step.force.z;
+                root[k] = normal.root;
+                if constexpr (wet) {
+                    bridge[k] = normal.joined;
+                }
+                push(k, kinematics, normal, step.force, sizes);
+            }
         }
-        bridge[k] = joined;
     }
-}
 
-/// Asks for what a batch reads and writes of the second beads, which are spread over memory; the
-/// first ones are in order.
-[[gnu::always_inline]] inline void fetch(const Beads& beads, const Pairs& pairs, std::size_t begin,
-                                         const Beads::Load* load) {
-    for (std::size_t k = begin; k < begin + lanes; ++k) {
-        const auto bead = static_cast<std::size_t>(pairs.second[k]);
-        const char* motion = reinterpret_cast<const char*>(&beads.motion[bead]);
-        __builtin_prefetch(motion, 1);
-        __builtin_prefetch(motion + sizeof(Beads::Motion) - 1, 1);
-        __builtin_prefetch(&load[bead], 1);
+    /// Adds the energies of a contact.
+    [[gnu::always_inline]] void account(std::size_t k, const NormalForces& normal,
+                                        const TangentialStep& step, const PairSizes& sizes,
+                                        const Material& material) {
+        const Hertz hertz = hertz_contact(normal.overlap, sizes, material.modulus);
+        sums_.elastic[k] += hertz.energy(normal.overlap);
+        sums_.elastic[k] += step.stored;
+        sums_.friction[k] += step.sliding;
+        sums_.unloading[k] += step.unloading;
     }
-}
 
-template <bool wet, bool books>
-[[gnu::always_inline]] inline PairSums all_near(const Beads& beads, Pairs& pairs, Stretch stretch,
-                                                const PairLaws& laws, Beads::Load* load) {
-    const Shifts shifts = image_shifts(laws.cell);
-    Batch batch;
-    LaneSums sums;
-    LaneEnergy energy;
-    const bool fetching = beads.size() > cached_beads;
-    for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
-        if (fetching && begin + ahead + lanes <= pairs.size()) {
-            fetch(beads, pairs, begin + ahead, load);
+    /// Force and torques of a pair from its normal and tangential forces.
+    [[gnu::always_inline]] void push(std::size_t k, const ContactKinematics& kinematics,
+                                     const NormalForces& normal, const Xyz& tangential,
+                                     const PairSizes& sizes) {
+        const Xyz force = normal.total() * kinematics.normal + tangential;
+        const Xyz torque = contact_torque(kinematics, tangential);
+        batch_.force.set(k, force);
+        if constexpr (sized && !staged) {
+            batch_.torque.set(k, sizes.second_arm * torque);
+            batch_.first_torque.set(k, sizes.first_arm() * torque);
+        } else {
+            batch_.torque.set(k, torque);
         }
-        gather<true>(beads.motion.data(), pairs, begin, shifts, batch);
-        near_batch<wet, books>(batch, pairs, begin, laws, sums, energy);
-        scatter<true>(batch, pairs, begin, load);
+        if constexpr (!staged) {
+            sums_.add_virial(k, force, batch_.separation[k]);
+        }
+        const double largest = sums_.largest_overlap[k];
+        sums_.largest_overlap[k] = normal.overlap > largest ? normal.overlap : largest;
     }
-    return total(sums, energy);
-}
 
-/// Of the viscous force between unequal beads over that between equal ones: K_N grows with
-/// sqrt(d), the force with sqrt(m K_N), d and m being harmonic means.
-double viscous_scale(const Beads& beads, std::size_t i, std::size_t j) {
-    const double di = beads.diameter(i), dj = beads.diameter(j), mi = beads.mass(i),
-                 mj = beads.mass(j);
-    return std::sqrt(2 * mi * mj / (mi + mj) * std::sqrt(2 * di * dj / (di + dj)));
+    /// The two stages with the effects in between and after them.
+    [[gnu::always_inline]] void work_with_effects(std::size_t begin) {
+        for (std::size_t word = 0; word < memory_.size(); ++word) {
+            memory_[word] = pairs_.memory[word].data() + begin;
+        }
+        const GrainEffects& effects = *laws_.effects;
+        const PairBatch view =
+            batch_for_effects(batch_, stages_, sizes_, laws_.time_step, memory_.data());
+        work<Stage::normal>(begin);
+        effects.bridge(view, laws_.material, laws_.bridges);
+        effects.limit(view, laws_.material, laws_.bridges);
+        work<Stage::tangential>(begin);
+        effects.add(view, laws_.material, laws_.bridges);
+        add_effects();
+    }
+
+    /// Completes the sums and torques of a batch by what effects added.
+    [[gnu::always_inline]] void add_effects() {
+#pragma GCC ivdep
+        for (std::size_t k = 0; k < lanes; ++k) {
+            sums_.add_virial(k, batch_.force[k], batch_.separation[k]);
+            const PairSizes sizes = sized ? sizes_[k] : PairSizes{};
+            const Xyz torque = batch_.torque[k], own = stages_.own_torque[k];
+            batch_.torque.set(k, sizes.second_arm * torque + own);
+            batch_.first_torque.set(k, sizes.first_arm() * torque - own);
+        }
+    }
+
+    const Beads& beads_;
+    Pairs& pairs_;
+    const PairLaws& laws_;
+    Beads::Load* load_;
+    Shifts shifts_;
+    Batch batch_;
+    SizeLanes sizes_;
+    Stages stages_;
+    LaneSums sums_;
+    std::vector<double*> memory_;  ///< what the pairs of the batch remember, word by word
+};
+
+/// Sums the forces by the loop for these needs, in the order of ForceLoop's parameters.
+template <bool... known, typename... Needs>
+[[gnu::always_inline]] inline PairSums sum_forces(const Beads& beads, Pairs& pairs, Stretch stretch,
+                                                  const PairLaws& laws, Beads::Load* load,
+                                                  bool need, Needs... others) {
+    if constexpr (sizeof...(known) == 3) {
+        return need ? ForceLoop<known..., true>(beads, pairs, laws, load).sum(stretch)
+                    : ForceLoop<known..., false>(beads, pairs, laws, load).sum(stretch);
+    } else {
+        return need ? sum_forces<known..., true>(beads, pairs, stretch, laws, load, others...)
+                    : sum_forces<known..., false>(beads, pairs, stretch, laws, load, others...);
+    }
 }
 
 }  // namespace
 
+PairNeeds PairNeeds::of(const Beads& beads, const PairLaws& laws) {
+    return {.sizes = !beads.diameters.empty(),
+            .bridges = laws.bridges.wet(),
+            .accounting = laws.accounting == EnergyAccounting::on,
+            .effects = laws.effects && laws.effects->changes_forces()};
+}
+
 PENDULAR_SIMD_CLONES
-PairSums near_forces(const Beads& beads, Pairs& near, Stretch stretch, const PairLaws& laws,
+PairSums pair_forces(const Beads& beads, Pairs& pairs, Stretch stretch, const PairLaws& laws,
+                     const PairNeeds& needs, std::vector<Beads::Load>& load) {
+    return sum_forces<>(beads, pairs, stretch, laws, load.data(), needs.sizes, needs.bridges,
+                        needs.accounting, needs.effects);
+}
+
+PairSums pair_forces(const Beads& beads, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      std::vector<Beads::Load>& load) {
-    const bool books = laws.books == Books::open;
-    if (laws.bridges.wet()) {
-        return books ? all_near<true, true>(beads, near, stretch, laws, load.data())
-                     : all_near<true, false>(beads, near, stretch, laws, load.data());
-    }
-    return books ? all_near<false, true>(beads, near, stretch, laws, load.data())
-                 : all_near<false, false>(beads, near, stretch, laws, load.data());
-}
-
-PENDULAR_SIMD_CLONES
-PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, const PairLaws& laws,
-                        std::vector<Beads::Load>& load) {
-    const Shifts shifts = image_shifts(laws.cell);
-    Batch batch;
-    LaneSums sums;
-    LaneEnergy energy;
-    for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
-        gather<false>(beads.motion.data(), distant, begin, shifts, batch);
-        if (laws.books == Books::open) {
-            distant_batch<true>(batch, distant, begin, laws.bridges, sums, energy);
-        } else {
-            distant_batch<false>(batch, distant, begin, laws.bridges, sums, energy);
-        }
-        scatter<false>(batch, distant, begin, load.data());
-    }
-    return total(sums, energy);
-}
-
-PENDULAR_SIMD_CLONES
-double viscous_loss(const Beads& beads, const std::vector<Beads::Load>& loads, const Pairs& near,
-                    const PairLaws& laws) {
-    const Flow flow = laws.flow;
-    // The velocities halfway through the step that these forces make.
-    std::vector<Beads::Motion> halfway = beads.motion;
-    for (std::size_t i = 0; i < halfway.size(); ++i) {
-        halfway[i].velocity +=
-            0.5 * laws.time_step *
-            (1 / beads.mass(i) * loads[i].force - flow(beads.motion[i].velocity));
-    }
-    const bool sized = !beads.diameters.empty();
-    const Shifts shifts = image_shifts(laws.cell);
-    Batch b, mean;
-    Lane loss{};
-    for (std::size_t begin = 0; begin < near.size(); begin += lanes) {
-        gather<true>(beads.motion.data(), near, begin, shifts, b);
-        gather<true>(halfway.data(), near, begin, shifts, mean);
-        const double* __restrict root = near.root.data() + begin;  // 0 where there is no contact
-        for (std::size_t k = 0; k < lanes; ++k) {
-            const double rx = b.rx[k], ry = b.ry[k], rz = b.rz[k];
-            const double inverse = 1 / std::sqrt(rx * rx + ry * ry + rz * rz);
-            const double affine = (flow.length_rate * rx + flow.shear_rate * ry) * rx +
-                                  flow.height_rate * ry * ry + flow.width_rate * rz * rz;
-            const double before = (b.vx[k] * rx + b.vy[k] * ry + b.vz[k] * rz + affine) * inverse;
-            const double speed =
-                (mean.vx[k] * rx + mean.vy[k] * ry + mean.vz[k] * rz + affine) * inverse;
-            const auto i = static_cast<std::size_t>(near.first[begin + k]),
-                       j = static_cast<std::size_t>(near.second[begin + k]);
-            const double scale = sized ? viscous_scale(beads, i, j) : 1.0;
-            const Hertz hertz = Hertz::at(root[k] * root[k], laws.material.modulus);
-            loss[k] -=
-                laws.time_step * scale * hertz.viscous(-before, laws.material.damping) * speed;
-        }
-    }
-    return sum(loss);
+    return pair_forces(beads, pairs, stretch, laws, PairNeeds::of(beads, laws), load);
 }
 
 PairSums pair_forces(Beads& beads, Pairs& near, const PairLaws& laws) {
     std::ranges::fill(beads.load, Beads::Load{});
-    return near_forces(beads, near, {0, near.size()}, laws, beads.load);
+    return pair_forces(beads, near, {0, near.size()}, laws, beads.load);
 }
 
 }  // namespace pendular::dem

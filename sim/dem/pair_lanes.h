@@ -2,35 +2,72 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 
+#include "sim/dem/pair_contact.h"
 #include "sim/dem/pair_laws.h"
 
-// What the loops over batches of pairs share: lanes in, laws of one lane, lanes out. Everything is
-// inlined into loops that are compiled once per instruction set.
+// How loops over pairs read and write: grains from and to memory, batches of pairs as vector lanes.
+// Everything is inlined into loops that are compiled once per instruction set.
 namespace pendular::dem {
 
 constexpr std::size_t lanes = PairList::batch;
 using Lane = std::array<double, lanes>;
 
-/// One batch of pairs as seen by the laws, in reduced units.
-struct alignas(64) Batch {
-    Lane rx, ry, rz;  ///< separation from the first to the second bead
-    Lane vx, vy, vz;  ///< relative velocity of the centres, without the imposed flow
-    Lane wx, wy, wz;  ///< sum of the angular velocities
-    Lane fx, fy, fz;  ///< force on the second bead
-    Lane tx, ty, tz;  ///< torque on either bead
+/// Components of one vector of each pair of a batch.
+struct alignas(64) XyzLanes {
+    Lane x, y, z;
+
+    [[gnu::always_inline]] Xyz operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
+    [[gnu::always_inline]] void set(std::size_t k, const Xyz& v) {
+        x[k] = v.x, y[k] = v.y, z[k] = v.z;
+    }
+};
+
+/// Relative motion of the pairs of a batch, and what acts on their grains.
+struct Batch {
+    XyzLanes separation, velocity, angular_velocity;  ///< as in PairMotion
+    XyzLanes force;                                   ///< on the second grain
+    XyzLanes torque;                                  ///< on the second grain
+    XyzLanes first_torque;  ///< on the first grain, where it is another (Torques::separate)
+
+    [[gnu::always_inline]] PairMotion motion(std::size_t k) const {
+        return {separation[k], velocity[k], angular_velocity[k]};
+    }
+};
+
+/// Sizes of the pairs of a batch (PairSizes).
+struct alignas(64) SizeLanes {
+    Lane contact_distance, diameter, mass, second_arm;
+
+    void set_equal() {
+        contact_distance.fill(1), diameter.fill(1), mass.fill(1), second_arm.fill(1);
+    }
+    [[gnu::always_inline]] PairSizes operator[](std::size_t k) const {
+        return {contact_distance[k], diameter[k], mass[k], second_arm[k]};
+    }
+    [[gnu::always_inline]] void set(std::size_t k, const PairSizes& sizes) {
+        contact_distance[k] = sizes.contact_distance, diameter[k] = sizes.diameter;
+        mass[k] = sizes.mass, second_arm[k] = sizes.second_arm;
+    }
 };
 
 /// Sums kept per lane, so that their order does not depend on the width of the vector unit.
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
-};
-struct alignas(64) LaneEnergy {
-    Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};
+    Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};  ///< as in PairEnergy
+
+    [[gnu::always_inline]] void add_virial(std::size_t k, const Xyz& force, const Xyz& separation) {
+        virial_11[k] += force.x * separation.x;
+        virial_22[k] += force.y * separation.y;
+        virial_33[k] += force.z * separation.z;
+        virial_12[k] += force.x * separation.y;
+    }
+    PairSums total(EnergyAccounting accounting) const;
 };
 
+/// Vectors that lead to the images of the cell, by image_code.
 using Shifts = std::array<Vector, image_code::count + 1>;
 
 inline Shifts image_shifts(const Cell& cell) {
@@ -55,30 +92,50 @@ inline Shifts image_shifts(const Cell& cell) {
     out[3] = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
 }
 
-/// Writes four vectors to lanes k to k + 3 of three components.
-[[gnu::always_inline]] inline void to_lanes(const Vector::Lanes (&in)[4], std::size_t k, Lane& x,
-                                            Lane& y, Lane& z) {
+/// Writes four vectors to lanes k to k + 3.
+[[gnu::always_inline]] inline void to_lanes(const Vector::Lanes (&in)[4], std::size_t k,
+                                            XyzLanes& to) {
     Vector::Lanes out[4];
     transpose(in, out);
-    *reinterpret_cast<Vector::Lanes*>(&x[k]) = out[0];
-    *reinterpret_cast<Vector::Lanes*>(&y[k]) = out[1];
-    *reinterpret_cast<Vector::Lanes*>(&z[k]) = out[2];
+    *reinterpret_cast<Vector::Lanes*>(&to.x[k]) = out[0];
+    *reinterpret_cast<Vector::Lanes*>(&to.y[k]) = out[1];
+    *reinterpret_cast<Vector::Lanes*>(&to.z[k]) = out[2];
 }
 
-/// Reads four vectors from lanes k to k + 3 of three components.
-[[gnu::always_inline]] inline void from_lanes(const Lane& x, const Lane& y, const Lane& z,
-                                              std::size_t k, Vector::Lanes (&out)[4]) {
-    const Vector::Lanes in[4] = {*reinterpret_cast<const Vector::Lanes*>(&x[k]),
-                                 *reinterpret_cast<const Vector::Lanes*>(&y[k]),
-                                 *reinterpret_cast<const Vector::Lanes*>(&z[k]), Vector::Lanes{}};
+/// Reads four vectors from lanes k to k + 3.
+[[gnu::always_inline]] inline void from_lanes(const XyzLanes& from, std::size_t k,
+                                              Vector::Lanes (&out)[4]) {
+    const Vector::Lanes in[4] = {*reinterpret_cast<const Vector::Lanes*>(&from.x[k]),
+                                 *reinterpret_cast<const Vector::Lanes*>(&from.y[k]),
+                                 *reinterpret_cast<const Vector::Lanes*>(&from.z[k]),
+                                 Vector::Lanes{}};
     transpose(in, out);
 }
 
-/// Reads separations, and where the pairs may touch the relative motion, of the pairs from `begin`
-/// on: bead by bead, then turned into lanes.
-template <bool moving>
+/// Reads the sizes of the pairs from `begin` on.
+[[gnu::always_inline]] inline void gather_sizes(const Beads& beads, const Pairs& pairs,
+                                                std::size_t begin, SizeLanes& sizes) {
+    const std::int32_t* first = pairs.first.data() + begin;
+    const std::int32_t* second = pairs.second.data() + begin;
+    const double* diameters = beads.diameters.data();
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < lanes; ++k) {
+        sizes.set(k, PairSizes::of(diameters[first[k]], diameters[second[k]]));
+    }
+}
+
+/// Part of the motion of pairs that a loop reads.
+enum class Gathered {
+    separation,       ///< for pairs that cannot touch
+    motion,           ///< of pairs of equal grains
+    weighted_motion,  ///< of pairs of any size: angular velocities weighted with their arms
+};
+
+/// Reads the motion of the pairs from `begin` on: grain by grain, then turned into lanes.
+template <Gathered part>
 [[gnu::always_inline]] inline void gather(const Beads::Motion* motion, const Pairs& pairs,
-                                          std::size_t begin, const Shifts& shifts, Batch& b) {
+                                          std::size_t begin, const Shifts& shifts,
+                                          const SizeLanes& sizes, Batch& b) {
     const std::int32_t* first = pairs.first.data() + begin;
     const std::int32_t* second = pairs.second.data() + begin;
     const std::uint8_t* image = pairs.image.data() + begin;
@@ -87,158 +144,56 @@ template <bool moving>
         for (std::size_t l = 0; l < 4; ++l) {
             const Beads::Motion &i = motion[first[k + l]], &j = motion[second[k + l]];
             r[l] = j.position.lanes - i.position.lanes + shifts[image[k + l]].lanes;
-            if constexpr (moving) {
+            if constexpr (part != Gathered::separation) {
                 v[l] = j.velocity.lanes - i.velocity.lanes;
+            }
+            if constexpr (part == Gathered::motion) {
                 w[l] = j.spin.lanes + i.spin.lanes;
+            } else if constexpr (part == Gathered::weighted_motion) {
+                const PairSizes size = sizes[k + l];
+                w[l] = size.first_arm() * i.spin.lanes + size.second_arm * j.spin.lanes;
             }
         }
-        to_lanes(r, k, b.rx, b.ry, b.rz);
-        if constexpr (moving) {
-            to_lanes(v, k, b.vx, b.vy, b.vz);
-            to_lanes(w, k, b.wx, b.wy, b.wz);
+        to_lanes(r, k, b.separation);
+        if constexpr (part != Gathered::separation) {
+            to_lanes(v, k, b.velocity);
+            to_lanes(w, k, b.angular_velocity);
         }
     }
 }
 
-/// Adds the forces, and where the pairs may touch the torques, of a batch to the beads.
-template <bool touching>
+/// Torques that pairs exert on their grains.
+enum class Torques {
+    none,      ///< pairs that cannot touch
+    shared,    ///< the same on both grains: Batch::torque
+    separate,  ///< Batch::first_torque and Batch::torque
+};
+
+/// Adds the forces and torques of a batch to the grains.
+template <Torques torques>
 [[gnu::always_inline]] inline void scatter(const Batch& b, const Pairs& pairs, std::size_t begin,
                                            Beads::Load* load) {
     const std::int32_t* first = pairs.first.data() + begin;
     const std::int32_t* second = pairs.second.data() + begin;
     for (std::size_t k = 0; k < lanes; k += 4) {
-        Vector::Lanes f[4], t[4];
-        from_lanes(b.fx, b.fy, b.fz, k, f);
-        if constexpr (touching) {
-            from_lanes(b.tx, b.ty, b.tz, k, t);
+        Vector::Lanes f[4], t[4], first_t[4];
+        from_lanes(b.force, k, f);
+        if constexpr (torques != Torques::none) {
+            from_lanes(b.torque, k, t);
+        }
+        if constexpr (torques == Torques::separate) {
+            from_lanes(b.first_torque, k, first_t);
         }
         for (std::size_t l = 0; l < 4; ++l) {
             Beads::Load &i = load[first[k + l]], &j = load[second[k + l]];
             j.force.lanes += f[l];
             i.force.lanes -= f[l];
-            if constexpr (touching) {
+            if constexpr (torques != Torques::none) {
                 j.torque.lanes += t[l];
-                i.torque.lanes += t[l];
+                i.torque.lanes += torques == Torques::separate ? first_t[l] : t[l];
             }
         }
     }
-}
-
-[[gnu::always_inline]] inline void add_virial(const Batch& b, std::size_t k, LaneSums& sums) {
-    sums.virial_11[k] += b.fx[k] * b.rx[k];
-    sums.virial_22[k] += b.fy[k] * b.ry[k];
-    sums.virial_33[k] += b.fz[k] * b.rz[k];
-    sums.virial_12[k] += b.fx[k] * b.ry[k];
-}
-
-/// How two beads meet: geometry and relative motion of their centres.
-struct Meeting {
-    double distance, inverse;  ///< of the centres
-    double nx, ny, nz;         ///< unit normal from the first to the second
-    double vx, vy, vz;         ///< relative velocity, imposed flow included
-    double normal_speed;
-};
-
-[[gnu::always_inline]] inline Meeting meet(const Batch& b, std::size_t k, const Flow& flow) {
-    Meeting m;
-    m.distance = std::sqrt(b.rx[k] * b.rx[k] + b.ry[k] * b.ry[k] + b.rz[k] * b.rz[k]);
-    m.inverse = 1 / m.distance;
-    m.nx = b.rx[k] * m.inverse, m.ny = b.ry[k] * m.inverse, m.nz = b.rz[k] * m.inverse;
-    m.vx = b.vx[k] + flow.length_rate * b.rx[k] + flow.shear_rate * b.ry[k];
-    m.vy = b.vy[k] + flow.height_rate * b.ry[k];
-    m.vz = b.vz[k] + flow.width_rate * b.rz[k];
-    m.normal_speed = m.vx * m.nx + m.vy * m.ny + m.vz * m.nz;
-    return m;
-}
-
-/// Rate at which a pair turns, about its normal included.
-struct Turn {
-    double x, y, z;
-};
-
-/// Velocity of the centres across the normal.
-struct Across {
-    double x, y, z;
-};
-
-[[gnu::always_inline]] inline Across across(const Meeting& m) {
-    return {m.vx - m.normal_speed * m.nx, m.vy - m.normal_speed * m.ny,
-            m.vz - m.normal_speed * m.nz};
-}
-
-[[gnu::always_inline]] inline Turn turn_of(const Batch& b, std::size_t k, const Meeting& m,
-                                           const Across& t) {
-    const double spin = 0.5 * (b.wx[k] * m.nx + b.wy[k] * m.ny + b.wz[k] * m.nz);
-    return {(m.ny * t.z - m.nz * t.y) * m.inverse + spin * m.nx,
-            (m.nz * t.x - m.nx * t.z) * m.inverse + spin * m.ny,
-            (m.nx * t.y - m.ny * t.x) * m.inverse + spin * m.nz};
-}
-
-/// What the tangential force of a contact needs besides its own past.
-struct Grip {
-    double root, old_root;  ///< sqrt(overlap), now and at the step before
-    double stiffness;       ///< K_T
-    double old_stiffness;   ///< at the step before, for the books
-    double limit;           ///< of Coulomb
-};
-
-/// Advances the tangential force (sx, sy, sz) of a lane by one step: it turns with the pair and
-/// about its normal, what points along the new normal is dropped, it is rescaled when the contact
-/// unloads, and obeys the limit.
-template <bool books>
-[[gnu::always_inline]] inline void slide(const Batch& b, std::size_t k, const Meeting& m, double dt,
-                                         const Grip& grip, double& sx, double& sy, double& sz,
-                                         LaneEnergy& energy) {
-    // Tangential velocity of the two surfaces where they touch, at the middle of the branch.
-    const double arm = m.distance * 0.5;
-    const Across t = across(m);
-    const double ux = t.x - arm * (b.wy[k] * m.nz - b.wz[k] * m.ny);
-    const double uy = t.y - arm * (b.wz[k] * m.nx - b.wx[k] * m.nz);
-    const double uz = t.z - arm * (b.wx[k] * m.ny - b.wy[k] * m.nx);
-
-    // The remembered force turns: s += dt Omega x s.
-    const Turn o = turn_of(b, k, m, t);
-    double px = sx + dt * (o.y * sz - o.z * sy);
-    double py = sy + dt * (o.z * sx - o.x * sz);
-    double pz = sz + dt * (o.x * sy - o.y * sx);
-    const double along = px * m.nx + py * m.ny + pz * m.nz;
-
-    // Unloading, the elastic increment of this step, and the Coulomb limit.
-    const double kept = unloading_factor(grip.root, grip.old_root);
-    px = kept * (px - along * m.nx);
-    py = kept * (py - along * m.ny);
-    pz = kept * (pz - along * m.nz);
-    if constexpr (books) {
-        energy.unloading[k] += tangential_energy(sx * sx + sy * sy + sz * sz, grip.old_stiffness) -
-                               tangential_energy(px * px + py * py + pz * pz, grip.stiffness);
-    }
-    const double qx = px, qy = py, qz = pz;
-    px -= dt * grip.stiffness * ux;
-    py -= dt * grip.stiffness * uy;
-    pz -= dt * grip.stiffness * uz;
-    const double squared = px * px + py * py + pz * pz;
-    const double allowed = coulomb_factor(squared, grip.limit);
-    sx = px * allowed;
-    sy = py * allowed;
-    sz = pz * allowed;
-    if constexpr (books) {
-        energy.elastic[k] += tangential_energy(allowed * allowed * squared, grip.stiffness);
-        energy.friction[k] +=
-            sliding_loss(squared, px * qx + py * qy + pz * qz, allowed, grip.stiffness);
-    }
-}
-
-/// Force on the second bead from its normal and tangential part; the torque -(arm) n x s, which
-/// acts on both.
-[[gnu::always_inline]] inline void assemble(Batch& b, std::size_t k, const Meeting& m,
-                                            double normal_force, double sx, double sy, double sz) {
-    const double arm = m.distance * 0.5;
-    b.fx[k] = normal_force * m.nx + sx;
-    b.fy[k] = normal_force * m.ny + sy;
-    b.fz[k] = normal_force * m.nz + sz;
-    b.tx[k] = -arm * (m.ny * sz - m.nz * sy);
-    b.ty[k] = -arm * (m.nz * sx - m.nx * sz);
-    b.tz[k] = -arm * (m.nx * sy - m.ny * sx);
 }
 
 inline double sum(const Lane& lane) {
@@ -249,14 +204,20 @@ inline double sum(const Lane& lane) {
     return total;
 }
 
-inline PairSums total(const LaneSums& sums, const LaneEnergy& energy) {
-    return {sum(sums.virial_11),
-            sum(sums.virial_22),
-            sum(sums.virial_33),
-            sum(sums.virial_12),
-            *std::ranges::max_element(sums.largest_overlap),
-            {sum(energy.elastic), sum(energy.capillary), sum(energy.friction), 0.0,
-             sum(energy.bridges), sum(energy.unloading)}};
+inline PairSums LaneSums::total(EnergyAccounting accounting) const {
+    PairSums total{.virial_11 = sum(virial_11),
+                   .virial_22 = sum(virial_22),
+                   .virial_33 = sum(virial_33),
+                   .virial_12 = sum(virial_12),
+                   .largest_overlap = *std::ranges::max_element(largest_overlap)};
+    if (accounting == EnergyAccounting::on) {
+        total.energy = {.elastic = sum(elastic),
+                        .capillary = sum(capillary),
+                        .friction = sum(friction),
+                        .bridges = sum(bridges),
+                        .unloading = sum(unloading)};
+    }
+    return total;
 }
 
 }  // namespace pendular::dem

@@ -11,10 +11,10 @@
 
 namespace pendular::dem {
 
-/// Energy that pairs hold and what they lost during one step, reduced units (a^3 s22).
+/// Energy that pairs hold and energy that they lost during one step [a^3 s22].
 struct PairEnergy {
     double elastic = 0;    ///< normal (2/15) E~ h^(5/2) plus tangential s^2/(2 K_T)
-    double capillary = 0;  ///< of bridges, zero at rupture
+    double capillary = 0;  ///< potential of the bridges, zero at rupture
     double friction = 0;   ///< lost by sliding
     double viscosity = 0;  ///< lost by the viscous part of the normal force; see `viscous_loss`
     double bridges = 0;  ///< lost where a bridge forms: its potential jumps from zero to its depth
@@ -32,14 +32,13 @@ struct PairSums {
     double virial_33 = 0;
     double virial_12 = 0;  ///< sum of F1 r2, negative in simple shear
     double largest_overlap = 0;
-    PairEnergy energy;  ///< where it was asked for
+    PairEnergy energy;  ///< zero without energy accounting
 
     PairSums& operator+=(const PairSums& other);
 };
 
-/// Whether a force evaluation keeps the books of energy, with which a step takes nearly twice as
-/// long.
-enum class Books { closed, open };
+/// Whether a force evaluation adds up energies, which nearly doubles the time of a step.
+enum class EnergyAccounting { off, on };
 
 class GrainEffects;
 
@@ -50,11 +49,11 @@ struct PairLaws {
     Material material;
     BridgeLaw bridges;
     double time_step = 0;
-    Books books = Books::closed;
-    const GrainEffects* effects = nullptr;  ///< on grains; where hooked, `hooked_forces` heeds them
+    EnergyAccounting accounting = EnergyAccounting::off;
+    const GrainEffects* effects = nullptr;  ///< on the forces between grains; none: null
 };
 
-/// A stretch of a pair list, in whole batches.
+/// Range of a pair list in whole batches: its first pair and the one after its last.
 using Stretch = std::pair<std::size_t, std::size_t>;
 
 }  // namespace pendular::dem

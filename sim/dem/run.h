@@ -3,17 +3,14 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <optional>
-#include <stdexcept>
 #include <stop_token>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "data/effect_parameter.h"
 #include "data/recordings/time_series.h"
-#include "sim/dem/bridge_law.h"
 #include "sim/dem/fields.h"
+#include "sim/dem/observables.h"
+#include "sim/dem/run_parameters.h"
 #include "sim/dem/simulation_error.h"
 #include "sim/dem/stored_sample.h"
 #include "sim/dem/trace.h"
@@ -22,116 +19,6 @@ namespace pendular::dem {
 
 class Checkpoint;
 class GrainEffects;
-
-/// Fastest shear that is still a dense flow, to which the height servo can hold the stress.
-constexpr double largest_inertial_number = 0.5;
-
-/// What a run measures. Names, symbols and meanings stand in `observable_names`. Capillary
-/// observables are zero in dry runs.
-enum class Observable {
-    stress_ratio,
-    solid_fraction,
-    contact_coordination,
-    distant_coordination,
-    liquid_content,
-    fabric_12_contact,
-    fabric_12_distant,
-    force_anisotropy_12_contact,
-    force_anisotropy_12_distant,
-    length_anisotropy_12_distant,
-    contact_force,
-    distant_force,
-    distant_force_gap,
-    distant_length,
-    effective_coordination,
-    capillary_stress_22,
-    capillary_pressure,
-    capillary_shear_stress,
-    capillary_shear_stress_contact,
-    capillary_shear_stress_distant,
-    first_normal_stress_difference,
-    second_normal_stress_difference,
-    localization,
-    mean_overlap,
-    bond_order,
-    held_normal_stress,
-    dissipation_friction,
-    dissipation_viscosity,
-    dissipation_bridges,
-    dissipation_springs,
-};
-constexpr std::array observable_names =
-    std::to_array<std::string_view>({"stress_ratio",
-                                     "solid_fraction",
-                                     "contact_coordination",
-                                     "distant_coordination",
-                                     "liquid_content",
-                                     "fabric_12_contact",
-                                     "fabric_12_distant",
-                                     "force_anisotropy_12_contact",
-                                     "force_anisotropy_12_distant",
-                                     "length_anisotropy_12_distant",
-                                     "contact_force",
-                                     "distant_force",
-                                     "distant_force_gap",
-                                     "distant_length",
-                                     "effective_coordination",
-                                     "capillary_stress_22",
-                                     "capillary_pressure",
-                                     "capillary_shear_stress",
-                                     "capillary_shear_stress_contact",
-                                     "capillary_shear_stress_distant",
-                                     "first_normal_stress_difference",
-                                     "second_normal_stress_difference",
-                                     "localization",
-                                     "overlap",
-                                     "bond_order",
-                                     "held_normal_stress",
-                                     "dissipation_friction",
-                                     "dissipation_viscosity",
-                                     "dissipation_bridges",
-                                     "dissipation_springs"});
-constexpr std::size_t observable_count = observable_names.size();
-static_assert(static_cast<std::size_t>(Observable::dissipation_springs) + 1 == observable_count);
-
-/// Whether an observable says nothing of dry beads.
-bool needs_bridges(Observable which);
-
-/// Observable of a name in `observable_names`.
-/// @throws std::invalid_argument naming those there are
-Observable observable_named(std::string_view name);
-
-/// A standard error asked for.
-struct Precision {
-    Observable which = Observable::stress_ratio;
-    double standard_error = 0;
-};
-/// One as in "stress_ratio=0.003".
-/// @throws std::invalid_argument for any other text and for an unknown observable
-Precision precision_named(std::string_view text);
-
-/// A standard error from a shorter averaged strain is not to be relied on.
-constexpr double shortest_precise_strain = 2;
-
-/// Everything that determines one run of steady shear, reduced units.
-struct RunParameters {
-    double friction = 0.09;          ///< mu
-    double inertial_number = 1e-3;   ///< I
-    double stiffness_number = 1000;  ///< kappa
-    double poisson_ratio = 0.3;      ///< nu
-    double damping = 0.98;           ///< zeta, fraction of critical
-    std::optional<Wetting> wetting;  ///< liquid bridges; none: dry
-    int beads = 2000;
-    double strain = 10;  ///< averaged strain, after the transient
-    std::uint64_t seed = 1;
-    /// Fingerprint of the run from whose final state this one starts; 0: a random gas.
-    std::uint64_t start = 0;
-    /// Standard errors at which averaging may stop before `strain` is reached; none: it goes on.
-    std::vector<Precision> precision = {};
-    /// Effects on grains that are on, by name, their values in the units of the run: a record,
-    /// which the solver leaves to those who resolve names.
-    std::vector<EffectValues> effects = {};
-};
 
 /// Time averages of one run over its steady part, each with a standard error from block averages
 /// over strain that respects their autocorrelation.
@@ -163,10 +50,6 @@ struct RunResult {
         return static_cast<double>(steps) * parameters.beads / wall_seconds;
     }
 };
-
-/// Refuses what cannot be simulated with these effects, before any work.
-/// @throws std::invalid_argument for parameters out of range, naming the parameter
-void check(const RunParameters& parameters, const GrainEffects& effects);
 
 /// Changes only when runs of the same parameters come out different beyond rounding.
 constexpr int physics_version = 1;

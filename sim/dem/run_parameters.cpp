@@ -1,13 +1,12 @@
+#include "sim/dem/run_parameters.h"
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "data/form.h"
 #include "data/quantities/number.h"
 #include "sim/dem/grain_effects.h"
-#include "sim/dem/run.h"
 #include "sim/dem/shear_cell.h"
 
 namespace pendular::dem {
@@ -69,42 +68,12 @@ void check(const RunParameters& p, const GrainEffects& effects) {
            "a run cannot start from the state of another where its beads are to be of other sizes");
 }
 
-Observable observable_named(std::string_view name) {
-    const auto found = std::ranges::find(observable_names, name);
-    demand(found != observable_names.end(), fmt::format("unknown observable '{}'; use one of {}",
-                                                        name, fmt::join(observable_names, ", ")));
-    return static_cast<Observable>(found - observable_names.begin());
-}
-
 Precision precision_named(std::string_view text) {
     const auto equals = std::min(text.find('='), text.size());
     const auto error = parse_number(text.substr(std::min(equals + 1, text.size())));
     demand(error.has_value(),
            "an observable and its standard error are needed, as in stress_ratio=0.003");
     return {observable_named(text.substr(0, equals)), *error};
-}
-
-bool needs_bridges(Observable which) {
-    using enum Observable;
-    switch (which) {
-        case distant_coordination:
-        case liquid_content:
-        case fabric_12_distant:
-        case force_anisotropy_12_distant:
-        case length_anisotropy_12_distant:
-        case distant_force:
-        case distant_force_gap:
-        case distant_length:
-        case capillary_stress_22:
-        case capillary_pressure:
-        case capillary_shear_stress:
-        case capillary_shear_stress_contact:
-        case capillary_shear_stress_distant:
-        case dissipation_bridges:
-            return true;
-        default:
-            return false;
-    }
 }
 
 }  // namespace pendular::dem

@@ -5,7 +5,7 @@
 
 #include "sim/dem/beads.h"
 #include "sim/dem/cell.h"
-#include "sim/dem/contact_law.h"
+#include "sim/dem/pair_contact.h"
 #include "sim/dem/pair_list.h"
 
 namespace pendular::dem {
@@ -27,9 +27,9 @@ void for_each_pair(const Beads& beads, const Cell& cell, const Pairs& pairs, con
 
 /// The contact of pair k, from the overlap it remembers.
 inline Hertz contact_of(const Beads& beads, const Pairs& pairs, std::size_t k, double modulus) {
-    const double diameter = beads.mean_diameter(static_cast<std::size_t>(pairs.first[k]),
-                                                static_cast<std::size_t>(pairs.second[k]));
-    return Hertz::at(pairs.root[k] * pairs.root[k], modulus * std::sqrt(diameter));
+    const PairSizes sizes = beads.sizes(static_cast<std::size_t>(pairs.first[k]),
+                                        static_cast<std::size_t>(pairs.second[k]));
+    return hertz_contact(pairs.root[k] * pairs.root[k], sizes, modulus);
 }
 
 /// Gap between the surfaces of pair k at this separation; negative: overlap.

@@ -9,9 +9,9 @@ namespace pendular::dem {
 namespace {
 
 constexpr int structures_per_block = 4;
-/// Velocities are looked at every so many steps; lost energies, whose books double a step's time,
-/// at the first step of a block and every so many.
-constexpr int steps_between_samples = 16, steps_between_books = 64;
+/// Velocities are looked at every so many steps; lost energies, whose accounting nearly
+/// doubles a step's time, at the first step of a block and every so many.
+constexpr int steps_between_samples = 16, steps_between_accounts = 64;
 
 }  // namespace
 
@@ -32,15 +32,15 @@ bool OpenBlock::pauses(const ShearCell& sample) {
 }
 
 void OpenBlock::step(ShearCell& sample) {
-    const bool books = steps_ == 0 || (sample.steps() + 1) % steps_between_books == 0;
+    const bool accounted = steps_ == 0 || (sample.steps() + 1) % steps_between_accounts == 0;
     const double volume = sample.cell().volume(), strain = sample.strain();
-    sample.step(books ? Books::open : Books::closed);
+    sample.step(accounted ? EnergyAccounting::on : EnergyAccounting::off);
     const Stress& stress = sample.stress();
     sums_.s11 += stress.s11, sums_.s22 += stress.s22, sums_.s33 += stress.s33,
         sums_.s12 += stress.s12;
     sums_.solid_fraction += sample.solid_fraction();
     steps_ += 1;
-    if (books) {
+    if (accounted) {
         add_dissipation(sample.energy(), volume, sample.strain() - strain);
     }
     if (sample.steps() % steps_between_samples == 0) {

@@ -38,12 +38,12 @@ std::vector<Section> sections_of(const PairList& pairs, std::size_t beads, int c
     return sections;
 }
 
-void add_guests(const Pairs& pairs, std::size_t live, const Section::Range& stretch, Share& share) {
+void add_ghosts(const Pairs& pairs, std::size_t live, const Section::Range& stretch, Share& share) {
     const auto [begin, end] = share.beads();
     for (std::size_t k = stretch.first; k < std::min(stretch.second, live); ++k) {
         for (const std::int32_t bead : {pairs.first[k], pairs.second[k]}) {
             if (static_cast<std::size_t>(bead) < begin || static_cast<std::size_t>(bead) >= end) {
-                share.guests.push_back(bead);
+                share.ghosts.push_back(bead);
             }
         }
     }
@@ -63,12 +63,12 @@ std::vector<Share> shares_of(const PairList& pairs, std::size_t beads, int parts
             break;
         }
         for (const Section& section : share.sections) {
-            add_guests(pairs.narrow(), pairs.live(), section.near, share);
-            add_guests(pairs.distant(), pairs.live_distant(), section.distant, share);
+            add_ghosts(pairs.narrow(), pairs.live(), section.near, share);
+            add_ghosts(pairs.distant(), pairs.live_distant(), section.distant, share);
         }
-        std::ranges::sort(share.guests);
-        const auto repeated = std::ranges::unique(share.guests);
-        share.guests.erase(repeated.begin(), repeated.end());
+        std::ranges::sort(share.ghosts);
+        const auto repeated = std::ranges::unique(share.ghosts);
+        share.ghosts.erase(repeated.begin(), repeated.end());
     }
     return shares;
 }

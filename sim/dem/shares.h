@@ -21,7 +21,7 @@ struct Section {
 /// other thread touches those.
 struct Share {
     std::vector<Section> sections;
-    std::vector<std::int32_t> guests;  ///< beads of other shares that its pairs push, ascending
+    std::vector<std::int32_t> ghosts;  ///< beads of other shares that its pairs push, ascending
 
     Section::Range beads() const {
         return {sections.front().beads.first, sections.back().beads.second};

@@ -11,8 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "sim/dem/distant_forces.h"
+#include "sim/dem/pair_forces.h"
 #include "sim/dem/parts.h"
 #include "sim/dem/simulation_error.h"
+#include "sim/dem/viscous_loss.h"
 
 namespace pendular::dem {
 namespace {
@@ -150,19 +153,19 @@ double ShearCell::solid_fraction() const {
     return bead_volume_ / cell_.volume();
 }
 
-void ShearCell::step(Books books) {
+void ShearCell::step(EnergyAccounting accounting) {
     if (shares_made_at_ != pairs_.renewals()) {
         shares_ = shares_of(pairs_, beads_.size(), parts_);
         shares_made_at_ = pairs_.renewals();
     }
-    const PairLaws laws{cell_,      flow_, material_, bridging_ ? bridges_ : BridgeLaw(),
-                        time_step_, books, &effects_};
+    const PairLaws laws{cell_,      flow_,      material_, bridging_ ? bridges_ : BridgeLaw(),
+                        time_step_, accounting, &effects_};
     MotionSums moved;
-    if (parts_ == 1 && books == Books::closed) {
+    if (parts_ == 1 && accounting == EnergyAccounting::off) {
         measure(sum_forces(shares_.front(), beads_.load, laws, &moved));
     } else {
         measure(sum_forces(laws));
-        if (books == Books::open) {
+        if (accounting == EnergyAccounting::on) {
             energy_.viscosity = viscous_loss(beads_, all_loads(), pairs_.narrow(), laws);
         }
         moved = move_beads();
@@ -182,12 +185,10 @@ void ShearCell::step(Books books) {
 PairSums ShearCell::sum_forces(const Share& share, std::vector<Beads::Load>& loads,
                                const PairLaws& laws, MotionSums* moved) {
     PairSums sums;
-    const auto near = effects_.hooked() ? hooked_forces : near_forces;
-    const auto distant = effects_.hooked() ? hooked_forces : distant_forces;
     for (const Section& section : share.sections) {
-        sums += near(beads_, pairs_.narrow(), section.near, laws, loads);
+        sums += pair_forces(beads_, pairs_.narrow(), section.near, laws, loads);
         if (laws.bridges.wet()) {
-            sums += distant(beads_, pairs_.distant(), section.distant, laws, loads);
+            sums += distant_forces(beads_, pairs_.distant(), section.distant, laws, loads);
         }
         if (moved) {
             *moved += advance(beads_, section.beads, loads, flow_, time_step_);
@@ -215,11 +216,11 @@ void ShearCell::collect_loads(int part) {
     auto& mine = loads_of(part);
     const auto [begin, end] = shares_[static_cast<std::size_t>(part)].beads();
     for (int other = 0; other < parts_; ++other) {
-        const auto& guests = shares_[static_cast<std::size_t>(other)].guests;
+        const auto& ghosts = shares_[static_cast<std::size_t>(other)].ghosts;
         auto& theirs = loads_of(other);
-        auto guest = std::ranges::lower_bound(guests, static_cast<std::int32_t>(begin));
-        for (; guest != guests.end() && static_cast<std::size_t>(*guest) < end; ++guest) {
-            const auto at = static_cast<std::size_t>(*guest);
+        auto ghost = std::ranges::lower_bound(ghosts, static_cast<std::int32_t>(begin));
+        for (; ghost != ghosts.end() && static_cast<std::size_t>(*ghost) < end; ++ghost) {
+            const auto at = static_cast<std::size_t>(*ghost);
             const Beads::Load load = std::exchange(theirs[at], {});
             mine[at].force += load.force;
             mine[at].torque += load.torque;
@@ -260,7 +261,7 @@ void ShearCell::adjust_height_rate() {
     // Solved for implicitly, as an explicit servo would flip between two rates where that gain over
     // B is near 1, for soft or strongly damped beads.
     double gain = contact_viscosity * material_.damping / (servo_modulus * std::sqrt(stiffness));
-    if (effects_.hooked()) {
+    if (effects_.changes_pairs()) {
         gain += effect_viscosity * effects_.damping_rate(bridges_) / (servo_modulus * stiffness);
     }
     flow_.height_rate += (wanted - flow_.height_rate) / (1 + gain);
@@ -307,7 +308,7 @@ void ShearCell::advance_cell() {
 void ShearCell::follow_stiffest_contact() {
     const double stiffness = Hertz::at(recent_overlap_, material_.modulus).normal_stiffness;
     double wanted = fraction_ / std::sqrt(stiffness) / std::max(1.0, material_.damping);
-    if (effects_.hooked()) {
+    if (effects_.changes_pairs()) {
         // Smaller beads are lighter; what an effect damps must not overshoot.
         wanted *= std::pow(beads_.smallest_diameter(), 1.5);
         const double rate = effects_.damping_rate(bridges_);

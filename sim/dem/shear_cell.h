@@ -8,7 +8,7 @@
 #include "sim/dem/cell.h"
 #include "sim/dem/grain_effects.h"
 #include "sim/dem/integrator.h"
-#include "sim/dem/pair_forces.h"
+#include "sim/dem/pair_laws.h"
 #include "sim/dem/pair_list.h"
 #include "sim/dem/shares.h"
 
@@ -66,7 +66,7 @@ class ShearCell {
 
     /// One step of the leapfrog: forces at x(t) from v(t - dt/2), then velocities, then positions.
     /// @throws SimulationError where the state is no longer finite
-    void step(Books books = Books::closed);
+    void step(EnergyAccounting accounting = EnergyAccounting::off);
 
     /// Closes the gaps of the initial state at a constant rate until s22 first reaches its target.
     /// @return false where it was not reached before the beads would fill the cell
@@ -84,7 +84,7 @@ class ShearCell {
     const Stress& stress() const { return stress_; }
     const Flow& flow() const { return flow_; }
     double shear_rate() const { return flow_.shear_rate; }
-    /// Energies of the last step, where its books were open.
+    /// Energies of the last step, if it was made with energy accounting.
     const PairEnergy& energy() const { return energy_; }
     /// Of the peculiar motion, half a step after the last forces.
     double kinetic_energy() const { return motion_.energy(); }

@@ -40,16 +40,16 @@ void add_pairs(const ShearCell& sample, const Pairs& list, Snapshot& snapshot) {
         first.contacts += touching;
         second.contacts += touching;
         const double gap = gap_of(sample.beads(), list, k, separation);
-        const double diameter = sample.beads().mean_diameter(
-            static_cast<std::size_t>(list.first[k]), static_cast<std::size_t>(list.second[k]));
+        const PairSizes sizes = sample.beads().sizes(static_cast<std::size_t>(list.first[k]),
+                                                     static_cast<std::size_t>(list.second[k]));
         snapshot.pairs.push_back(
             {.from = first.position,
              .to = first.position + separation,
              .normal_force = contact_of(sample.beads(), list, k, sample.material().modulus).elastic,
-             .bridge_force =
-                 bridge ? sample.effects().attraction(touching ? std::min(gap, 0.0) : gap, diameter,
-                                                      sample.material(), sample.bridges())
-                        : 0,
+             .bridge_force = bridge ? sample.effects().attraction(
+                                          touching ? std::min(gap, 0.0) : gap, sizes.diameter,
+                                          sample.material(), sample.bridges())
+                                    : 0,
              .touching = touching});
     };
     for_each_pair(sample.beads(), sample.cell(), list, visit);

@@ -105,12 +105,12 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
     };
     // Attraction of a pair over F0; `gap` below 0: overlap.
     const auto attraction = [&](const Pairs& pairs, std::size_t k, double gap) {
-        if (!effects.hooked()) {
+        if (!effects.changes_pairs()) {
             return bridges.relative_force(std::max(0.0, gap));
         }
-        const double diameter = beads.mean_diameter(static_cast<std::size_t>(pairs.first[k]),
-                                                    static_cast<std::size_t>(pairs.second[k]));
-        return effects.attraction(gap, diameter, material, bridges) / bridges.pull_off_force;
+        const PairSizes sizes = beads.sizes(static_cast<std::size_t>(pairs.first[k]),
+                                            static_cast<std::size_t>(pairs.second[k]));
+        return effects.attraction(gap, sizes.diameter, material, bridges) / bridges.pull_off_force;
     };
     const auto note_distant = [&](const Pairs& pairs, std::size_t k, const Vector& separation) {
         const Eigen::Vector3d r(separation[0], separation[1], separation[2]);

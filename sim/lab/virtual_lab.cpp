@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "data/input_error.h"
 #include "data/recordings/robust.h"

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -51,8 +50,5 @@ LabResult simulate_lab(const LabPlan& plan, const Workers& workers,
 /// Typical standard error of an observable in the laboratory's runs, relative [1]: the median,
 /// since the error of one run is itself known from few independent samples only.
 double typical_error(const LabResult& result, dem::Observable which);
-
-/// The study folder: recordings and study.toml by file name. Nothing in it tells the truth.
-std::map<std::string, std::string> study_files(const LabResult& result);
 
 }  // namespace pendular

@@ -1,8 +1,8 @@
+#include "sim/lab/virtual_study.h"
+
 #include <fmt/format.h>
 
 #include <numbers>
-
-#include "sim/lab/virtual_lab.h"
 
 namespace pendular {
 namespace {

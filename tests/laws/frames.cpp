@@ -37,12 +37,12 @@ const Sample& flowing() {
 
 /// Shears a sample on.
 ShearCell sheared(const Sample& sample, bool wet, int steps = 200, double rate = shear_rate,
-                  int parts = 1, Books books = Books::closed) {
+                  int parts = 1, EnergyAccounting accounting = EnergyAccounting::off) {
     ShearCell cell(sample, material, {.shear_rate = rate}, wet ? bridges : BridgeLaw(), parts);
     cell.hold_normal_stress(true);
     cell.let_bridges_form(wet);
     for (int step = 0; step < steps; ++step) {
-        cell.step(books);
+        cell.step(accounting);
     }
     return cell;
 }
@@ -167,9 +167,9 @@ TEST_P(Frames, TwoPartsMoveAlikeToRounding) {
     EXPECT_LT(difference(one, two), 1e-10);
 }
 
-TEST_P(Frames, OpenBooksChangeNotABit) {
-    const State open(sheared(flowing(), wet, 200, shear_rate, 1, Books::open));
-    EXPECT_EQ(difference(here, open), 0);
+TEST_P(Frames, EnergyAccountingChangesNotABit) {
+    const State accounted(sheared(flowing(), wet, 200, shear_rate, 1, EnergyAccounting::on));
+    EXPECT_EQ(difference(here, accounted), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, Frames, testing::Bool(), [](const auto& sample) {

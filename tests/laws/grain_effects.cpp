@@ -8,6 +8,7 @@
 
 #include "sim/catalogue/effect.h"
 #include "sim/dem/grain_effects.h"
+#include "sim/dem/pair_forces.h"
 #include "sim/dem/shear_cell.h"
 #include "sim/runs/run_request.h"
 
@@ -58,15 +59,16 @@ struct State {
             }
         }
     }
-    PairSums forces(Books books = Books::closed) {
-        const PairLaws laws{cell, flow, material, bridges, 1e-3, books, &effects};
+    PairSums forces(EnergyAccounting accounting = EnergyAccounting::off) {
+        const PairLaws laws{cell, flow, material, bridges, 1e-3, accounting, &effects};
         beads.load.assign(beads.size(), {});
-        return hooked_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
+        return pair_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
     }
-    PairSums forces_without_hooks(Books books) {
-        const PairLaws laws{cell, flow, material, bridges, 1e-3, books, &effects};
+    /// The same forces by the loop for these needs.
+    PairSums forces(EnergyAccounting accounting, PairNeeds needs) {
+        const PairLaws laws{cell, flow, material, bridges, 1e-3, accounting, &effects};
         beads.load.assign(beads.size(), {});
-        return near_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
+        return pair_forces(beads, pairs, {0, pairs.size()}, laws, needs, beads.load);
     }
 };
 
@@ -109,17 +111,34 @@ INSTANTIATE_TEST_SUITE_P(Registry, OfEveryGrainEffect, testing::ValuesIn(effects
                              return name;
                          });
 
-TEST(HookedForces, WithoutEffectsAreThoseOfThePlainLoopBitwise) {
+TEST(ForceLoop, GivesTheSameBitsWhereASampleLacksWhatTheLoopIsMadeFor) {
+    // Equal grains without effects go through the loops for unequal ones and for effects, all of
+    // whose diameters are 1 then.
     for (const bool is_wet : {false, true}) {
-        for (const Books books : {Books::closed, Books::open}) {
-            State plain({}, is_wet), hooked({}, is_wet);
-            const PairSums a = plain.forces_without_hooks(books), b = hooked.forces(books);
-            EXPECT_TRUE(same(plain.beads.load, hooked.beads.load));
-            EXPECT_EQ(plain.pairs.sx, hooked.pairs.sx);
-            EXPECT_EQ(plain.pairs.bridge, hooked.pairs.bridge);
-            EXPECT_EQ(a.virial_12, b.virial_12);
-            EXPECT_EQ(a.energy.friction, b.energy.friction);
-            EXPECT_EQ(a.energy.bridges, b.energy.bridges);
+        for (const auto accounting : {EnergyAccounting::off, EnergyAccounting::on}) {
+            State plain({}, is_wet);
+            const PairSums a = plain.forces(accounting);
+            for (const auto& [sizes, effects] :
+                 {std::pair(true, false), {false, true}, {true, true}}) {
+                State state({}, is_wet);
+                if (sizes) {
+                    state.beads.diameters.assign(state.beads.size(), 1.0);
+                }
+                const PairSums b =
+                    state.forces(accounting, {.sizes = sizes,
+                                              .bridges = is_wet,
+                                              .accounting = accounting == EnergyAccounting::on,
+                                              .effects = effects});
+                EXPECT_TRUE(same(plain.beads.load, state.beads.load));
+                EXPECT_EQ(plain.pairs.sx, state.pairs.sx);
+                EXPECT_EQ(plain.pairs.bridge, state.pairs.bridge);
+                EXPECT_EQ(a.virial_12, b.virial_12);
+                EXPECT_EQ(a.energy.elastic, b.energy.elastic);
+                EXPECT_EQ(a.energy.capillary, b.energy.capillary);
+                EXPECT_EQ(a.energy.friction, b.energy.friction);
+                EXPECT_EQ(a.energy.bridges, b.energy.bridges);
+                EXPECT_EQ(a.energy.unloading, b.energy.unloading);
+            }
         }
     }
 }
@@ -128,7 +147,7 @@ TEST_P(OfEveryGrainEffect, VanishesAtItsNeutralValue) {
     const Effect& effect = *GetParam();
     // Dropped, so that the loop has no hook at all.
     const GrainEffects neutral = grain_effects({{effect.name, effect.neutral()}}, wet(effect));
-    EXPECT_FALSE(neutral.hooked());
+    EXPECT_FALSE(neutral.changes_pairs());
     EXPECT_TRUE(neutral.diameters(100, 1).empty());
     EXPECT_EQ(neutral.memory(), 0u);
     // A hair off neutral its stages run and change next to nothing. (Switches have nothing

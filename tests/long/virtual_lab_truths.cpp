@@ -14,6 +14,7 @@
 #include "data/files/text_file.h"
 #include "data/recordings/measurements.h"
 #include "sim/lab/virtual_lab.h"
+#include "sim/lab/virtual_study.h"
 
 namespace virtual_lab_truths_test {
 

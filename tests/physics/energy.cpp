@@ -1,4 +1,4 @@
-// The books of energy of steady shear: the work done on a sample of 200 beads is what it stores and
+// Energy balance of steady shear: the work done on a sample of 200 beads is what it stores and
 // what it loses, part by part. Over a strain of 1 at inertial number 0.02 and stiffness number 1000
 // 0.2 % of the work was missing at most, from the finite time step; an error of first order in it,
 // or a part left out, is beyond 0.5 %. About 2 s.
@@ -44,7 +44,7 @@ Account account_of(double friction, std::optional<Wetting> wetting) {
         sample.step();
     }
     double volume = sample.cell().volume(), dt = sample.time_step();
-    sample.step(Books::open);
+    sample.step(EnergyAccounting::on);
     Account account;
     account.stored = -stored(sample);
     const double end = sample.strain() + 1;
@@ -54,7 +54,7 @@ Account account_of(double friction, std::optional<Wetting> wetting) {
         account.work += 0.5 * dt * power(sample.stress(), volume, flow);
         volume = sample.cell().volume();
         const double next = sample.time_step();
-        sample.step(Books::open);
+        sample.step(EnergyAccounting::on);
         account.work += 0.5 * dt * power(sample.stress(), volume, flow);
         account.lost += sample.energy();
         dt = next;
@@ -64,9 +64,9 @@ Account account_of(double friction, std::optional<Wetting> wetting) {
 }
 
 /// Friction, and whether the beads are wet.
-class EnergyBooks : public testing::TestWithParam<std::pair<double, bool>> {};
+class EnergyBalance : public testing::TestWithParam<std::pair<double, bool>> {};
 
-TEST_P(EnergyBooks, Close) {
+TEST_P(EnergyBalance, Closes) {
     const auto [friction, wet] = GetParam();
     const Account a = account_of(
         friction,
@@ -86,10 +86,10 @@ TEST_P(EnergyBooks, Close) {
     EXPECT_EQ(a.lost.bridges > 0.1 * a.work, wet);
 }
 
-INSTANTIATE_TEST_SUITE_P(Dry, EnergyBooks,
+INSTANTIATE_TEST_SUITE_P(Dry, EnergyBalance,
                          testing::Values(std::pair{0.0, false}, std::pair{0.1, false},
                                          std::pair{0.3, false}));
-INSTANTIATE_TEST_SUITE_P(Wet, EnergyBooks,
+INSTANTIATE_TEST_SUITE_P(Wet, EnergyBalance,
                          testing::Values(std::pair{0.0, true}, std::pair{0.1, true},
                                          std::pair{0.3, true}));
 

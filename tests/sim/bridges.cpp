@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "sim/dem/distant_forces.h"
+#include "sim/dem/pair_forces.h"
 #include "sim/dem/shear_cell.h"
 #include "sim/dem/structure.h"
 

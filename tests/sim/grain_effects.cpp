@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sim/dem/grain_effects.h"
+#include "sim/dem/pair_forces.h"
 #include "sim/dem/shear_cell.h"
 #include "sim/runs/run_request.h"
 
@@ -39,9 +40,9 @@ struct TwoBeads {
     void set_gap(double gap) { beads.position(1) = {6 + gap, 5, 5}; }
     void join() { pairs.bridge[0] = 1; }
     void forces() {
-        const PairLaws laws{cell, {}, material, bridges, dt, Books::closed, &effects};
+        const PairLaws laws{cell, {}, material, bridges, dt, EnergyAccounting::off, &effects};
         beads.load.assign(2, {});
-        hooked_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
+        pair_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
     }
     /// Force that draws the beads together at this gap.
     double attraction(double gap) {

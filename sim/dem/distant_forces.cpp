@@ -1,0 +1,64 @@
+#include "sim/dem/distant_forces.h"
+
+#include "sim/dem/pair_forces.h"
+#include "sim/dem/pair_lanes.h"
+#include "sim/dem/simd.h"
+
+namespace pendular::dem {
+namespace {
+
+/// Attraction of the pairs from `begin` on.
+template <bool accounted>
+[[gnu::always_inline]] inline void attract(Batch& b, Pairs& pairs, std::size_t begin,
+                                           const BridgeLaw& law, LaneSums& sums) {
+    double* __restrict bridge = pairs.bridge.data() + begin;
+    const BridgeLaw bridges = law;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < lanes; ++k) {
+        const Xyz separation = b.separation[k];
+        const double distance = std::sqrt(dot(separation, separation));
+        const double gap = distance > 1 ? distance - 1 : 0.0;
+        const double joined = bridges.joined(0.0, gap, bridge[k]);
+        const double over_distance = -joined * bridges.attraction(gap) / distance;
+        const Xyz force = over_distance * separation;
+        b.force.set(k, force);
+        sums.add_virial(k, force, separation);
+        if constexpr (accounted) {
+            const double energy = bridges.potential(gap);
+            sums.capillary[k] += joined * energy;
+            sums.bridges[k] += (bridge[k] - joined) * energy;
+        }
+        bridge[k] = joined;
+    }
+}
+
+PENDULAR_SIMD_CLONES
+PairSums between_equal_grains(const Beads& beads, Pairs& distant, Stretch stretch,
+                              const PairLaws& laws, Beads::Load* load) {
+    const Shifts shifts = image_shifts(laws.cell);
+    SizeLanes unused;
+    Batch batch;
+    LaneSums sums;
+    for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
+        gather<Gathered::separation>(beads.motion.data(), distant, begin, shifts, unused, batch);
+        if (laws.accounting == EnergyAccounting::on) {
+            attract<true>(batch, distant, begin, laws.bridges, sums);
+        } else {
+            attract<false>(batch, distant, begin, laws.bridges, sums);
+        }
+        scatter<Torques::none>(batch, distant, begin, load);
+    }
+    return sums.total(laws.accounting);
+}
+
+}  // namespace
+
+PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, const PairLaws& laws,
+                        std::vector<Beads::Load>& load) {
+    const PairNeeds needs = PairNeeds::of(beads, laws);
+    return needs.sizes || needs.effects
+               ? pair_forces(beads, distant, stretch, laws, needs, load)
+               : between_equal_grains(beads, distant, stretch, laws, load.data());
+}
+
+}  // namespace pendular::dem

@@ -1,0 +1,177 @@
+#pragma once
+
+#include <cmath>
+
+#include "sim/dem/bridge_law.h"
+#include "sim/dem/contact_law.h"
+#include "sim/dem/flow.h"
+#include "sim/dem/pair_sizes.h"
+
+// Contact and bridge of one pair of grains in reduced units. The loops over pairs (pair_forces.cpp,
+// viscous_loss.cpp) inline these functions and work on many pairs at a time, so that nothing here
+// branches or calls anything that has no vector instruction.
+namespace pendular::dem {
+
+/// Components of a vector as plain numbers, which become vector lanes in a loop over pairs.
+struct Xyz {
+    double x, y, z;
+
+    [[gnu::always_inline]] friend Xyz operator+(const Xyz& a, const Xyz& b) {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    [[gnu::always_inline]] friend Xyz operator-(const Xyz& a, const Xyz& b) {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
+    [[gnu::always_inline]] friend Xyz operator*(double factor, const Xyz& a) {
+        return {factor * a.x, factor * a.y, factor * a.z};
+    }
+};
+
+[[gnu::always_inline]] inline double dot(const Xyz& a, const Xyz& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+[[gnu::always_inline]] inline Xyz cross(const Xyz& a, const Xyz& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Positions and velocities of two grains relative to each other.
+struct PairMotion {
+    Xyz separation;        ///< from the first to the second centre
+    Xyz velocity;          ///< of the second centre less the first, without the imposed flow
+    Xyz angular_velocity;  ///< sum over both grains, each weighted with its arm (PairSizes)
+};
+
+/// Geometry and rates of a pair with the imposed flow included.
+struct ContactKinematics {
+    double distance;       ///< of the centres
+    Xyz normal;            ///< unit vector from the first to the second centre
+    double normal_speed;   ///< rate at which the distance grows
+    Xyz sliding_velocity;  ///< of the second surface relative to the first, where they touch
+    Xyz rotation_rate;     ///< of the pair, about its normal included
+
+    [[gnu::always_inline]] static ContactKinematics of(const PairMotion& motion, const Flow& flow) {
+        const auto& [r, v, angular_velocity] = motion;
+        const double distance = std::sqrt(dot(r, r)), inverse = 1 / distance;
+        const Xyz normal = inverse * r;
+        const Xyz velocity = {v.x + flow.length_rate * r.x + flow.shear_rate * r.y,
+                              v.y + flow.height_rate * r.y, v.z + flow.width_rate * r.z};
+        const double normal_speed = dot(velocity, normal);
+        const Xyz tangential = velocity - normal_speed * normal;
+        const double arm = distance * 0.5;  // the surfaces touch at the middle of the branch
+        const double twist = 0.5 * dot(angular_velocity, normal);
+        return {distance, normal, normal_speed, tangential - arm * cross(angular_velocity, normal),
+                inverse * cross(normal, tangential) + twist * normal};
+    }
+};
+
+/// Hertz contact of two grains of these sizes. Unequal spheres have the stiffness of equal ones of
+/// the diameter 2 d1 d2/(d1 + d2).
+[[gnu::always_inline]] inline Hertz hertz_contact(double overlap, const PairSizes& sizes,
+                                                  double modulus) {
+    return Hertz::at(overlap, modulus * std::sqrt(sizes.diameter));
+}
+
+/// Tangential stiffness K_T of a contact of this square root of the overlap [a s22].
+[[gnu::always_inline]] inline double tangential_stiffness(double root, const PairSizes& sizes,
+                                                          const Material& material) {
+    const double modulus = material.modulus * std::sqrt(sizes.diameter);
+    return tangential_ratio(material.poisson_ratio) * (modulus / 2 * root);
+}
+
+/// Viscous normal force of a contact, positive while the grains approach each other [a^2 s22].
+[[gnu::always_inline]] inline double viscous_force(const Hertz& hertz, double normal_speed,
+                                                   const PairSizes& sizes, double damping) {
+    return hertz.viscous(-normal_speed, damping) * std::sqrt(sizes.mass);
+}
+
+/// Normal forces of a pair and what the tangential force depends on; zero without contact and
+/// bridge, without a branch.
+struct NormalForces {
+    double overlap;        ///< of the grains; 0 without contact
+    double gap;            ///< between the surfaces; 0 in contact
+    double root;           ///< sqrt(overlap)
+    double elastic;        ///< F_N
+    double viscous;        ///< F_viscous
+    double joined = 0;     ///< 1 where a bridge joins the grains, else 0
+    double capillary = 0;  ///< attraction by the bridge
+    double stiffness;      ///< tangential stiffness K_T
+    double coulomb_limit;  ///< largest tangential force
+
+    /// Force that drives the grains apart [a^2 s22].
+    double total() const { return elastic + viscous - capillary; }
+};
+
+/// Normal forces of a contact without bridge.
+[[gnu::always_inline]] inline NormalForces contact_forces(const ContactKinematics& kinematics,
+                                                          const PairSizes& sizes,
+                                                          const Material& material) {
+    const double touching = sizes.contact_distance, distance = kinematics.distance;
+    const double overlap = distance < touching ? touching - distance : 0.0;
+    const double gap = distance > touching ? distance - touching : 0.0;
+    const Hertz hertz = hertz_contact(overlap, sizes, material.modulus);
+    return {.overlap = overlap,
+            .gap = gap,
+            .root = hertz.root,
+            .elastic = hertz.elastic,
+            .viscous = viscous_force(hertz, kinematics.normal_speed, sizes, material.damping),
+            .stiffness = tangential_stiffness(hertz.root, sizes, material),
+            .coulomb_limit = material.friction * hertz.elastic};
+}
+
+/// Adds the attraction of the bridge to the normal forces of a pair. A bridge is there if the
+/// grains touch, or if one was there `before` (1 or 0) and has not ruptured.
+[[gnu::always_inline]] inline void add_bridge(NormalForces& forces, double before,
+                                              const PairSizes& sizes, const BridgeLaw& bridges) {
+    forces.joined = bridges.joined(forces.overlap, forces.gap, before);
+    forces.capillary = forces.joined * bridges.of(sizes.diameter).attraction(forces.gap);
+}
+
+/// Energy that a bridge of this pair has, zero at rupture [a^3 s22]. In contact it falls with the
+/// overlap, as the attraction is the pull-off force there.
+[[gnu::always_inline]] inline double bridge_energy(const NormalForces& forces,
+                                                   const PairSizes& sizes,
+                                                   const BridgeLaw& bridges) {
+    const BridgeLaw law = bridges.of(sizes.diameter);
+    return law.potential(forces.gap) - law.pull_off_force * forces.overlap;
+}
+
+/// One step of the tangential force of a contact, with the energies of that step [a^3 s22].
+struct TangentialStep {
+    Xyz force;         ///< on the second grain after the step
+    double stored;     ///< in the tangential spring after the step
+    double sliding;    ///< lost because the force obeys the Coulomb limit
+    double unloading;  ///< lost by the spring without sliding (PairEnergy::unloading)
+
+    /// The force of the step before, `force`, turns with the pair and about its normal; its part
+    /// along the new normal is dropped; it is rescaled when the contact unloads, grows against the
+    /// sliding velocity and obeys the Coulomb limit. `old_root` and `old_stiffness` are
+    /// sqrt(overlap) and K_T of the step before.
+    [[gnu::always_inline]] static TangentialStep of(const Xyz& force,
+                                                    const ContactKinematics& kinematics,
+                                                    const NormalForces& normal, double old_root,
+                                                    double old_stiffness, double dt) {
+        const Xyz turned = force + dt * cross(kinematics.rotation_rate, force);
+        const double along = dot(turned, kinematics.normal);
+        const double kept = unloading_factor(normal.root, old_root);
+        const Xyz unloaded = kept * (turned - along * kinematics.normal);
+        const double increment = dt * normal.stiffness;
+        const Xyz elastic = unloaded - increment * kinematics.sliding_velocity;
+        const double squared = dot(elastic, elastic);
+        const double allowed = coulomb_factor(squared, normal.coulomb_limit);
+        const double stiffness = normal.stiffness;
+        return {.force = {elastic.x * allowed, elastic.y * allowed, elastic.z * allowed},
+                .stored = tangential_energy(allowed * allowed * squared, stiffness),
+                .sliding = sliding_loss(squared, dot(elastic, unloaded), allowed, stiffness),
+                .unloading = tangential_energy(dot(force, force), old_stiffness) -
+                             tangential_energy(dot(unloaded, unloaded), stiffness)};
+    }
+};
+
+/// Torque on either grain of a pair by the tangential force on the second one, for equal arms
+/// [a^3 s22].
+[[gnu::always_inline]] inline Xyz contact_torque(const ContactKinematics& kinematics,
+                                                 const Xyz& tangential) {
+    return -(kinematics.distance * 0.5) * cross(kinematics.normal, tangential);
+}
+
+}  // namespace pendular::dem

@@ -1,0 +1,52 @@
+#include "sim/dem/viscous_loss.h"
+
+#include "sim/dem/pair_lanes.h"
+#include "sim/dem/simd.h"
+
+namespace pendular::dem {
+namespace {
+
+/// Motion with the velocities halfway through the step that these loads make.
+[[gnu::always_inline]] inline std::vector<Beads::Motion> halfway_through(
+    const Beads& beads, const std::vector<Beads::Load>& loads, const PairLaws& laws) {
+    std::vector<Beads::Motion> halfway = beads.motion;
+    for (std::size_t i = 0; i < halfway.size(); ++i) {
+        const Vector acceleration =
+            1 / beads.mass(i) * loads[i].force - laws.flow(beads.motion[i].velocity);
+        halfway[i].velocity += 0.5 * laws.time_step * acceleration;
+    }
+    return halfway;
+}
+
+}  // namespace
+
+PENDULAR_SIMD_CLONES
+double viscous_loss(const Beads& beads, const std::vector<Beads::Load>& loads, const Pairs& near,
+                    const PairLaws& laws) {
+    const std::vector<Beads::Motion> halfway = halfway_through(beads, loads, laws);
+    const Shifts shifts = image_shifts(laws.cell);
+    const Material material = laws.material;
+    const Flow flow = laws.flow;
+    SizeLanes sizes;
+    sizes.set_equal();
+    Batch before, mean;
+    Lane loss{};
+    for (std::size_t begin = 0; begin < near.size(); begin += lanes) {
+        if (!beads.diameters.empty()) {
+            gather_sizes(beads, near, begin, sizes);
+        }
+        gather<Gathered::motion>(beads.motion.data(), near, begin, shifts, sizes, before);
+        gather<Gathered::motion>(halfway.data(), near, begin, shifts, sizes, mean);
+        const double* __restrict root = near.root.data() + begin;  // 0 where there is no contact
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const Hertz hertz = hertz_contact(root[k] * root[k], sizes[k], material.modulus);
+            const double speed = ContactKinematics::of(before.motion(k), flow).normal_speed;
+            const double mean_speed = ContactKinematics::of(mean.motion(k), flow).normal_speed;
+            loss[k] -= laws.time_step * viscous_force(hertz, speed, sizes[k], material.damping) *
+                       mean_speed;
+        }
+    }
+    return sum(loss);
+}
+
+}  // namespace pendular::dem
