@@ -64,7 +64,7 @@ Shown at_study_stiffness(const dem::RunResult& run, double share) {
     const Mean &ratio = run[dem::Observable::stress_ratio],
                &fraction = run[dem::Observable::solid_fraction];
     const double shift =
-        share * dem::rigidity_shift(fraction.value, run[dem::Observable::mean_overlap].value);
+        share * dem::rigidity_shift(fraction.value, run[dem::Observable::overlap].value);
     return {{ratio.value, fraction.value - shift}, {ratio.standard_error, fraction.standard_error}};
 }
 

@@ -103,9 +103,11 @@ Json to_json(const dem::RunResult& run) {
 dem::RunResult run_from_json(const Json& json) {
     dem::RunResult run;
     for (std::size_t k = 0; k < dem::observable_count; ++k) {
-        const Json& observable = json.at(std::string(dem::observable_names[k]));
-        run.means[k].value = observable.at("value");
-        run.means[k].standard_error = observable.at("stderr");
+        const auto observable = json.find(std::string(dem::observable_names[k]));
+        if (observable != json.end()) {  // documents of versions that did not measure it lack it
+            run.means[k].value = observable->at("value");
+            run.means[k].standard_error = observable->at("stderr");
+        }
     }
     auto& p = run.parameters;
     run.covariance = json.at("covariance_stress_ratio_solid_fraction");

@@ -15,7 +15,7 @@ constexpr double softest = 300;
 constexpr double stiffness_factor = 2;
 
 bool depends_on_stiffness(Observable which) {
-    return !in_pair(which) && which != Observable::mean_overlap &&
+    return !in_pair(which) && which != Observable::overlap &&
            which != Observable::first_normal_stress_difference &&
            which != Observable::second_normal_stress_difference;
 }
@@ -98,8 +98,8 @@ FlowState state_of(const dem::RunParameters& p) {
 Mean taught(const dem::RunResult& run, Observable which) {
     Mean mean = run[which];
     if (which == Observable::solid_fraction) {
-        mean.value -= dem::rigidity_shift(mean.value, run[Observable::mean_overlap].value);
-    } else if (which == Observable::mean_overlap) {
+        mean.value -= dem::rigidity_shift(mean.value, run[Observable::overlap].value);
+    } else if (which == Observable::overlap) {
         const double factor = run.parameters.stiffness_number / reference_stiffness;
         mean.value *= factor;
         mean.standard_error *= factor;

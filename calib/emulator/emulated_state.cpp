@@ -63,8 +63,8 @@ std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const Flow
     for (const Observable which : wanted) {
         Jet jet = jet_of(emulator, state, which);
         if (which == Observable::solid_fraction) {
-            soften(jet, jet_of(emulator, state, Observable::mean_overlap), stiffness_number);
-        } else if (which == Observable::mean_overlap) {
+            soften(jet, jet_of(emulator, state, Observable::overlap), stiffness_number);
+        } else if (which == Observable::overlap) {
             const double part = emulated::reference_stiffness / stiffness_number;
             jet.value *= part;
             jet.covariance *= part * part;

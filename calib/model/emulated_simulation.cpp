@@ -127,7 +127,7 @@ Prediction EmulatedSimulation::predict_slopes(const std::vector<FlowState>& stat
              {std::optional<Input>(), std::optional(Input::friction),
               std::optional(Input::bridge_volume)}) {
             for (const Observable which :
-                 {Observable::stress_ratio, Observable::solid_fraction, Observable::mean_overlap}) {
+                 {Observable::stress_ratio, Observable::solid_fraction, Observable::overlap}) {
                 queries.push_back({state, which, by});
             }
         }
@@ -204,7 +204,7 @@ Eigen::VectorXd EmulatedSimulation::predict_values(
     std::vector<Query> queries;
     for (const FlowState& state : states) {
         for (const Observable which :
-             {Observable::stress_ratio, Observable::solid_fraction, Observable::mean_overlap}) {
+             {Observable::stress_ratio, Observable::solid_fraction, Observable::overlap}) {
             queries.push_back({state, which});
         }
     }

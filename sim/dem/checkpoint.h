@@ -37,7 +37,7 @@ class Checkpoint {
     bool exists() const { return std::filesystem::exists(file_); }
     const std::filesystem::path& file() const { return file_; }
 
-    static constexpr int format = 2;  ///< raised whenever what a run saves changes
+    static constexpr int format = 3;  ///< raised whenever what a run saves changes
 
   private:
     void lock();

@@ -8,27 +8,20 @@
 
 namespace pendular::dem {
 
+namespace {
+
+/// Grains that an observable says something of.
+enum class Grains { all, wet };
+
+constexpr Grains grains_of[] = {
+#define OBSERVABLE(name, symbol, unit, grains, ...) Grains::grains,
+#include "data/quantities/observables.def"
+};
+
+}  // namespace
+
 bool needs_bridges(Observable which) {
-    using enum Observable;
-    switch (which) {
-        case distant_coordination:
-        case liquid_content:
-        case fabric_12_distant:
-        case force_anisotropy_12_distant:
-        case length_anisotropy_12_distant:
-        case distant_force:
-        case distant_force_gap:
-        case distant_length:
-        case capillary_stress_22:
-        case capillary_pressure:
-        case capillary_shear_stress:
-        case capillary_shear_stress_contact:
-        case capillary_shear_stress_distant:
-        case dissipation_bridges:
-            return true;
-        default:
-            return false;
-    }
+    return grains_of[static_cast<std::size_t>(which)] == Grains::wet;
 }
 
 Observable observable_named(std::string_view name) {

@@ -29,7 +29,7 @@ constexpr double crystal_bond_order = 0.2;
 /// sample that crystallises on the way must not pass for its average.
 bool crystallised(const Series& series, std::size_t from) {
     const auto dense = series.values(from, [](const Block& b) {
-        return b.solid_fraction - rigidity_shift(b.solid_fraction, b.structure.mean_overlap);
+        return b.solid_fraction - rigidity_shift(b.solid_fraction, b.structure.overlap);
     });
     const auto order = series.values(from, [](const Block& b) { return b.structure.bond_order; });
     const std::size_t quarter = std::max<std::size_t>(1, dense.size() / 4);
@@ -46,25 +46,11 @@ bool crystallised(const Series& series, std::size_t from) {
     return false;
 }
 
-/// Observables that are plain means over the networks.
+/// Observables that are plain means over states.
 constexpr std::pair<Observable, double Structure::*> of_structure[] = {
-    {Observable::contact_coordination, &Structure::contact_coordination},
-    {Observable::distant_coordination, &Structure::distant_coordination},
-    {Observable::fabric_12_contact, &Structure::fabric_12},
-    {Observable::fabric_12_distant, &Structure::fabric_12_distant},
-    {Observable::force_anisotropy_12_contact, &Structure::force_anisotropy_12_contact},
-    {Observable::force_anisotropy_12_distant, &Structure::force_anisotropy_12_distant},
-    {Observable::length_anisotropy_12_distant, &Structure::length_anisotropy_12_distant},
-    {Observable::contact_force, &Structure::contact_force},
-    {Observable::distant_force, &Structure::distant_force},
-    {Observable::distant_force_gap, &Structure::distant_force_gap},
-    {Observable::distant_length, &Structure::distant_length},
-    {Observable::mean_overlap, &Structure::mean_overlap},
-    {Observable::bond_order, &Structure::bond_order},
-    {Observable::capillary_stress_22, &Structure::capillary_stress_22},
-    {Observable::capillary_pressure, &Structure::capillary_pressure},
-    {Observable::capillary_shear_stress_contact, &Structure::capillary_shear_stress_contact},
-    {Observable::capillary_shear_stress_distant, &Structure::capillary_shear_stress_distant}};
+#define STRUCTURE_OBSERVABLE(name, ...) {Observable::name, &Structure::name},
+#include "data/quantities/observables.def"
+};
 
 void average_fields(const Series& series, std::size_t from, double rupture_distance,
                     RunResult& result) {

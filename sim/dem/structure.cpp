@@ -127,7 +127,7 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
             const double length = r.norm(), overlap = near.root[k] * near.root[k];
             const Eigen::Vector3d n = r / length;
             contacts.add(n, contact_of(beads, near, k, material.modulus).elastic, length);
-            s.mean_overlap += overlap;
+            s.overlap += overlap;
             order.add(n[0], n[1], n[2]);
             const double force = bridges.wet() ? attraction(near, k, -overlap) : 0;
             note_capillary(n, capillary_unit * force * length, s.capillary_shear_stress_contact);
@@ -141,15 +141,15 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
         }
     });
     const auto per_bead = 2 / static_cast<double>(beads.size());
-    s.contact_coordination = per_bead * contacts.count();
-    s.fabric_12 = contacts.fabric_12();
-    s.mean_overlap = contacts.mean(s.mean_overlap);
+    s.contact_coordination = per_bead * contacts.count();  // counted from both sides
+    s.fabric_12_contact = contacts.fabric_12();            // eq:defF12
+    s.overlap = contacts.mean(s.overlap);
     s.bond_order = order.q6();
     s.contact_force = contacts.force();
     s.force_anisotropy_12_contact = contacts.force_anisotropy_12();
     s.distant_coordination = per_bead * distant.count();
-    s.distant_force = distant.force();
-    s.distant_force_gap = distant.mean(s.distant_force_gap);
+    s.distant_force = distant.force();                        // eq:deffd
+    s.distant_force_gap = distant.mean(s.distant_force_gap);  // third term of eq:PcapvsFN
     s.distant_length = distant.length();
     s.fabric_12_distant = distant.fabric_12();
     s.force_anisotropy_12_distant = distant.force_anisotropy_12();
@@ -157,25 +157,11 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
     return s;
 }
 
-const std::vector<double Structure::*>& Structure::members() {
-    static const std::vector<double Structure::*> all = {
-        &Structure::contact_coordination,
-        &Structure::fabric_12,
-        &Structure::mean_overlap,
-        &Structure::bond_order,
-        &Structure::contact_force,
-        &Structure::force_anisotropy_12_contact,
-        &Structure::distant_coordination,
-        &Structure::distant_force,
-        &Structure::distant_force_gap,
-        &Structure::distant_length,
-        &Structure::fabric_12_distant,
-        &Structure::force_anisotropy_12_distant,
-        &Structure::length_anisotropy_12_distant,
-        &Structure::capillary_stress_22,
-        &Structure::capillary_pressure,
-        &Structure::capillary_shear_stress_contact,
-        &Structure::capillary_shear_stress_distant};
+std::span<double Structure::*const> Structure::members() {
+    static constexpr double Structure::*all[] = {
+#define STRUCTURE_OBSERVABLE(name, ...) &Structure::name,
+#include "data/quantities/observables.def"
+    };
     return all;
 }
 

@@ -307,7 +307,7 @@ TEST(Emulator, BringsRunsOfAnyStiffnessTogether) {
     for (std::size_t k = 0; k < runs.size(); k += 3) {
         auto& run = runs[k];
         run.parameters.stiffness_number = 500;
-        auto &overlap = run.means[static_cast<std::size_t>(Observable::mean_overlap)],
+        auto &overlap = run.means[static_cast<std::size_t>(Observable::overlap)],
              &solid = run.means[static_cast<std::size_t>(Observable::solid_fraction)];
         overlap.value = 0.002;
         solid.value += dem::rigidity_shift(solid.value, 0.001);
@@ -316,7 +316,7 @@ TEST(Emulator, BringsRunsOfAnyStiffnessTogether) {
     const FlowState state{0.3, 0.01};
     const auto at = [&](double stiffness) {
         return emulated_at(emulator, state, stiffness,
-                           {Observable::solid_fraction, Observable::mean_overlap});
+                           {Observable::solid_fraction, Observable::overlap});
     };
     const double rigid = InventedLaw::solid_fraction(state);
     EXPECT_NEAR(at(1e9)[0].value.value, rigid, 0.0006);

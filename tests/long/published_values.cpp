@@ -29,7 +29,7 @@ dem::RunParameters flow(double friction, double inertial_number,
 /// Solid fraction that rigid beads would have.
 Mean rigid_solid_fraction(const dem::RunResult& run) {
     Mean mean = run[Observable::solid_fraction];
-    const double shift = dem::rigidity_shift(mean.value, run[Observable::mean_overlap].value);
+    const double shift = dem::rigidity_shift(mean.value, run[Observable::overlap].value);
     mean.value -= shift;
     mean.standard_error =
         std::hypot(mean.standard_error, shift * dem::rigidity_factor_error / dem::rigidity_factor);

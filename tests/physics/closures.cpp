@@ -91,7 +91,7 @@ void expect_mean_stress(const Simulated& s) {
         (s.run.parameters.wetting ? capillary_pressure(state) / state.reduced_pressure : 0);
     const double noise = 3 * contact * s.error(Observable::contact_force) / state.contact_force;
     EXPECT_NEAR(mean_stress(state), found,
-                5.0 / 3 * s.value(Observable::mean_overlap) * contact + noise);
+                5.0 / 3 * s.value(Observable::overlap) * contact + noise);
 }
 
 /// Exact but for overlaps, which make the stress of contacts smaller by <h>; 3e-4 for taking a
@@ -100,7 +100,7 @@ void expect_capillary_pressure(const Simulated& s) {
     const double found = s.value(Observable::capillary_pressure) * s.pressure();
     const double high = capillary_pressure(s.state()) / found - 1;
     EXPECT_GT(high, 0);
-    EXPECT_LT(high, s.value(Observable::mean_overlap) + 3e-4);
+    EXPECT_LT(high, s.value(Observable::overlap) + 3e-4);
     // Without the gaps: "negligible", 2 % of the mean stress where the source puts a number.
     const double estimate =
         capillary_pressure(s.state().solid_fraction, effective_coordination(s.state()));
@@ -147,8 +147,8 @@ void expect_strength_without_shear(const Simulated& s) {
 void expect_contact_shear_stress(const Simulated& s) {
     const double found = s.value(Observable::capillary_shear_stress_contact) * s.pressure();
     const double anisotropy = s.value(Observable::force_anisotropy_12_contact);
-    const double expected = s.value(Observable::mean_overlap) *
-                            (1 + 2.0 / 3 * anisotropy / s.state().fabric_12_contact);
+    const double expected =
+        s.value(Observable::overlap) * (1 + 2.0 / 3 * anisotropy / s.state().fabric_12_contact);
     const double high = contact_capillary_shear_stress(s.state()) / found - 1;
     EXPECT_GT(found, 0);
     EXPECT_NEAR(high, expected, 0.5 * expected);

@@ -219,7 +219,7 @@ TEST(EmulatorOfTheAtlas, CoversTheTruthOfStudiesItHasNotSeen) {
     const std::vector<dem::RunResult> known = atlas();
     EmulatorScales scales;
     for (const Observable which :
-         {Observable::stress_ratio, Observable::solid_fraction, Observable::mean_overlap}) {
+         {Observable::stress_ratio, Observable::solid_fraction, Observable::overlap}) {
         scales[which] = PlainEmulator::learn(known, which);
     }
     std::map<double, std::vector<dem::RunResult>> truths;

@@ -28,7 +28,7 @@ dem::RunParameters flow(double inertial_number, std::optional<dem::Wetting> wett
 /// Solid fraction that rigid beads would have.
 double rigid_solid_fraction(const dem::RunResult& run) {
     const double raw = run[Observable::solid_fraction].value;
-    return raw - dem::rigidity_shift(raw, run[Observable::mean_overlap].value);
+    return raw - dem::rigidity_shift(raw, run[Observable::overlap].value);
 }
 
 // One test for both, since each test is a process of its own and the runs share the cores.

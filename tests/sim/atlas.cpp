@@ -49,7 +49,7 @@ std::vector<dem::RunResult> grid(const Choice& choice) {
 
 double rigid(const dem::RunResult& run) {
     const double raw = run[Observable::solid_fraction].value;
-    return raw - dem::rigidity_shift(raw, run[Observable::mean_overlap].value);
+    return raw - dem::rigidity_shift(raw, run[Observable::overlap].value);
 }
 
 /// Intercept and slope of a weighted straight line, with their errors.

@@ -82,8 +82,8 @@ TEST(BondOrder, VanishesForRandomDirections) {
 TEST(Structure, CountsContactsFromBothSidesAndSignsTheFabric) {
     const Structure s = around_one_bead({{1, 1, 0}, {1, -1, 0}, {1, -2, 0}});
     EXPECT_DOUBLE_EQ(s.contact_coordination, 2 * 3 / 4.0);
-    EXPECT_NEAR(s.fabric_12, (0.5 - 0.5 - 0.4) / 3, 1e-12);
-    EXPECT_NEAR(s.mean_overlap, 0.0025, 1e-12);
+    EXPECT_NEAR(s.fabric_12_contact, (0.5 - 0.5 - 0.4) / 3, 1e-12);
+    EXPECT_NEAR(s.overlap, 0.0025, 1e-12);
 }
 
 TEST(Localization, IsZeroForUniformShearAndOneForAThinBand) {

@@ -74,10 +74,10 @@ inline std::vector<dem::RunResult> invented_runs(std::size_t count, std::uint64_
             run.means[static_cast<std::size_t>(which)] = {value, error};
         };
         mean(stress_ratio, factor * InventedLaw::stress_ratio(state) + 0.002 * a, 0.002);
-        const double overlap = 0.001;
+        const double mean_overlap = 0.001;
         const double solid = InventedLaw::solid_fraction(state);
-        mean(solid_fraction, solid + dem::rigidity_shift(solid, overlap) + 0.0004 * b, 0.0004);
-        mean(mean_overlap, overlap, 1e-6);
+        mean(solid_fraction, solid + dem::rigidity_shift(solid, mean_overlap) + 0.0004 * b, 0.0004);
+        mean(overlap, mean_overlap, 1e-6);
         mean(contact_coordination, 5, 0.02);
         if (p.wetting) {
             mean(distant_coordination, 2 + 0.2 * std::log(p.wetting->bridge_volume / 0.002), 0.02);

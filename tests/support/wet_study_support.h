@@ -82,7 +82,7 @@ inline dem::RunResult run(double mu, double u, double volume) {
     set(dem::Observable::stress_ratio, stress_ratio(mu, u, volume), 0.003);
     set(dem::Observable::solid_fraction, solid_fraction(mu, u), 0.0005);
     set(dem::Observable::contact_coordination, contact_coordination(mu), 0.01);
-    set(dem::Observable::mean_overlap, 3e-3, 3e-5);
+    set(dem::Observable::overlap, 3e-3, 3e-5);
     if (u > 0) {
         r.parameters.wetting = {1 / u, volume};
         set(dem::Observable::distant_coordination, distant_coordination(volume), 0.01);
