@@ -216,15 +216,6 @@ TEST(StudyChangeAdvice, SaysWhetherADroppedEffectIsMissed) {
                 HasSubstr("did not rise without torque-offset"));
 }
 
-TEST(StudyChangeHelp, NamesItsUse) {
-    for (const std::string command : {"add", "drop"}) {
-        const Outcome help = run_pendular(command + " --help");
-        EXPECT_EQ(help.code, 0);
-        EXPECT_THAT(help.output, AllOf(HasSubstr("Usage: pendular " + command + " STUDY EFFECT"),
-                                       HasSubstr("--confirm"), HasSubstr("Examples:")));
-    }
-}
-
 TEST(WithError, IsReadableForSmallForces) {
     EXPECT_EQ(with_error(0.0972, 0.011), "0.097 +- 0.011");
     EXPECT_EQ(with_error(1.0321e-6, 1.2e-8), "(1.032 +- 0.012)e-6");

@@ -42,45 +42,6 @@ std::string rows(int count, const std::string& torque = "12.5", int from = 0) {
     return text;
 }
 
-TEST(Program, ExplainsItself) {
-    EXPECT_EQ(run_pendular("--help").code, 0);
-    EXPECT_THAT(run_pendular("--help").output, HasSubstr("calibrate"));
-    for (const std::string command :
-         {"import", "simulate", "calibrate", "compare", "virtual-lab"}) {
-        const Outcome help = run_pendular(command + " --help");
-        EXPECT_EQ(help.code, 0);
-        EXPECT_THAT(help.output, HasSubstr("Usage: pendular " + command));
-        EXPECT_THAT(help.output, HasSubstr("Examples:"));
-    }
-    EXPECT_EQ(run_pendular("--version").code, 0);
-}
-
-TEST(Program, PointsToTheNearestWordItKnows) {
-    const Outcome command = run_pendular("calibarte somewhere");
-    EXPECT_EQ(command.code, 2);
-    EXPECT_THAT(command.errors, HasSubstr("did you mean 'calibrate'"));
-    const Outcome option = run_pendular("simulate --frction 0.1");
-    EXPECT_EQ(option.code, 2);
-    EXPECT_THAT(option.errors, HasSubstr("--friction"));
-    const Outcome fidelity = run_pendular("simulate --fidelity quik");
-    EXPECT_EQ(fidelity.code, 2);
-    EXPECT_THAT(fidelity.errors, HasSubstr("quick"));
-}
-
-TEST(Program, RefusesWhatItCannotSimulate) {
-    const Outcome negative = run_pendular("simulate --friction=-0.1 --quiet");
-    EXPECT_EQ(negative.code, 2);
-    EXPECT_THAT(negative.errors, HasSubstr("friction -0.1"));
-    EXPECT_EQ(run_pendular("simulate --friction much").code, 2);
-    EXPECT_EQ(run_pendular("simulate --beads 10 --quiet").code, 2);
-    EXPECT_EQ(run_pendular("simulate --threads 0 --quiet").code, 2);
-    EXPECT_EQ(run_pendular("simulate --seed=-1 --quiet").code, 2);
-    EXPECT_EQ(run_pendular("simulate --json / --quiet").code, 2);
-    EXPECT_EQ(run_pendular("simulate --json /dev/null/none/run.json --quiet").code, 2);
-    EXPECT_EQ(run_pendular("calibrate").code, 2);
-    EXPECT_EQ(run_pendular("calibrate /nowhere/at/all").code, 2);
-}
-
 TEST(Simulate, PrintsJsonAloneOnStandardOutput) {
     const Outcome run = run_pendular(
         "simulate --beads 100 --stiffness-number 300 --inertial-number 0.05 --strain 1 --friction "
@@ -122,18 +83,6 @@ TEST(Simulate, JoinsBeadsByBridges) {
     EXPECT_LT(value("distant_force"), 0.8);
     EXPECT_EQ(json["bridge_force"], "as_printed");
     EXPECT_THAT(run.errors, HasSubstr("0.008 a^3"));  // bridges merge beyond
-}
-
-TEST(Simulate, RefusesBridgesItCannotHold) {
-    const auto refused = [](const std::string& words, const std::string& why) {
-        expect_refused("simulate --quiet --beads 64 " + words, why);
-    };
-    refused("--reduced-pressure 3 --bridge-volume 0.9", "quarter of the box");
-    refused("--reduced-pressure 0", "reduced pressure 0");
-    refused("--reduced-pressure=-2", "reduced pressure -2");
-    refused("--reduced-pressure 3 --bridge-volume 0", "bridge volume 0");
-    refused("--bridge-volume 0.002", "need --reduced-pressure");
-    refused("--reduced-pressure 3 --bridge-force printed", "as_printed");
 }
 
 TEST(Simulate, StopsCleanlyWhenInterrupted) {

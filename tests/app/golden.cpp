@@ -1,0 +1,109 @@
+// What the program says, whole: each file of tests/app/golden is the transcript of a user's
+// terminal. A line that begins with "$ " is a command, the lines below it are what it printed, and
+// [2] is an exit code other than 0. Commands run in a folder of their own that holds copies of the
+// examples.
+//
+// A change of wording is one difference to look at, and scripts/accept_golden.sh accepts it. A new
+// case is a line with its command. Where a simulation or a random number decides digits, the
+// command replaces them with sed, as another processor may round otherwise.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/app_support.h"
+
+namespace app_golden_test {
+
+using pendular::TemporaryFolder;
+
+const std::filesystem::path source = PENDULAR_SOURCE_DIR;
+const std::filesystem::path transcripts = source / "tests/app/golden";
+
+/// Copies of all examples, and a shell that finds the program and nobody's stored runs.
+class Terminal {
+  public:
+    Terminal() {
+        std::filesystem::copy(source / "examples", folder_.path() / "home",
+                              std::filesystem::copy_options::recursive);
+    }
+
+    /// What a command prints, standard output and errors in one, and its exit code if that is not
+    /// 0.
+    std::string run(const std::string& command) const {
+        const auto script = folder_.write("command.sh", command + "\n");
+        const auto printed = folder_.path() / "printed";
+        const std::string shell =
+            "cd " + (folder_.path() / "home").string() +
+            " && env -u PENDULAR_STORE NO_COLOR=1 COLUMNS=100 XDG_DATA_HOME=" +
+            (folder_.path() / "data").string() +
+            " PATH=" + std::filesystem::path(PENDULAR_PROGRAM).parent_path().string() +
+            ":$PATH bash " + script.string() + " >" + printed.string() + " 2>&1";
+        const int status = std::system(shell.c_str());
+        std::string text = content_of(printed);
+        if (!text.empty() && text.back() != '\n') text += '\n';
+        const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        return code == 0 ? text : text + "[" + std::to_string(code) + "]\n";
+    }
+
+  private:
+    TemporaryFolder folder_;
+};
+
+/// The transcript of the commands of another, run again.
+std::string run_again(const std::string& transcript) {
+    const Terminal terminal;
+    std::istringstream lines(transcript);
+    std::string again;
+    bool begun = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("$ ")) {
+            again += (begun ? "\n" : "") + line + "\n" + terminal.run(line.substr(2));
+            begun = true;
+        }
+    }
+    return again;
+}
+
+std::vector<std::string> names() {
+    std::vector<std::string> all;
+    for (const auto& file : std::filesystem::directory_iterator(transcripts)) {
+        all.push_back(file.path().stem().string());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+std::string difference(const std::filesystem::path& file, const std::string& now) {
+    const TemporaryFolder folder;
+    const auto out = folder.path() / "difference";
+    const std::string command = "diff -u --label before --label now " + file.string() + " " +
+                                folder.write("now", now).string() + " >" + out.string();
+    EXPECT_GE(std::system(command.c_str()), 0);
+    return content_of(out);
+}
+
+class Transcripts : public testing::TestWithParam<std::string> {};
+
+TEST_P(Transcripts, SayTheSame) {
+    const auto file = transcripts / (GetParam() + ".txt");
+    const std::string before = content_of(file), now = run_again(before);
+    if (before == now) return;
+    if (std::getenv("PENDULAR_ACCEPT_GOLDEN")) {
+        std::ofstream(file) << now;
+        return;
+    }
+    ADD_FAILURE() << difference(file, now)
+                  << "\nIf this is what the program is to say: scripts/accept_golden.sh";
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Transcripts, testing::ValuesIn(names()), [](const auto& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+}  // namespace app_golden_test
