@@ -100,8 +100,8 @@ TEST_P(Transcripts, SayTheSame) {
                   << "\nIf this is what the program is to say: scripts/accept_golden.sh";
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Transcripts, testing::ValuesIn(names()), [](const auto& info) {
-    std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(Of, Transcripts, testing::ValuesIn(names()), [](const auto& transcript) {
+    std::string name = transcript.param;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 });
