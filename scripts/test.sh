@@ -2,8 +2,7 @@
 # Installs what is missing, builds, and runs the tests.
 #   scripts/test.sh        everything that is decided in seconds
 #   scripts/test.sh --all  simulations and physics too, and unit and law tests again under the
-#                          sanitizers, but for a dozen that simulate for minutes there
-#                          (CMakePresets.json); never those of ctest label "long", which take hours
+#                          sanitizers; never those of ctest label "long", which take hours
 # Ends with what took how long.
 set -euo pipefail
 cd "$(dirname "$0")/.."
