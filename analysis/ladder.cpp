@@ -14,42 +14,42 @@ std::vector<std::string> sorted(std::vector<std::string> names) {
 }
 
 /// Whether two rungs are of the same study, up to what fresh runs may change.
-bool same_study(const Rung& a, const Rung& b) {
+bool same_study(const LadderStep& a, const LadderStep& b) {
     return sorted(a.effects) == sorted(b.effects) && a.dof == b.dof &&
            std::abs(a.chi2 - b.chi2) <= 0.05 * (std::max(a.chi2, b.chi2) + a.dof);
 }
 
 }  // namespace
 
-const RungParameter* Rung::find(const std::string& name) const {
-    const auto found = std::ranges::find(parameters, name, &RungParameter::name);
+const LadderParameter* LadderStep::find(const std::string& name) const {
+    const auto found = std::ranges::find(parameters, name, &LadderParameter::name);
     return found == parameters.end() ? nullptr : &*found;
 }
 
-Rung rung_of(const Calibration& c, const Comparison& comparison,
+LadderStep ladder_step_of(const Calibration& c, const Comparison& comparison,
              const std::optional<LeftOut>& left_out) {
-    Rung rung;
+    LadderStep ladder_step;
     for (const auto& listed : c.model.effects) {
-        rung.effects.push_back(listed.name);
+        ladder_step.effects.push_back(listed.name);
     }
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        rung.parameters.push_back({c.parameters[k].name, c.parameters[k].unit, c.fit.parameters(i),
+        ladder_step.parameters.push_back({c.parameters[k].name, c.parameters[k].unit, c.fit.parameters(i),
                                    c.fit.standard_error(i)});
     }
-    rung.chi2 = comparison.total.chi2;
-    rung.dof = comparison.total.dof;
-    rung.rms_percent = comparison.rms_percent;
+    ladder_step.chi2 = comparison.total.chi2;
+    ladder_step.dof = comparison.total.dof;
+    ladder_step.rms_percent = comparison.rms_percent;
     if (left_out) {
-        rung.left_out_percent = left_out->rms_percent;
+        ladder_step.left_out_percent = left_out->rms_percent;
     }
-    return rung;
+    return ladder_step;
 }
 
-void climb(Ladder& ladder, Rung before, Rung after) {
-    const auto append = [&](Rung& rung) {
-        rung.step = ladder.empty() ? 0 : ladder.back().step + 1;
-        ladder.push_back(std::move(rung));
+void climb(Ladder& ladder, LadderStep before, LadderStep after) {
+    const auto append = [&](LadderStep& ladder_step) {
+        ladder_step.step = ladder.empty() ? 0 : ladder.back().step + 1;
+        ladder.push_back(std::move(ladder_step));
     };
     if (ladder.empty() || !same_study(ladder.back(), before)) {
         before.change = "start";
@@ -59,7 +59,7 @@ void climb(Ladder& ladder, Rung before, Rung after) {
     append(after);
 }
 
-bool fell_by_chance(const Rung& from, const Rung& to) {
+bool fell_by_chance(const LadderStep& from, const LadderStep& to) {
     // Where nothing more is fitted, chi2 may still change, as with a switch: as by one parameter.
     const boost::math::chi_squared law(std::max(1, from.dof - to.dof));
     return from.chi2 - to.chi2 <= boost::math::quantile(law, 0.95);

@@ -11,18 +11,18 @@
 namespace pendular {
 
 /// A fitted parameter as a rung keeps it.
-struct RungParameter {
+struct LadderParameter {
     std::string name, unit;
     double value = 0, standard_error = 0;
 };
 
 /// The error of a study's model after one change of its effects.
-struct Rung {
+struct LadderStep {
     int step = 0;                      ///< from 0 on
     std::string change = "start";      ///< "start", "add" or "drop"
     std::string effect = {};           ///< that was added or dropped
     std::vector<std::string> effects;  ///< all that are on
-    std::vector<RungParameter> parameters;
+    std::vector<LadderParameter> parameters;
     double chi2 = 0;  ///< of all readings, those only predicted included
     int dof = 0;
     std::array<double, 2> rms_percent{};  ///< of shear stress and solid fraction
@@ -30,24 +30,24 @@ struct Rung {
     std::optional<std::array<double, 2>> left_out_percent;
 
     double chi2_per_dof() const { return chi2 / dof; }
-    const RungParameter* find(const std::string& name) const;  ///< null: not fitted
+    const LadderParameter* find(const std::string& name) const;  ///< null: not fitted
 };
 
 /// What a study went through: rungs in the order of time. A rung "start" begins it anew where the
 /// study was changed by other means.
-using Ladder = std::vector<Rung>;
+using Ladder = std::vector<LadderStep>;
 
 /// The rung of a finished calibration, a start.
-Rung rung_of(const Calibration& calibration, const Comparison& comparison,
+LadderStep ladder_step_of(const Calibration& calibration, const Comparison& comparison,
              const std::optional<LeftOut>& left_out);
 
 /// Appends what a change led to; before it a fresh start, unless the last rung is of the study
 /// before the change: the same effects and as many degrees of freedom, chi2 up to what fresh runs
 /// may change.
-void climb(Ladder& ladder, Rung before, Rung after);
+void climb(Ladder& ladder, LadderStep before, LadderStep after);
 
 /// Whether chi2 fell from one rung to another by no more than chance makes of as many parameters
 /// and readings with the errors they have, at 5 %.
-bool fell_by_chance(const Rung& from, const Rung& to);
+bool fell_by_chance(const LadderStep& from, const LadderStep& to);
 
 }  // namespace pendular

@@ -20,7 +20,7 @@ class Squares {
             return;
         }
         const Prediction predicted =
-            model.predict(parameters, conditions_of(readings), Ask::slopes);
+            model.predict(parameters, conditions_of(readings), PredictionPart::slopes);
         for (std::size_t k = 0; k < readings.size(); ++k) {
             const Eigen::Vector2d value =
                 predicted.value.segment<2>(2 * static_cast<Eigen::Index>(k));

@@ -77,12 +77,12 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
 
 void print_evidence(Console& console, const StudyChange& change, const Fitted& before,
                     const Fitted& after, const CommonOptions& common) {
-    for (const auto& line : parameter_changes(before.rung, after.rung)) {
+    for (const auto& line : parameter_changes(before.ladder_step, after.ladder_step)) {
         console.line(line);
     }
     console.line(fmt::format("chi2 = {:.2f} for {} degrees of freedom -> {:.2f} for {}",
-                             before.rung.chi2, before.rung.dof, after.rung.chi2, after.rung.dof));
-    for (const auto& line : advice_on(change, before.rung, after.rung, common.study.string())) {
+                             before.ladder_step.chi2, before.ladder_step.dof, after.ladder_step.chi2, after.ladder_step.dof));
+    for (const auto& line : advice_on(change, before.ladder_step, after.ladder_step, common.study.string())) {
         console.note(line);
     }
     if (!before.calibration.fit.converged) {
@@ -126,7 +126,7 @@ int change_study(Action what, const std::vector<std::string>& arguments) {
         (session.operator->()->*change)(own.effect, own.fit, !own.fidelity_given);
     const auto& [plan, before, after, ladder, written] = changed;
     if (written) {
-        console.line(verdict_of(plan, before.rung, after.rung));
+        console.line(verdict_of(plan, before.ladder_step, after.ladder_step));
         print_doubts(console, after.belief);
         print_evidence(console, plan, before, after, *common);
         const Figure figure = ladder_figure(ladder);
@@ -134,7 +134,7 @@ int change_study(Action what, const std::vector<std::string>& arguments) {
         console.line(fmt::format("figure: {}", (figures / (figure.name + ".png")).string()));
     }
     const int code = written ? static_cast<int>(done) : refuse_fit(console, plan, after);
-    auto json = to_json(plan, before.rung, after.rung, written);
+    auto json = to_json(plan, before.ladder_step, after.ladder_step, written);
     add_belief(json, after.belief);
     console.json(json);
     return after.belief.meaningless ? static_cast<int>(not_converged) : code;

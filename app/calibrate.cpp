@@ -112,7 +112,7 @@ int calibrate(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    check(fit.cohesion);
+    check_options(fit.cohesion);
     fit.confirm = !no_confirm;
     const OpenSession session(console, *common, {"fit.json", "fit_runs.csv", "figures"}, seed);
     const Measurements& measurements = session->measurements();

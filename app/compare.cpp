@@ -25,7 +25,7 @@ namespace pendular::app {
 namespace {
 
 /// "with torque-offset, lid-slip: "; empty where there are none.
-std::string with_effects(const ModelChoice& model) {
+std::string with_effects(const ModelSettings& model) {
     std::string names;
     for (const auto& effect : model.effects) {
         names += (names.empty() ? "with " : ", ") + effect.name;
@@ -70,7 +70,7 @@ int compare(const std::vector<std::string>& arguments) {
     const auto out = common->out_folder();
     std::optional<CohesionOptions> drawn;
     if (options.given("lowest-reduced-pressure")) {
-        check(cohesion);
+        check_options(cohesion);
         drawn = cohesion;
     }
     const Measurements& measurements = session.measurements();

@@ -1,17 +1,81 @@
 #include "app/console.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "data/files/json_text.h"
 #include "workflow/json.h"
 
 namespace pendular::app {
+namespace {
+
+constexpr std::size_t most_notes = 3;  ///< printed without --all
+
+bool is_lower_case_word(const std::string& word) {
+    return !word.empty() &&
+           std::ranges::all_of(word, [](unsigned char c) { return std::islower(c) != 0; });
+}
+
+/// A note without its numbers and file names, by which equal notes are found.
+std::string pattern_of(const std::string& text) {
+    std::string pattern, word;
+    for (const char c : text + " ") {
+        if (c != ' ') {
+            word += c;
+            continue;
+        }
+        const bool varies = std::ranges::any_of(
+            word, [](unsigned char each) { return std::isdigit(each) != 0; });
+        pattern += (varies ? "#" : word) + " ";
+        word.clear();
+    }
+    return pattern;
+}
+
+bool is_legend(const std::string& row) {
+    return row.starts_with("  (");
+}
+
+/// "[#####.....]" for a share of the work [1].
+std::string bar(double fraction) {
+    constexpr int width = 24;
+    const auto done = static_cast<int>(std::floor(std::clamp(fraction, 0.0, 1.0) * width));
+    return "[" + std::string(static_cast<std::size_t>(done), '#') +
+           std::string(static_cast<std::size_t>(width - done), '.') + "]";
+}
+
+}  // namespace
+
+std::string as_sentence(std::string text) {
+    if (text.empty()) return text;
+    if (is_lower_case_word(text.substr(0, text.find(' ')))) {
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    }
+    const std::size_t command = text.rfind(": pendular ");
+    const bool ends_in_command =
+        command != std::string::npos && text.find(". ", command) == std::string::npos;
+    const bool ended = text.ends_with('.') || text.ends_with('?') || text.ends_with('\n');
+    return ended || ends_in_command ? text : text + ".";
+}
+
+Console::~Console() {
+    end_progress();
+    print_notes();
+}
+
+void Console::answer(const std::string& text) {
+    const bool bold = options_.json != "-" && isatty(STDOUT_FILENO) != 0 &&
+                      std::getenv("NO_COLOR") == nullptr;
+    line(bold ? "\033[1m" + text + "\033[0m" : text);
+}
 
 void Console::line(const std::string& text) {
     end_progress();
@@ -20,8 +84,64 @@ void Console::line(const std::string& text) {
     std::fflush(json_on_output ? stderr : stdout);
 }
 
+void Console::table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows) {
+    std::size_t rows = 0, hidden = 0;
+    for (std::size_t k = 0; k < heading_and_rows.size(); ++k) {
+        const std::string& row = heading_and_rows[k];
+        if (is_legend(row)) continue;
+        if (k > 0 && ++rows > most_rows && !all()) {
+            ++hidden;
+            continue;
+        }
+        line(row);
+    }
+    if (hidden > 0) {
+        line(fmt::format("  ... {} more row{}: add --all", hidden, hidden == 1 ? "" : "s"));
+    }
+    for (const std::string& row : heading_and_rows) {
+        if (is_legend(row)) line(row);
+    }
+}
+
 void Console::note(const std::string& text) {
-    line("note: " + text);
+    const std::string pattern = pattern_of(text);
+    const auto same = std::ranges::find(notes_, pattern, &Note::pattern);
+    if (same == notes_.end() || (all() && same->text != text)) {
+        notes_.push_back({as_sentence(text), pattern});
+    } else if (same->text != as_sentence(text)) {
+        ++same->count;
+    }
+}
+
+void Console::print_notes() {
+    const std::size_t shown = all() ? notes_.size() : std::min(notes_.size(), most_notes);
+    for (std::size_t k = 0; k < shown; ++k) {
+        const Note& note = notes_[k];
+        line("Note: " + note.text +
+             (note.count > 1 ? fmt::format(" ({} more such notes: add --all)", note.count - 1)
+                             : ""));
+    }
+    if (shown < notes_.size()) {
+        const std::size_t hidden = notes_.size() - shown;
+        line(fmt::format("Note: {} more note{}: add --all", hidden, hidden == 1 ? "" : "s"));
+    }
+    notes_.clear();
+}
+
+void Console::figures(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+    print_notes();
+    if (names.empty()) return;
+    if (names.size() == 1) {
+        line(fmt::format("Figure: {}", (folder / (names.front() + ".png")).string()));
+    } else {
+        line(fmt::format("Figures in {}: {} (each as PNG, SVG, PDF and CSV).", folder.string(),
+                         fmt::join(names, ", ")));
+    }
+}
+
+void Console::next(const std::string& command) {
+    print_notes();
+    line("Next: " + command);
 }
 
 void Console::json(const nlohmann::ordered_json& json) {
@@ -41,16 +161,21 @@ void Console::progress(const std::string& what, const EnsembleProgress& progress
     }
     const bool terminal = isatty(STDERR_FILENO) != 0;
     const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < std::chrono::milliseconds(terminal ? 200 : 10000)) {
+    const bool same_stage = stage_ == what && progress.fraction >= fraction_shown_;
+    // A log of a long calibration is read later: ten lines per stage tell its course.
+    if (now - last_ < std::chrono::milliseconds(terminal ? 200 : 10000) ||
+        (!terminal && same_stage && progress.fraction < fraction_shown_ + 0.1)) {
         return;
     }
     last_ = now;
     drawn_ = terminal;
+    stage_ = what;
+    fraction_shown_ = progress.fraction;
     const std::string left =
         progress.seconds_left > 0 ? ", " + duration(progress.seconds_left) + " left" : "";
     const std::string text =
-        fmt::format("{}: {} of {} runs done, {:.0f} %{}", what, progress.runs_done, progress.runs,
-                    100 * progress.fraction, left);
+        fmt::format("{} {} {:.0f} %, {} of {} runs done{}", what, bar(progress.fraction),
+                    100 * progress.fraction, progress.runs_done, progress.runs, left);
     fmt::print(stderr, "{}{}{}", terminal ? "\r\033[K" : "", text, terminal ? "" : "\n");
 }
 

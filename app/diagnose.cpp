@@ -83,7 +83,7 @@ int diagnose(const std::vector<std::string>& arguments) {
         console.note(note);
     }
     for (const LeftAside& aside : models.left_aside()) {
-        if (aside.untold) {
+        if (aside.without_runs) {
             console.note(fmt::format("{} was not tested: {}", aside.effect, aside.why));
         }
     }

@@ -122,7 +122,7 @@ std::string example_of(const std::function<bool(const Effect&)>& wanted) {
         return "";
     }
     const EffectParameter& parameter = found->parameters.front();
-    return fmt::format("--{} {:g}", key(*found, parameter), parameter.neutral + parameter.matters);
+    return fmt::format("--{} {:g}", key(*found, parameter), parameter.neutral + parameter.smallest_of_interest);
 }
 
 }  // namespace pendular::app

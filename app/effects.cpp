@@ -59,7 +59,7 @@ EffectEntry entry_of(const Effect& effect, const EffectCatalogue& catalogue,
     EffectEntry entry{&effect, catalogue.is_written(effect)};
     if (study) {
         const auto& listed = study->model.effects;
-        entry.standing = {
+        entry.status = {
             std::ranges::find(listed, effect.name, &ListedEffect::name) != listed.end(),
             why_not(effect, *study)};
     }
@@ -91,8 +91,8 @@ void show_all(Console& console, const std::vector<EffectEntry>& entries) {
     }
     nlohmann::ordered_json json = {{"effects", nlohmann::ordered_json::array()}};
     for (const EffectEntry& entry : entries) {
-        if (entry.standing && entry.standing->why_not) {
-            console.note(*entry.standing->why_not);
+        if (entry.status && entry.status->why_not) {
+            console.note(*entry.status->why_not);
         }
         json["effects"].push_back(to_json(entry));
     }
@@ -108,7 +108,7 @@ class Signatures {
         // The atlas alone, so that the manual is the same everywhere.
         if (auto known = known_runs(study_, fidelity, nullptr)) {
             simulation_ = std::make_shared<EmulatedSimulation>(
-                study_, fidelity, Emulator(known->runs, std::move(known->scales)));
+                study_, fidelity, Emulator(known->runs, std::move(known->hyperparameters)));
         }
     }
 

@@ -93,21 +93,22 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
     po::options_description common("Common options", 100);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     common.add_options()("json", po::value(&json)->value_name("FILE"),
-                         "write the result as JSON; '-': alone on standard output")(
+                         "file for the result as JSON; '-': standard output, with JSON alone on it")(
         "out", po::value(&out)->value_name("DIR"), out_meaning_.c_str())(
         "fidelity", po::value(&fidelity)->default_value("standard")->value_name("NAME"),
         "quick, standard or paper: beads / stiffness number / lowest inertial number / averaged "
         "strain "
         "1000/1000/3e-3/5, 2000/1000/2e-3/10, 4000/8400/1e-3/20")(
         "store", po::value(&store)->value_name("FILE"),
-        "SQLite file in which every run is kept (default: $PENDULAR_STORE, else "
+        "SQLite file that keeps every run (default: $PENDULAR_STORE, else "
         "~/.local/share/pendular/runs.sqlite)")(
         "threads",
         po::value(&result.threads)
             ->default_value(default_threads_ > 0 ? default_threads_ : cores)
             ->value_name("N"),
         threads_meaning_.c_str())("quiet", po::bool_switch(&result.quiet),
-                                  "no progress on standard error")("help", "this text");
+                                  "no progress on standard error")(
+        "all", po::bool_switch(&result.all), "all rows of tables and all notes")("help", "this text");
     po::options_description all, hidden;
     std::vector<std::string> words;
     if (takes_study_) {
@@ -141,7 +142,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
     } catch (const po::too_many_positional_options_error&) {
         throw InputError(fmt::format("too many arguments; usage: pendular {}", usage_));
     } catch (const po::error& error) {
-        throw InputError(fmt::format("{}; see 'pendular {} --help'", error.what(),
+        throw InputError(fmt::format("{}; see: pendular {} --help", error.what(),
                                      usage_.substr(0, usage_.find(' '))));
     }
     if (variables_.count("help") > 0) {

@@ -13,7 +13,7 @@
 
 namespace pendular::app {
 
-/// A seed as the user gave it.
+/// Seed of random numbers as the user gave it.
 /// @throws InputError if it is negative
 std::uint64_t checked_seed(std::int64_t seed);
 
@@ -21,15 +21,16 @@ std::uint64_t checked_seed(std::int64_t seed);
 /// @throws InputError naming the option
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);
 
-/// What every command understands.
+/// Options that every command takes.
 struct CommonOptions {
     std::optional<std::string> json;  ///< file, or "-" for standard output
     std::optional<std::filesystem::path> out;
     Fidelity fidelity;
     int threads = 1;
     bool quiet = false;
+    bool all = false;  ///< every row of every table and every note
     std::filesystem::path store;
-    bool store_named = false;     ///< by --store or $PENDULAR_STORE, not the standard place
+    bool store_named = false;     ///< the user named it, by --store or $PENDULAR_STORE
     std::filesystem::path study;  ///< empty for commands without one
 
     /// Folder for results: --out, else STUDY/out.
@@ -43,19 +44,19 @@ class Options {
     /// `usage` is the line after "Usage: pendular", `about` and `examples` frame the help text.
     Options(std::string usage, std::string about, std::string examples, bool takes_study);
 
-    /// Adds an option of the command's own; the description carries the unit.
+    /// Adds an option of this command; its description names the unit.
     template <typename T>
     void add(const char* name, T* value, const std::string& description) {
         sections_.back().add_options()(
             name, boost::program_options::value<T>(value)->value_name("X"), description.c_str());
     }
-    /// Puts the options added from now on under a heading of their own.
+    /// Puts the options that are added from here on under a new heading.
     void begin_section(const std::string& heading) { sections_.emplace_back(heading, 100); }
-    /// What --threads means to this command, if not runs side by side; 0: all cores.
+    /// Sets the description of --threads and its default; 0: all cores.
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
     }
-    /// What --out means to this command, if not the results of a study.
+    /// Sets the description of --out.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
     /// Takes any number of words that belong to no option, after the study where there is one.
     void take(std::vector<std::string>* words) { words_ = words; }
@@ -76,10 +77,10 @@ class Options {
     std::string usage_, about_, examples_;
     bool takes_study_;
     std::vector<std::string>* words_ = nullptr;
-    int default_threads_ = 0;  ///< 0: as many as there are cores
-    std::string threads_meaning_ = "runs carried out side by side";
+    int default_threads_ = 0;  ///< 0: one per core
+    std::string threads_meaning_ = "number of runs at a time";
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";
-    std::list<boost::program_options::options_description> sections_;  ///< of the command's own
+    std::list<boost::program_options::options_description> sections_;  ///< this command's options
     boost::program_options::variables_map variables_;
 };
 

@@ -67,13 +67,13 @@ void simulate_one(const RequestedState& requested, const StatePredictor& predict
     if (!run.failure.empty()) {
         throw std::runtime_error("the simulation failed: " + run.failure);
     }
-    for (const dem::Observable which : observables_of(emulated::state_of(wanted))) {
+    for (const dem::Observable which : observables_of(emulated::flow_state_of(wanted))) {
         console.line(observable_line(which, run[which].value, run[which].standard_error));
     }
     console.line(fmt::format(
         "Simulated at {} fidelity, since the known runs do not support a prediction: "
         "{} grains, averaged strain {:.3g}, stiffness number {:.4g}.{}",
-        common.fidelity.name, wanted.beads, run.strain_averaged, predictor.stiffness_number(),
+        common.fidelity.name, wanted.grains, run.strain_averaged, predictor.stiffness_number(),
         store ? " The run is in " + store->file().string() + "." : ""));
     note_differences(requested, run, console);
     console.json(simulated_state_json(wanted, run));
@@ -188,10 +188,10 @@ int predict(const std::vector<std::string>& arguments) {
         for (const double end : {line->from, line->to}) {
             RequestedState at = requested;
             line->set(at, end);
-            at.check();
+            at.check_supported();
         }
     } else {
-        requested.check();
+        requested.check_supported();
     }
     if (!options.given("stiffness-number")) {
         stiffness_number = common->fidelity.stiffness_number;

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "app/command.h"
 #include "data/input_error.h"
@@ -13,45 +13,60 @@
 namespace pendular::app {
 namespace {
 
-constexpr std::array<Command, 13> commands = {{
-    {"import", "recordings to readings: stresses and solid fractions with their errors", import},
-    {"simulate", "one discrete-element run of steady shear and its observables", simulate},
-    {"predict", "what known runs say of any state, at once, with errors; curves", predict},
-    {"calibrate", "fit the intergranular friction to dry readings, predict the wet ones",
-     calibrate},
-    {"compare", "model beside measurement: misfit by observable and condition, figures", compare},
-    {"diagnose", "which physical effect is missing, if any, and how sure that is", diagnose},
-    {"next", "the measurement that would tell most: rivals apart, parameters sharper", next},
-    {"add", "an effect into a study: fitted, with the error before and after", add},
-    {"drop", "an effect out of a study: fitted, with the error before and after", drop},
-    {"effects", "what a model may lack: the catalogue of effects, one entry whole", effects},
-    {"virtual-lab", "a study as an instrument with a hidden truth would have recorded it",
-     virtual_lab},
-    {"campaign", "many runs into the store: grids, lists, Sobol fillings; resumable", campaign},
-    {"runs", "the stored runs: list, show, compare, plot, export, import, merge, prune, learn",
-     runs},
-}};
+/// Commands of one step of the work, in the order in which a user takes them.
+struct Group {
+    const char* heading;
+    std::vector<Command> commands;
+};
+
+const std::vector<Group> groups = {
+    {"Measure and calibrate",
+     {{"import", "turn recordings into shear stresses and solid fractions with their errors",
+       import},
+      {"calibrate", "fit the intergranular friction to the dry readings, predict the wet ones",
+       calibrate},
+      {"compare", "put model and measurement side by side: misfit and figures", compare}}},
+    {"Find the missing physical effect",
+     {{"diagnose", "test which physical effect is missing from the model", diagnose},
+      {"next", "plan the measurement that tells most", next},
+      {"add", "add an effect to the model; error before and after", add},
+      {"drop", "remove an effect from the model; error before and after", drop},
+      {"effects", "list the known effects, or describe one", effects}}},
+    {"Simulate",
+     {{"predict", "predict a state of steady shear at once from known runs, with errors", predict},
+      {"simulate", "shear one sample of grains by the discrete-element method", simulate},
+      {"campaign", "simulate many states; resumable, also on a cluster", campaign},
+      {"runs", "list, compare, plot, export, import, merge and prune stored runs", runs},
+      {"virtual-lab", "write recordings of an instrument with a hidden truth", virtual_lab}}}};
 
 void print_overview() {
     fmt::print(
-        "pendular puts rheometer recordings of beads beside a discrete-element model.\n\n"
-        "Usage: pendular COMMAND [options]\n\nCommands:\n");
-    for (const auto& command : commands) {
-        fmt::print("  {:<11} {}\n", command.name, command.summary);
+        "Pendular fits a discrete-element model to rheometer recordings of dry or wet beads and\n"
+        "finds the physical effect that the model lacks.\n\n"
+        "Usage: pendular COMMAND [options]\n");
+    for (const Group& group : groups) {
+        fmt::print("\n{}\n", group.heading);
+        for (const Command& command : group.commands) {
+            fmt::print("  {:<11} {}\n", command.name, command.summary);
+        }
     }
     fmt::print(
-        "\n'pendular COMMAND --help' describes one, with examples.\n"
-        "Exit codes: 0 done; 1 the program failed; 2 the input or the command line is wrong; "
+        "\nA study is a folder with a file study.toml. A first session:\n"
+        "  pendular import my-study\n"
+        "  pendular calibrate my-study --no-confirm\n"
+        "  pendular diagnose my-study\n"
+        "\n'pendular COMMAND --help' describes one command, with examples.\n"
+        "Exit codes: 0 done; 1 the program failed; 2 the input or the command line is wrong;\n"
         "3 the fit did not converge or is meaningless; 130 interrupted.\n");
 }
 
 const Command& command_named(const std::string& name) {
     std::vector<std::string> names;
-    for (const auto& command : commands) {
-        if (command.name == name) {
-            return command;
+    for (const Group& group : groups) {
+        for (const Command& command : group.commands) {
+            if (command.name == name) return command;
+            names.emplace_back(command.name);
         }
-        names.emplace_back(command.name);
     }
     throw InputError(fmt::format("unknown command '{}'; {}", name, did_you_mean(name, names)));
 }

@@ -14,7 +14,7 @@
 #include "app/stored_runs.h"
 #include "calib/emulator/emulated_observables.h"
 #include "calib/emulator/emulator.h"
-#include "calib/emulator/emulator_scales.h"
+#include "calib/emulator/emulator_hyperparameters.h"
 #include "data/input_error.h"
 #include "data/quantities/nearest.h"
 #include "reports/draw_figure.h"
@@ -109,7 +109,7 @@ int list(const Request& request, Console& console) {
                    &solid = run[dem::Observable::solid_fraction];
         console.line(fmt::format(
             "{:>5} {:>8.4g} {:>6.3g} {} {:>6.4g} {:>5} {:>6.3g}  {:<18}  {:<18} {}{}", id,
-            p.friction, p.inertial_number, wetness(p), p.stiffness_number, p.beads, p.strain,
+            p.friction, p.inertial_number, wetness(p), p.stiffness_number, p.grains, p.strain,
             run.failure.empty() ? with_error(ratio.value, ratio.standard_error) : "",
             run.failure.empty() ? with_error(solid.value, solid.standard_error) : "", flags(run),
             with_effects(p, flags(run).empty() ? "" : "; ")));
@@ -131,7 +131,7 @@ int show(const Request& request, Console& console) {
         const StoredRun stored = store.get(run_number(word));
         json.push_back(stored_json(stored));
         console.line(fmt::format("run {}\n{}", stored.id,
-                                 described(stored.run.parameters, stored.run.threads)));
+                                 run_description(stored.run.parameters, stored.run.threads)));
         for (std::size_t k = 0; k < dem::observable_count; ++k) {
             const auto which = static_cast<dem::Observable>(k);
             if (stored.run.parameters.wetting || !dem::needs_bridges(which)) {
@@ -274,18 +274,18 @@ int learn(const Request& request, Console& console) {
     if (runs.empty()) {
         throw InputError("there are no steady runs to learn from");
     }
-    EmulatorScales scales;
+    EmulatorHyperparameters hyperparameters;
     for (const dem::Observable which : emulated::observables()) {
         if (PlainEmulator::known(runs, which)) {
-            scales[which] = PlainEmulator::learn(runs, which);
+            hyperparameters[which] = PlainEmulator::learn(runs, which);
         }
         if (!request.common.quiet) {
-            fmt::print(stderr, "learned {} of {} observables\n", scales.size(),
+            fmt::print(stderr, "learned {} of {} observables\n", hyperparameters.size(),
                        emulated::observables().size());
         }
     }
-    write_scales(request.words[0], scales);
-    console.line(fmt::format("scales of {} observables from {} runs written to {}", scales.size(),
+    write_hyperparameters(request.words[0], hyperparameters);
+    console.line(fmt::format("scales of {} observables from {} runs written to {}", hyperparameters.size(),
                              runs.size(), request.words[0]));
     return done;
 }

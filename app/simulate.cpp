@@ -90,7 +90,7 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
         fmt::format("{} beads, strain {:.2f} averaged after a transient of {:.2f}, {} steps of "
                     "{:.3g} sqrt(m/(a "
                     "s22)), {:.1f} s, {:.3g} bead-steps/s",
-                    p.beads, run.strain_averaged, run.strain_transient, run.steps, run.time_step,
+                    p.grains, run.strain_averaged, run.strain_transient, run.steps, run.time_step,
                     run.wall_seconds, run.particle_steps_per_second()));
 }
 
@@ -106,7 +106,7 @@ dem::Precision precision_from(const std::string& text) {
 /// @throws InputError for what cannot be simulated
 void refuse_impossible(const dem::RunParameters& run) {
     try {
-        check(run);
+        check_run(run);
     } catch (const std::invalid_argument& error) {
         throw InputError(error.what());
     }
@@ -120,10 +120,10 @@ struct Extras {
     std::string start;  ///< number of a stored run, "nearest" or nothing
 
     /// @throws InputError
-    void check(const Options& options, const CommonOptions& common) const;
+    void check_combination(const Options& options, const CommonOptions& common) const;
 };
 
-void Extras::check(const Options& options, const CommonOptions& common) const {
+void Extras::check_combination(const Options& options, const CommonOptions& common) const {
     if (options.given("snapshot-every")) {
         if (!common.out) {
             throw InputError("--snapshot-every needs --out DIR, the folder for the snapshots");
@@ -202,7 +202,7 @@ std::optional<StoredRun> start_of(const dem::RunParameters& run, const std::stri
                                   const RunStore& store) {
     if (word != "nearest") {
         StoredRun stored = store.get(run_number(word));
-        if (stored.run.final_state.beads.empty()) {
+        if (stored.run.final_state.grains.empty()) {
             throw InputError(fmt::format(
                 "--start {}: that run has no final state to start from, as one that failed or has "
                 "beads of several sizes",
@@ -244,7 +244,7 @@ dem::RunResult shear(const dem::RunParameters& run, const dem::StoredSample* sta
     }
 }
 
-void carry_out(dem::RunParameters run, const RunEffects& effects, const Extras& extras,
+void simulate_and_report(dem::RunParameters run, const RunEffects& effects, const Extras& extras,
                const CommonOptions& common, Console& console) {
     std::optional<dem::Checkpoint> checkpoint;
     if (!extras.checkpoint.empty()) {
@@ -263,12 +263,12 @@ void carry_out(dem::RunParameters run, const RunEffects& effects, const Extras& 
         }
         start = start_of(run, extras.start, *store);
         if (start) {
-            run.start = fingerprint(described(start->run.parameters, start->run.threads));
+            run.start = fingerprint(run_description(start->run.parameters, start->run.threads));
         } else {
             console.note(fmt::format(
                 "The run starts from a random sample: {} holds no steady {} run of {} grains with "
                 "its final state.",
-                store->file().string(), run.wetting ? "wet" : "dry", run.beads));
+                store->file().string(), run.wetting ? "wet" : "dry", run.grains));
         }
     }
     const dem::RunResult result =
@@ -330,7 +330,7 @@ int simulate(const std::vector<std::string>& arguments) {
                 "Poisson ratio of the beads [1] (default 0.3)");
     options.add("damping", &run.damping,
                 "normal viscous damping, fraction of critical [1] (default 0.98)");
-    options.add("beads", &run.beads, "number of beads (default: the fidelity's)");
+    options.add("beads", &run.grains, "number of beads (default: the fidelity's)");
     options.add("strain", &run.strain,
                 "averaged strain, after the transient [1] (default: the fidelity's)");
     std::vector<std::string> precisions;
@@ -339,7 +339,7 @@ int simulate(const std::vector<std::string>& arguments) {
         "OBSERVABLE=STANDARD_ERROR at which averaging stops before --strain is reached; may "
         "be repeated");
     dem::Wetting wetting{.bridge_volume = 2e-3};
-    std::string bridge_force = to_string(Form::derived);
+    std::string bridge_force = to_string(FormulaVariant::derived);
     options.add("reduced-pressure", &wetting.reduced_pressure,
                 "P* = a^2 s22/F0 of wet beads [1] (default: dry)");
     options.add("bridge-volume", &wetting.bridge_volume,
@@ -366,7 +366,7 @@ int simulate(const std::vector<std::string>& arguments) {
     }
     const auto& f = common->fidelity;
     run.seed = checked_seed(seed);
-    wetting.bridge_force = form_named(bridge_force);
+    wetting.bridge_force = formula_variant_named(bridge_force);
     if (options.given("reduced-pressure")) {
         run.wetting = wetting;
     } else if (options.given("bridge-volume") || options.given("bridge-force")) {
@@ -378,7 +378,7 @@ int simulate(const std::vector<std::string>& arguments) {
         options.given("inertial-number") ? run.inertial_number : f.lowest_inertial_number;
     run.stiffness_number =
         options.given("stiffness-number") ? run.stiffness_number : f.stiffness_number;
-    run.beads = options.given("beads") ? run.beads : f.beads;
+    run.grains = options.given("beads") ? run.grains : f.grains;
     run.strain = options.given("strain") ? run.strain : f.strain;
     for (const auto& text : precisions) {
         run.precision.push_back(precision_from(text));
@@ -387,10 +387,10 @@ int simulate(const std::vector<std::string>& arguments) {
     refuse_impossible(run);
     run = effects.changed(run, options);
     refuse_impossible(run);
-    extras.check(options, *common);
+    extras.check_combination(options, *common);
 
     Console console(*common);
-    carry_out(run, effects, extras, *common, console);
+    simulate_and_report(run, effects, extras, *common, console);
     return done;
 }
 

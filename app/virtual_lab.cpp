@@ -90,7 +90,7 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
     console.line(fmt::format(
         "{} beads each, stiffness number {:g}, strain {:g}, a run and a seed for each step; {} "
         "pilot runs",
-        result.recordings.front().steps.front().run.parameters.beads,
+        result.recordings.front().steps.front().run.parameters.grains,
         plan.fidelity.stiffness_number, plan.fidelity.strain, result.pilots));
     if (!plan.liquid_contents.empty()) {
         console.line(fmt::format("  {:<16} {:>8} {:>8} {:>8} {:>10}   {}", "file", "s22 [Pa]", "P*",
@@ -189,7 +189,7 @@ int virtual_lab(const std::vector<std::string>& arguments) {
     plan.fidelity = common->fidelity;
     take(words, dry, plan);
     plan.effects = effects.effects();
-    check(plan);
+    check_plan(plan);
 
     const InterruptGuard guard;
     Console console(*common);

@@ -27,26 +27,26 @@ constexpr int most_settled = 4000;  ///< beads
 /// The sample beside its own images, `count` times in every direction.
 Sample tiled(const ShearCell& sample, int count) {
     const Cell& cell = sample.cell();
-    const Beads& beads = sample.beads();
+    const Grains& grains = sample.grains();
     Sample tiles{
-        Beads(beads.size() * static_cast<std::size_t>(count * count * count)),
+        Grains(grains.size() * static_cast<std::size_t>(count * count * count)),
         {count * cell.length, count * cell.height, count * cell.width, count * cell.offset}};
     std::size_t to = 0;
     for (int tile = 0; tile < count * count * count; ++tile) {
         const Vector shift =
             Image{tile % count, tile / count % count, tile / count / count}.shift(cell);
-        for (const Beads::Motion& bead : beads.motion) {
-            tiles.beads.motion[to] = bead;
-            tiles.beads.motion[to++].position += shift;
+        for (const Grains::Motion& bead : grains.motion) {
+            tiles.grains.motion[to] = bead;
+            tiles.grains.motion[to++].position += shift;
         }
     }
     return tiles;
 }
 
 /// A sample in steady flow. Large ones are tiles of a smaller one, as they would take hours.
-ShearCell steady_sample(int beads, const BridgeLaw& bridges, int threads) {
-    const int tiles = static_cast<int>(std::ceil(std::cbrt(1.0 * beads / most_settled)));
-    const int small = beads / (tiles * tiles * tiles);
+ShearCell steady_sample(int grains, const BridgeLaw& bridges, int threads) {
+    const int tiles = static_cast<int>(std::ceil(std::cbrt(1.0 * grains / most_settled)));
+    const int small = grains / (tiles * tiles * tiles);
     ShearCell sample(small, material, shear_rate, 1, bridges, tiles > 1 ? 1 : threads);
     sample.compress();
     while (sample.strain() < settling_strain) {
@@ -64,17 +64,17 @@ ShearCell steady_sample(int beads, const BridgeLaw& bridges, int threads) {
 }
 
 void shear_step(benchmark::State& state, const BridgeLaw& bridges) {
-    const int beads = static_cast<int>(state.range(0)), threads = static_cast<int>(state.range(1));
+    const int grains = static_cast<int>(state.range(0)), threads = static_cast<int>(state.range(1));
     const double before = peak_memory();
-    ShearCell sample = steady_sample(beads, bridges, threads);
+    ShearCell sample = steady_sample(grains, bridges, threads);
     for (auto _ : state) {
         sample.step();
     }
     state.counters["bead-steps/s"] =
-        benchmark::Counter(static_cast<double>(state.iterations() * sample.beads().size()),
+        benchmark::Counter(static_cast<double>(state.iterations() * sample.grains().size()),
                            benchmark::Counter::kIsRate);
     if (const double grown = peak_memory() - before; grown > 1e8) {  // else it was there already
-        state.counters["bytes/bead"] = grown / static_cast<double>(sample.beads().size());
+        state.counters["bytes/bead"] = grown / static_cast<double>(sample.grains().size());
     }
 }
 

@@ -18,7 +18,7 @@ double normal_stress(double normal_force, const AnnularCell& cell) {
 double shear_stress(double torque, const AnnularCell& cell) {
     const double derived =
         3 * torque / (2 * pi * (std::pow(cell.outer_radius, 3) - std::pow(cell.inner_radius, 3)));
-    return cell.torque_formula == Form::as_printed ? 2 * derived : derived;
+    return cell.torque_formula == FormulaVariant::as_printed ? 2 * derived : derived;
 }
 
 double solid_fraction(double height, const AnnularCell& cell) {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "data/form.h"
+#include "data/formula_variant.h"
 
 namespace pendular {
 
@@ -11,7 +11,7 @@ struct AnnularCell {
     double inner_radius = 0;
     double outer_radius = 0;
     double bead_volume = 0;
-    Form torque_formula = Form::derived;
+    FormulaVariant torque_formula = FormulaVariant::derived;
 
     /// Area of the annulus [m^2]: pi (Re^2 - Ri^2).
     double area() const;

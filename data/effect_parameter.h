@@ -13,14 +13,14 @@ struct EffectParameter {
     std::string unit = "1";
     double lower = 0, upper = 1;  ///< [unit]
     double neutral = 0;           ///< value at which the effect is gone [unit]
-    double matters = 1;           ///< how far from neutral it would matter to a user [unit]
+    double smallest_of_interest = 1;           ///< how far from neutral it would matter to a user [unit]
     std::string meaning;
     /// What the effect grows with in proportion, as a function of the value; itself where empty. It
     /// must not have a zero slope at neutral, as 1 - cos has.
     double (*amplitude)(double value) = nullptr;
     /// Of an effect on grains that acts only as far as friction lets it: what flow responds to in
     /// proportion, 0 at neutral and greatest at `upper`. The emulator learns responses by it.
-    double (*felt)(double value, double friction) = nullptr;
+    double (*effective_amplitude)(double value, double friction) = nullptr;
 
     bool is_switch() const { return name == "on"; }
 };

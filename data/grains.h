@@ -8,7 +8,7 @@ namespace pendular {
 constexpr double gravity = 9.80665;
 
 /// The beads, in SI units.
-struct Grains {
+struct GrainProperties {
     double diameter = 0;  ///< a [m]
     double density = 0;   ///< [kg/m^3]
     /// E [Pa]; without it results stand at the fidelity's stiffness number
@@ -31,24 +31,24 @@ struct Liquid {
 /// I = rate sqrt(m/(a s22)) [1], from a shear rate [1/s] and a normal stress [Pa].
 /// Source: Badetti et al. (2018), eq:defI, in its three-dimensional form; the other common form,
 /// rate a sqrt(rho/s22), is sqrt(6/pi) = 1.382 times larger.
-double inertial_number(double shear_rate, double normal_stress, const Grains& grains);
+double inertial_number(double shear_rate, double normal_stress, const GrainProperties& grains);
 
 /// Shear rate [1/s] at an inertial number [1] and a normal stress [Pa]; the inverse of
 /// `inertial_number`.
-double shear_rate_at(double inertial_number, double normal_stress, const Grains& grains);
+double shear_rate_at(double inertial_number, double normal_stress, const GrainProperties& grains);
 
 /// Stiffness number kappa = (E~/s22)^(2/3) [1], E~ = E/(1 - nu^2); empty without a Young's modulus.
-std::optional<double> stiffness_number(double normal_stress, const Grains& grains);
+std::optional<double> stiffness_number(double normal_stress, const GrainProperties& grains);
 
 /// Pull-off force F0 = pi a Gamma cos(theta) [N]: the attraction of two equal beads in contact,
 /// joined by a liquid bridge of any volume.
 /// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; Badetti et al. (2018), eq:Maugis, where
 /// a is the bead diameter.
-double pull_off_force(const Grains& grains, const Liquid& liquid);
+double pull_off_force(const GrainProperties& grains, const Liquid& liquid);
 
 /// Reduced pressure P* = a^2 s22/F0 [1], from a normal stress [Pa]; infinite for a liquid without
 /// surface tension.
 /// Source: Badetti et al. (2018), eq:defPstar.
-double reduced_pressure(double normal_stress, const Grains& grains, const Liquid& liquid);
+double reduced_pressure(double normal_stress, const GrainProperties& grains, const Liquid& liquid);
 
 }  // namespace pendular

@@ -21,7 +21,7 @@ std::string percents(double before, double after) {
     return fmt::format("{} % -> {} %", number(before), number(after));
 }
 
-std::string left_out_text(const Rung& before, const Rung& after) {
+std::string left_out_text(const LadderStep& before, const LadderStep& after) {
     if (!before.left_out_percent || !after.left_out_percent) {
         return "";
     }
@@ -30,17 +30,17 @@ std::string left_out_text(const Rung& before, const Rung& after) {
                        percents(a[1], b[1]));
 }
 
-std::string estimate(const RungParameter* parameter) {
+std::string estimate(const LadderParameter* parameter) {
     return parameter ? with_error(parameter->value, parameter->standard_error) : "-";
 }
 
 /// Drift in the errors that the parameter had [1].
-double drift(const RungParameter& before, const RungParameter& after) {
+double drift(const LadderParameter& before, const LadderParameter& after) {
     return (after.value - before.value) / before.standard_error;
 }
 
 std::string parameter_line(const std::string& name, const std::string& unit,
-                           const RungParameter* before, const RungParameter* after) {
+                           const LadderParameter* before, const LadderParameter* after) {
     const std::string moved = before && after
                                   ? fmt::format("{:+.1f} standard errors", drift(*before, *after))
                               : after ? "new"
@@ -52,7 +52,7 @@ std::string parameter_line(const std::string& name, const std::string& unit,
 
 /// "shear stress", "shear stress and solid fraction": those whose left-out error rose by more than
 /// a twentieth.
-std::string left_out_rose(const Rung& before, const Rung& after) {
+std::string left_out_rose(const LadderStep& before, const LadderStep& after) {
     std::string which;
     if (!before.left_out_percent || !after.left_out_percent) {
         return which;
@@ -65,7 +65,7 @@ std::string left_out_rose(const Rung& before, const Rung& after) {
     return which;
 }
 
-std::string advice_on_added(const std::string& effect, const Rung& before, const Rung& after,
+std::string advice_on_added(const std::string& effect, const LadderStep& before, const LadderStep& after,
                             const std::string& study) {
     const std::string undo = fmt::format(
         "'pendular drop {0} {1}' takes it out again, 'pendular diagnose {0}' says what may be "
@@ -91,7 +91,7 @@ std::string advice_on_added(const std::string& effect, const Rung& before, const
     return "";
 }
 
-std::string advice_on_dropped(const std::string& effect, const Rung& before, const Rung& after,
+std::string advice_on_dropped(const std::string& effect, const LadderStep& before, const LadderStep& after,
                               const std::string& study) {
     if (after.chi2 <= before.chi2) {
         return fmt::format("the error did not rise without {}: it was not needed", effect);
@@ -110,7 +110,7 @@ std::string advice_on_dropped(const std::string& effect, const Rung& before, con
 
 }  // namespace
 
-std::string verdict_of(const StudyChange& change, const Rung& before, const Rung& after) {
+std::string verdict_of(const StudyChange& change, const LadderStep& before, const LadderStep& after) {
     return fmt::format(
         "{} {}: chi2/dof {} -> {}, RMS error of shear stress {}, of solid fraction {}{}",
         change.effect, change.change == Action::add ? "added" : "dropped",
@@ -119,13 +119,13 @@ std::string verdict_of(const StudyChange& change, const Rung& before, const Rung
         percents(before.rms_percent[1], after.rms_percent[1]), left_out_text(before, after));
 }
 
-std::vector<std::string> parameter_changes(const Rung& before, const Rung& after) {
+std::vector<std::string> parameter_changes(const LadderStep& before, const LadderStep& after) {
     std::vector<std::string> lines = {
         fmt::format("  {:<36} {:>24} {:>24}   {}", "parameter", "before", "after", "drift")};
-    for (const RungParameter& p : before.parameters) {
+    for (const LadderParameter& p : before.parameters) {
         lines.push_back(parameter_line(p.name, p.unit, &p, after.find(p.name)));
     }
-    for (const RungParameter& p : after.parameters) {
+    for (const LadderParameter& p : after.parameters) {
         if (!before.find(p.name)) {
             lines.push_back(parameter_line(p.name, p.unit, nullptr, &p));
         }
@@ -133,15 +133,15 @@ std::vector<std::string> parameter_changes(const Rung& before, const Rung& after
     return lines;
 }
 
-std::vector<std::string> advice_on(const StudyChange& change, const Rung& before, const Rung& after,
+std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before, const LadderStep& after,
                                    const std::string& study) {
     std::vector<std::string> lines;
     const auto advise = change.change == Action::add ? advice_on_added : advice_on_dropped;
     if (std::string advice = advise(change.effect, before, after, study); !advice.empty()) {
         lines.push_back(std::move(advice));
     }
-    for (const RungParameter& p : before.parameters) {
-        const RungParameter* const later = after.find(p.name);
+    for (const LadderParameter& p : before.parameters) {
+        const LadderParameter* const later = after.find(p.name);
         if (later && std::abs(drift(p, *later)) > 3) {
             lines.push_back(
                 fmt::format("{} moved by {:.1f} times the error it had: one of the two models took "

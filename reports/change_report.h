@@ -8,13 +8,13 @@
 namespace pendular {
 
 /// The change in one line: the error before and after.
-std::string verdict_of(const StudyChange& change, const Rung& before, const Rung& after);
+std::string verdict_of(const StudyChange& change, const LadderStep& before, const LadderStep& after);
 
 /// Parameters before and after, with the drift of those that are in both.
-std::vector<std::string> parameter_changes(const Rung& before, const Rung& after);
+std::vector<std::string> parameter_changes(const LadderStep& before, const LadderStep& after);
 
 /// Whether the change served, where it did not, and what to do then; `study` as the user names it.
-std::vector<std::string> advice_on(const StudyChange& change, const Rung& before, const Rung& after,
+std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before, const LadderStep& after,
                                    const std::string& study);
 
 }  // namespace pendular

@@ -6,7 +6,7 @@
 
 #include "reports/dry_figures.h"
 #include "reports/residual_figures.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 #include "reports/wet_figures.h"
 
 namespace pendular {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/figure_text.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 
 namespace pendular {
 namespace {
@@ -41,11 +41,11 @@ Panel drop_panel(const Diagnosis& diagnosis, const std::vector<const Finding*>& 
                  .colour = calibrated_colour,
                  .symbol = {Shape::diamond, Filling::filled}};
     for (std::size_t k = 0; k < findings.size(); ++k) {
-        const double drop = std::max(0.0, findings[k]->test.predicted_drop);
+        const double drop = std::max(0.0, findings[k]->test.predicted_reduction);
         add(predicted, k, drop);
         predicted.names.push_back(fmt::format("{:.{}f}", drop, drop < 9.95 ? 1 : 0));
-        if (findings[k]->refit_drop) {
-            add(refitted, k, std::max(0.0, *findings[k]->refit_drop), 0.22);
+        if (findings[k]->refitted_reduction) {
+            add(refitted, k, std::max(0.0, *findings[k]->refitted_reduction), 0.22);
         }
     }
     panel.curves = {predicted, refitted};
@@ -67,10 +67,10 @@ Panel size_panel(const std::vector<const Finding*>& findings, const ModelSpace& 
         const Candidate& candidate = space.candidates()[findings[k]->candidate];
         const EffectParameter& p = candidate.parameters.front();
         const double neutral = candidate.is_switch() ? 0 : p.neutral,
-                     matters = candidate.is_switch() ? 1 : p.matters;
-        add(estimates, k, (findings[k]->value - neutral) / matters);
-        estimates.y_error.push_back(findings[k]->standard_error / std::abs(matters));
-        add(detectable, k, findings[k]->detectable / std::abs(matters), 0.22);
+                     smallest_of_interest = candidate.is_switch() ? 1 : p.smallest_of_interest;
+        add(estimates, k, (findings[k]->value - neutral) / smallest_of_interest);
+        estimates.y_error.push_back(findings[k]->standard_error / std::abs(smallest_of_interest));
+        add(detectable, k, findings[k]->detectable / std::abs(smallest_of_interest), 0.22);
         panel.x_names.push_back(broken_name(candidate.name));
     }
     panel.curves = {detectable, estimates};

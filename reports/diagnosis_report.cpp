@@ -135,15 +135,15 @@ std::string finding_line(const Finding& finding, const ModelSpace& space) {
     const EffectParameter& p = candidate.parameters.front();
     if (!finding.test.seen()) {
         return fmt::format("  {:<24} {:>26} {:>9} {:>9} {:>8.0f} % {:>6} {:>8}   {}",
-                           candidate.name, "-", "-", "-", 100 * finding.test.absorbed, "-", "-",
+                           candidate.name, "-", "-", "-", 100 * finding.test.share_imitated, "-", "-",
                            finding.decision);
     }
     const std::string unit = candidate.is_switch() ? "1" : p.unit;
     return fmt::format(
         "  {:<24} {:>26} {:>9.1f} {:>9} {:>8.0f} % {:>6.2f} {:>8}   {}", candidate.name,
-        with_error(finding.value, finding.standard_error, unit), finding.test.predicted_drop,
-        finding.refit_drop ? fmt::format("{:.1f}", *finding.refit_drop) : "",
-        100 * finding.test.absorbed, finding.power, p_text(finding.p, ""), finding.decision);
+        with_error(finding.value, finding.standard_error, unit), finding.test.predicted_reduction,
+        finding.refitted_reduction ? fmt::format("{:.1f}", *finding.refitted_reduction) : "",
+        100 * finding.test.share_imitated, finding.power, p_text(finding.p, ""), finding.decision);
 }
 
 /// How alike are what the effects do, after the calibrated parameters.
@@ -202,7 +202,7 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
         "  (drop of chi2, predicted and refitted; absorbed: by the calibrated parameters; power to "
         "see the size that matters; p of the best among so many)");
     if (std::ranges::any_of(d.scan,
-                            [](const Finding& f) { return f.refit_drop.value_or(0) < 0; })) {
+                            [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(
             "  (a negative drop: chi2 counts the errors of the model's predictions too, and with "
             "that effect they are smaller, while the curve passes the readings no closer)");
@@ -241,7 +241,7 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space,
                                       100 * finding.power)
                         : fmt::format(
                               "  {} is seen where it is off by {:.2g}{}; {:.2g}{} would matter",
-                              effect, finding.detectable, unit, p.matters, unit));
+                              effect, finding.detectable, unit, p.smallest_of_interest, unit));
             }
             lines.push_back("next: more readings, replicates or conditions");
             break;

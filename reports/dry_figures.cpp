@@ -9,7 +9,7 @@
 #include "calib/model/run_design.h"
 #include "calib/model/study_state.h"
 #include "reports/model_curve.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 #include "reports/symbol_code.h"
 
 namespace pendular {
@@ -95,7 +95,7 @@ Curve runs_curve(const DryStudy& study, const Condition& condition, std::size_t 
 ModelCurve against_friction(const DryStudy& study, const Condition& condition) {
     const Predictor& flow = study.model.flow();
     Eigen::VectorXd parameters = study.model.flow_parameters(study.calibration.fit.parameters);
-    const Supported range = study.model.simulation().supported();
+    const ParameterBounds range = study.model.simulation().bounds();
     std::vector<double> x;
     Prediction all{
         .value = Eigen::VectorXd(2 * (curve_steps + 1)),

@@ -52,10 +52,10 @@ const char* touched(const Effect& effect) {
 }
 
 std::string in_study(const EffectEntry& entry) {
-    if (!entry.standing) {
+    if (!entry.status) {
         return "";
     }
-    return entry.standing->why_not ? "no" : entry.standing->listed ? "on" : "can be";
+    return entry.status->why_not ? "no" : entry.status->listed ? "on" : "can be";
 }
 
 std::string unit_of(const EffectParameter& parameter) {
@@ -64,9 +64,9 @@ std::string unit_of(const EffectParameter& parameter) {
 
 std::string table_line(const std::string& name, const std::string& parameter,
                        const std::string& unit, const std::string& touches,
-                       const std::string& standing, const std::string& summary) {
+                       const std::string& status, const std::string& summary) {
     return fmt::format("  {:<23} {:<16} {:<8} {:<8} {}{}", name, parameter, unit, touches,
-                       standing.empty() ? "" : fmt::format("{:<9}", standing), summary);
+                       status.empty() ? "" : fmt::format("{:<9}", status), summary);
 }
 
 /// One line for each parameter; the second and further ones say no more than that.
@@ -92,12 +92,12 @@ void add_lines(std::vector<std::string>& page, const char* name, const std::stri
     }
 }
 
-std::string described(const EffectParameter& p) {
+std::string parameter_text(const EffectParameter& p) {
     if (p.is_switch()) {
         return fmt::format("{}, a switch: 1 on, 0 off: {}", p.name, p.meaning);
     }
     return fmt::format("{} [{}], {:g} to {:g}, gone at {:g}, matters from {:g} on: {}", p.name,
-                       p.unit, p.lower, p.upper, p.neutral, p.matters, p.meaning);
+                       p.unit, p.lower, p.upper, p.neutral, p.smallest_of_interest, p.meaning);
 }
 
 /// "--torque-offset.torque 0.0001": a size that would matter.
@@ -105,7 +105,7 @@ std::string options_of(const Effect& effect) {
     std::vector<std::string> options;
     for (const EffectParameter& p : effect.parameters) {
         options.push_back(fmt::format("--{}.{} {:g}", effect.name, p.name,
-                                      p.is_switch() ? 1 : p.neutral + p.matters));
+                                      p.is_switch() ? 1 : p.neutral + p.smallest_of_interest));
     }
     return fmt::format("{}", fmt::join(options, " "));
 }
@@ -129,11 +129,11 @@ void add_how_to(std::vector<std::string>& page, const EffectEntry& entry) {
     }
 }
 
-std::string standing_text(const EffectEntry& entry) {
-    if (entry.standing->why_not) {
-        return *entry.standing->why_not;
+std::string status_text(const EffectEntry& entry) {
+    if (entry.status->why_not) {
+        return *entry.status->why_not;
     }
-    return entry.standing->listed ? "switched on" : "can be added";
+    return entry.status->listed ? "switched on" : "can be added";
 }
 
 /// Words of the registry as Markdown shows them.
@@ -156,7 +156,7 @@ std::string parameter_row(const EffectParameter& p) {
                            markdown(p.meaning));
     }
     return fmt::format("| `{}` | {} | {:g} to {:g} | {:g} | {:g} | {} |\n", p.name,
-                       markdown(p.unit), p.lower, p.upper, p.neutral, p.matters,
+                       markdown(p.unit), p.lower, p.upper, p.neutral, p.smallest_of_interest,
                        markdown(p.meaning));
 }
 
@@ -199,7 +199,7 @@ std::string manual_sources(const EffectEntry& entry) {
 
 std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries) {
     const bool study = std::ranges::any_of(
-        entries, [](const EffectEntry& entry) { return entry.standing.has_value(); });
+        entries, [](const EffectEntry& entry) { return entry.status.has_value(); });
     std::vector<std::string> lines = {
         table_line("effect", "parameter", "unit", "readings", study ? "in study" : "", "meaning")};
     for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -223,7 +223,7 @@ std::vector<std::string> effect_page(const EffectEntry& entry) {
     page.push_back(field("changes", groups[group_index(effect)].heading));
     page.push_back(field("touches", fmt::format("{} readings", touched(effect))));
     for (const EffectParameter& parameter : effect.parameters) {
-        page.push_back(field("parameter", described(parameter)));
+        page.push_back(field("parameter", parameter_text(parameter)));
     }
     if (!effect.acts_through.empty()) {
         page.push_back(
@@ -236,8 +236,8 @@ std::vector<std::string> effect_page(const EffectEntry& entry) {
         page.push_back(field(entry.written ? "written in" : "source", reference));
     }
     add_how_to(page, entry);
-    if (entry.standing) {
-        page.push_back(field("this study", standing_text(entry)));
+    if (entry.status) {
+        page.push_back(field("this study", status_text(entry)));
     }
     return page;
 }
@@ -310,15 +310,15 @@ nlohmann::ordered_json to_json(const EffectEntry& entry) {
                                       {"lower", p.lower},
                                       {"upper", p.upper},
                                       {"neutral", p.neutral},
-                                      {"matters", p.matters},
+                                      {"matters", p.smallest_of_interest},
                                       {"meaning", p.meaning},
                                       {"switch", p.is_switch()}});
     }
-    if (entry.standing) {
-        json["listed"] = entry.standing->listed;
-        json["applies"] = !entry.standing->why_not;
-        if (entry.standing->why_not) {
-            json["why_not"] = *entry.standing->why_not;
+    if (entry.status) {
+        json["listed"] = entry.status->listed;
+        json["applies"] = !entry.status->why_not;
+        if (entry.status->why_not) {
+            json["why_not"] = *entry.status->why_not;
         }
     }
     return json;

@@ -10,7 +10,7 @@
 namespace pendular {
 
 /// How an effect stands to a study.
-struct EffectStanding {
+struct EffectStatus {
     bool listed = false;                 ///< the study switches it on
     std::optional<std::string> why_not;  /// why it does not apply; empty where it does
 };
@@ -19,7 +19,7 @@ struct EffectStanding {
 struct EffectEntry {
     const Effect* effect;
     bool written = false;                         ///< by the user, in the study
-    std::optional<EffectStanding> standing = {};  ///< empty without a study
+    std::optional<EffectStatus> status = {};  ///< empty without a study
 };
 
 /// The catalogue, one effect a line, grouped by what they change.

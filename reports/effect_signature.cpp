@@ -12,7 +12,7 @@
 #include "calib/model/study_state.h"
 #include "reports/figure_text.h"
 #include "reports/layout.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 #include "sim/lab/lab_plan.h"
 
 namespace pendular {
@@ -82,7 +82,7 @@ Along along(const Column& column, bool dry, const Study& study, const Predictor&
         column.set(all.conditions.back(), all.at.back(), study);
     }
     const Eigen::VectorXd flow =
-        plain.predict(plain_parameters(), all.conditions, Ask::slopes).value;
+        plain.predict(plain_parameters(), all.conditions, PredictionPart::slopes).value;
     for (std::size_t k = 0; k < all.at.size(); ++k) {
         AnnularCell cell = study.cell.value();
         cell.bead_volume = all.conditions[k].bead_volume.value();
@@ -97,7 +97,7 @@ Along along(const Column& column, bool dry, const Study& study, const Predictor&
 double shown_size(const Effect& effect, const EffectParameter& p, const Study& study) {
     if (p.is_switch()) return 1;
     const double from = effect.given_by_liquid ? effect.unlisted_value(study.liquid) : p.neutral;
-    return std::clamp(from + p.matters, p.lower, p.upper);
+    return std::clamp(from + p.smallest_of_interest, p.lower, p.upper);
 }
 
 std::vector<double> shown_sizes(const Effect& effect, const Study& study) {
@@ -168,8 +168,8 @@ class Models {
         }
         const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(
             parameters.data(), static_cast<Eigen::Index>(parameters.size()));
-        return changes_between(without().predict(plain_parameters(), conditions, Ask::slopes).value,
-                               model_->predict(at, conditions, Ask::slopes).value);
+        return changes_between(without().predict(plain_parameters(), conditions, PredictionPart::slopes).value,
+                               model_->predict(at, conditions, PredictionPart::slopes).value);
     }
 
   private:

@@ -47,7 +47,7 @@ void Ink::label(const std::string& text, PaperPoint place, const char* alignment
                                   gnuplot_string(text), place.x, place.y, alignment));
 }
 
-void Ink::words(const std::string& text, PaperPoint place, bool end_there) {
+void Ink::text(const std::string& text, PaperPoint place, bool end_there) {
     label(text, place, end_there ? "right" : "left");
 }
 

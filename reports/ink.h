@@ -22,7 +22,7 @@ class Ink {
     /// `opacity` from 0 to 1.
     void area(Outline closed, const std::string& colour, double opacity = 1);
     /// Words beside a place, their middle at its height.
-    void words(const std::string& text, PaperPoint place, bool end_there);
+    void text(const std::string& text, PaperPoint place, bool end_there);
     /// Words whose middle is there.
     void centred(const std::string& text, PaperPoint place);
     /// A symbol of a given area [inch^2] at a place.

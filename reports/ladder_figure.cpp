@@ -7,18 +7,18 @@
 #include <utility>
 
 #include "reports/figure_text.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 
 namespace pendular {
 namespace {
 
-constexpr std::size_t most_rungs = 10;
+constexpr std::size_t most_ladder_steps = 10;
 
-std::vector<std::string> name_of(const Rung& rung) {
-    if (rung.change == "start") {
+std::vector<std::string> name_of(const LadderStep& ladder_step) {
+    if (ladder_step.change == "start") {
         return {"start"};
     }
-    return broken_name((rung.change == "add" ? "+ " : "− ") + rung.effect);
+    return broken_name((ladder_step.change == "add" ? "+ " : "− ") + ladder_step.effect);
 }
 
 /// Where the ladder begins anew, between two rungs.
@@ -120,8 +120,8 @@ Panel error_panel(const Ladder& ladder) {
         }
     }
     panel.curves.insert(panel.curves.end(), points.begin(), points.end());
-    for (const Rung& rung : ladder) {
-        panel.x_names.push_back(name_of(rung));
+    for (const LadderStep& ladder_step : ladder) {
+        panel.x_names.push_back(name_of(ladder_step));
     }
     panel.log_y = !values.empty() && spans_decade(values);
     panel.key = Key::top_right;
@@ -134,7 +134,7 @@ Panel error_panel(const Ladder& ladder) {
 
 Figure ladder_figure(const Ladder& whole) {
     const auto hidden =
-        static_cast<std::ptrdiff_t>(whole.size() - std::min(whole.size(), most_rungs));
+        static_cast<std::ptrdiff_t>(whole.size() - std::min(whole.size(), most_ladder_steps));
     const Ladder ladder(whole.begin() + hidden, whole.end());
     return {.name = "ladder",
             .title = "Error of the model, effect by effect",

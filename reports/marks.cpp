@@ -141,7 +141,7 @@ void draw_key(Ink& ink, const PanelPlace& place, const Panel& panel) {
                       : place.top - line_spacing / 2 - key_inset / 2;
     for (const auto& entry : entries) {
         draw_sample(ink, entry, {x, y});
-        ink.words(*entry.label, {right ? x - away : x + away, y}, right);
+        ink.text(*entry.label, {right ? x - away : x + away, y}, right);
         y -= line_spacing;
     }
 }

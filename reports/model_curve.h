@@ -6,7 +6,7 @@
 
 #include "calib/fit/calibration.h"
 #include "reports/figure.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 
 namespace pendular {
 

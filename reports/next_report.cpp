@@ -8,7 +8,7 @@
 
 #include "analysis/diagnosis/study_evidence.h"
 #include "reports/figure_text.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 #include "reports/with_error.h"
 
 namespace pendular {

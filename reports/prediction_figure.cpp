@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "calib/emulator/emulated_observables.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 
 namespace pendular {
 namespace {
@@ -37,7 +37,7 @@ const Variable& variable_named(const std::string& name) {
 /// Whether a run differs from the curve in nothing but the variable.
 bool beside(const dem::RunResult& run, const PredictionCurve& curve, const Variable& variable) {
     constexpr double tolerance = 0.05;
-    const FlowState state = emulated::state_of(run.parameters), &line = curve.states.front();
+    const FlowState state = emulated::flow_state_of(run.parameters), &line = curve.states.front();
     const auto close = [](double a, double b) {
         return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
     };
@@ -46,9 +46,9 @@ bool beside(const dem::RunResult& run, const PredictionCurve& curve, const Varia
         return false;
     }
     return std::ranges::all_of(variables, [&](const Variable& other) {
-        const bool matters = other.of && (!line.dry() || other.of(line) == line.friction ||
+        const bool smallest_of_interest = other.of && (!line.dry() || other.of(line) == line.friction ||
                                           other.of(line) == line.inertial_number);
-        return !matters || other.name == variable.name || close(other.of(state), other.of(line));
+        return !smallest_of_interest || other.name == variable.name || close(other.of(state), other.of(line));
     });
 }
 
@@ -106,7 +106,7 @@ Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator)
         for (const auto& run : emulator.runs()) {
             if (variable.of && beside(run, curve, variable)) {
                 const Mean& mean = run[which];
-                runs.x.push_back(variable.of(emulated::state_of(run.parameters)));
+                runs.x.push_back(variable.of(emulated::flow_state_of(run.parameters)));
                 runs.y.push_back(mean.value);
                 runs.y_error.push_back(mean.standard_error);
             }

@@ -10,7 +10,7 @@
 
 #include "analysis/diagnosis/study_evidence.h"
 #include "reports/figure_text.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 
 namespace pendular {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "reports/figure_text.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 #include "sim/dem/grain_effects.h"
 #include "sim/runs/run_request.h"
 
@@ -100,7 +100,7 @@ Curve distant(const dem::RunResult& run, Field which) {
 std::string title(const std::string& what, const dem::RunResult& run) {
     const auto& p = run.parameters;
     std::string text = fmt::format("{}: μ = {:g}, {}, κ = {:g}, {} beads", what, p.friction,
-                                   inertial_text(p.inertial_number), p.stiffness_number, p.beads);
+                                   inertial_text(p.inertial_number), p.stiffness_number, p.grains);
     if (p.wetting) {
         text += fmt::format(", P* = {:g}, V_0 = {:g} a³", p.wetting->reduced_pressure,
                             p.wetting->bridge_volume);

@@ -9,7 +9,7 @@
 #include "calib/fit/structural_cohesion.h"
 #include "calib/fit/wet_groups.h"
 #include "reports/model_curve.h"
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 #include "reports/symbol_code.h"
 
 namespace pendular {

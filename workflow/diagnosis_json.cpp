@@ -16,9 +16,9 @@ nlohmann::ordered_json to_json(const Finding& finding, const ModelSpace& space) 
         {"effect", candidate.name},
         {"parameter", p.name},
         {"unit", p.unit},
-        {"predicted_drop", finding.test.predicted_drop},
+        {"predicted_drop", finding.test.predicted_reduction},
         {"estimate", uncertain(finding.value, finding.standard_error)},
-        {"absorbed", finding.test.absorbed},
+        {"absorbed", finding.test.share_imitated},
         {"power", finding.power},
         {"p", finding.p},
         {"decision", finding.decision},
@@ -27,8 +27,8 @@ nlohmann::ordered_json to_json(const Finding& finding, const ModelSpace& space) 
         {"detectable", nullptr},
         {"noncentrality_that_matters", finding.test.information},
     };
-    if (finding.refit_drop) {
-        json["refit_drop"] = *finding.refit_drop;
+    if (finding.refitted_reduction) {
+        json["refit_drop"] = *finding.refitted_reduction;
     }
     if (std::isfinite(finding.detectable) && finding.test.seen()) {
         json["detectable"] = finding.detectable;

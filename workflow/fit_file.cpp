@@ -9,7 +9,7 @@
 
 #include "calib/fit/calibrate_study.h"
 #include "data/files/json_text.h"
-#include "data/form.h"
+#include "data/formula_variant.h"
 #include "data/input_error.h"
 #include "workflow/fit_runs.h"
 #include "workflow/json.h"
@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json grains_json(const Grains& g) {
+Json grains_json(const GrainProperties& g) {
     Json json = {{"diameter", g.diameter},
                  {"density", g.density},
                  {"youngs_modulus", nullptr},
@@ -41,7 +41,7 @@ Json liquid_json(const std::optional<Liquid>& l) {
             {"viscosity", l->viscosity}};
 }
 
-Json model_json(const ModelChoice& m) {
+Json model_json(const ModelSettings& m) {
     Json json = {{"base", m.base},
                  {"fit_to", m.fit_to},
                  {"bridge_force", to_string(m.bridge_force)},
@@ -74,7 +74,7 @@ Json direct_json(const std::vector<DirectMeasurement>& direct) {
 }
 
 /// What of a study, besides its readings, a calibration rests on.
-Json basis_json(const Grains& grains, const std::optional<Liquid>& liquid, const ModelChoice& model,
+Json basis_json(const GrainProperties& grains, const std::optional<Liquid>& liquid, const ModelSettings& model,
                 const std::vector<WrittenEffect>& written,
                 const std::vector<DirectMeasurement>& direct) {
     return {{"grains", grains_json(grains)},
@@ -86,7 +86,7 @@ Json basis_json(const Grains& grains, const std::optional<Liquid>& liquid, const
 
 Json fidelity_json(const Fidelity& f) {
     return {{"name", f.name},
-            {"beads", f.beads},
+            {"beads", f.grains},
             {"stiffness_number", f.stiffness_number},
             {"lowest_inertial_number", f.lowest_inertial_number},
             {"strain", f.strain}};
@@ -108,9 +108,9 @@ Json emulator_json(const Calibration& c) {
     for (const Order& order : c.orders) {
         json["runs_ordered"].push_back({{"runs", order.runs}, {"why", order.why}});
     }
-    for (const auto& [which, scales] : c.scales) {
+    for (const auto& [which, hyperparameters] : c.hyperparameters) {
         json["scales"][std::string(dem::observable_names[static_cast<std::size_t>(which)])] =
-            scales.as_array();
+            hyperparameters.as_array();
     }
     return json;
 }
@@ -119,9 +119,9 @@ void read_emulator(const Json& json, Calibration& c) {
     for (const auto& order : json.at("runs_ordered")) {
         c.orders.push_back({order.at("runs"), order.at("why")});
     }
-    for (const auto& [name, scales] : json.at("scales").items()) {
-        c.scales[dem::observable_named(name)] =
-            Scales::from_array(scales.get<std::array<double, Scales::count>>());
+    for (const auto& [name, hyperparameters] : json.at("scales").items()) {
+        c.hyperparameters[dem::observable_named(name)] =
+            Hyperparameters::from_array(hyperparameters.get<std::array<double, Hyperparameters::count>>());
     }
 }
 

@@ -20,7 +20,7 @@ CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOpti
                                .profile = options.profile,
                                .cohesion = options.cohesion};
     if (!known) {
-        request.known.scales = atlas_scales();
+        request.known.hyperparameters = atlas_hyperparameters();
         request.options.fewest_rounds -= !options.confirm;
         return request;
     }

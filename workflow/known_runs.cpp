@@ -10,16 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include "calib/emulator/emulator_scales.h"
+#include "calib/emulator/emulator_hyperparameters.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_table.h"
 
 namespace pendular {
 
-EmulatorScales atlas_scales() {
+EmulatorHyperparameters atlas_hyperparameters() {
     const std::filesystem::path atlas = atlas_file();
-    const auto file = atlas.parent_path() / scales_name;
-    return !atlas.empty() && std::filesystem::exists(file) ? read_scales(file) : EmulatorScales{};
+    const auto file = atlas.parent_path() / hyperparameters_name;
+    return !atlas.empty() && std::filesystem::exists(file) ? read_hyperparameters(file) : EmulatorHyperparameters{};
 }
 
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
@@ -30,7 +30,7 @@ std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity
     KnownRuns known;
     if (!atlas.empty()) {
         stored = read_runs(atlas);
-        known.scales = atlas_scales();
+        known.hyperparameters = atlas_hyperparameters();
     }
     if (store) {
         auto own = store->select();
@@ -40,7 +40,7 @@ std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity
     std::vector<dem::RunResult> runs;
     for (StoredRun& each : stored) {
         if (each.physics_version == dem::physics_version &&
-            there.insert(described(each.run.parameters, each.run.threads)).second) {
+            there.insert(run_description(each.run.parameters, each.run.threads)).second) {
             runs.push_back(std::move(each.run));
         }
     }

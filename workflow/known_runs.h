@@ -18,7 +18,7 @@ std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity
                                     const RunStore* store, const Listener& listener = {});
 
 /// Scales of the emulator that come with the atlas; none where there is no atlas.
-EmulatorScales atlas_scales();
+EmulatorHyperparameters atlas_hyperparameters();
 
 /// Time grows with the cube of their number: so many take some seconds.
 constexpr std::size_t most_known = 1500;

@@ -29,8 +29,8 @@ double number_from(const Json& json) {
     return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
 
-Rung rung_from(const Json& json) {
-    Rung rung{.step = json.at("step"),
+LadderStep ladder_step_from(const Json& json) {
+    LadderStep ladder_step{.step = json.at("step"),
               .change = json.at("change"),
               .effect = json.at("effect"),
               .effects = json.at("effects"),
@@ -39,43 +39,43 @@ Rung rung_from(const Json& json) {
               .dof = json.at("dof"),
               .rms_percent = pair_from(json.at("rms_percent")),
               .left_out_percent = {}};
-    if (rung.change != "start" && rung.change != "add" && rung.change != "drop") {
-        throw std::invalid_argument(fmt::format("no change is called '{}'", rung.change));
+    if (ladder_step.change != "start" && ladder_step.change != "add" && ladder_step.change != "drop") {
+        throw std::invalid_argument(fmt::format("no change is called '{}'", ladder_step.change));
     }
     for (const auto& [name, parameter] : json.at("parameters").items()) {
-        rung.parameters.push_back({name, parameter.at("unit"), number_from(parameter.at("value")),
+        ladder_step.parameters.push_back({name, parameter.at("unit"), number_from(parameter.at("value")),
                                    number_from(parameter.at("stderr"))});
     }
     if (!json.at("left_out_percent").is_null()) {
-        rung.left_out_percent = pair_from(json.at("left_out_percent"));
+        ladder_step.left_out_percent = pair_from(json.at("left_out_percent"));
     }
-    return rung;
+    return ladder_step;
 }
 
 Ladder ladder_from(const Json& json) {
     Ladder ladder;
-    for (const auto& rung : json.at("rungs")) {
-        ladder.push_back(rung_from(rung));
+    for (const auto& ladder_step : json.at("rungs")) {
+        ladder.push_back(ladder_step_from(ladder_step));
     }
     return ladder;
 }
 
 }  // namespace
 
-Json to_json(const Rung& rung) {
-    Json json = {{"step", rung.step},
-                 {"change", rung.change},
-                 {"effect", rung.effect},
-                 {"effects", rung.effects},
-                 {"chi2", rung.chi2},
-                 {"dof", rung.dof},
-                 {"rms_percent", pair_json(rung.rms_percent)},
+Json to_json(const LadderStep& ladder_step) {
+    Json json = {{"step", ladder_step.step},
+                 {"change", ladder_step.change},
+                 {"effect", ladder_step.effect},
+                 {"effects", ladder_step.effects},
+                 {"chi2", ladder_step.chi2},
+                 {"dof", ladder_step.dof},
+                 {"rms_percent", pair_json(ladder_step.rms_percent)},
                  {"left_out_percent", nullptr},
                  {"parameters", Json::object()}};
-    if (rung.left_out_percent) {
-        json["left_out_percent"] = pair_json(*rung.left_out_percent);
+    if (ladder_step.left_out_percent) {
+        json["left_out_percent"] = pair_json(*ladder_step.left_out_percent);
     }
-    for (const RungParameter& p : rung.parameters) {
+    for (const LadderParameter& p : ladder_step.parameters) {
         json["parameters"][p.name] = {
             {"value", p.value}, {"stderr", p.standard_error}, {"unit", p.unit}};
     }
@@ -103,8 +103,8 @@ Ladder read_ladder(const std::filesystem::path& file) {
 
 void write_ladder(const std::filesystem::path& file, const Ladder& ladder) {
     Json json = {{"rungs", Json::array()}};
-    for (const Rung& rung : ladder) {
-        json["rungs"].push_back(to_json(rung));
+    for (const LadderStep& ladder_step : ladder) {
+        json["rungs"].push_back(to_json(ladder_step));
     }
     write_whole(file, json_text(json));
 }

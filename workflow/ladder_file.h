@@ -8,7 +8,7 @@
 namespace pendular {
 
 /// One step of a ladder, as ladder.json holds it.
-nlohmann::ordered_json to_json(const Rung& rung);
+nlohmann::ordered_json to_json(const LadderStep& ladder_step);
 
 /// The ladder in a file; empty where there is none.
 /// @throws InputError where it is cut off or something else, with what to do

@@ -34,7 +34,7 @@ std::string listed(const RequestedState& state, bool as_options) {
 
 }  // namespace
 
-void RequestedState::check() const {
+void RequestedState::check_supported() const {
     if (!(friction >= 0 && friction <= 1)) {
         throw InputError(fmt::format("--friction {}: 0 to 1 is needed", friction));
     }
@@ -106,7 +106,7 @@ dem::RunParameters run_of(const FlowState& state, const Fidelity& fidelity,
         .friction = state.friction,
         .inertial_number = std::max(state.inertial_number, fidelity.lowest_inertial_number),
         .stiffness_number = stiffness_number,
-        .beads = fidelity.beads,
+        .grains = fidelity.grains,
         .strain = fidelity.strain};
     if (!state.dry()) {
         run.wetting = {.reduced_pressure = 1 / state.inverse_pressure,
@@ -117,7 +117,7 @@ dem::RunParameters run_of(const FlowState& state, const Fidelity& fidelity,
 
 std::string why_impossible(const dem::RunParameters& run) {
     try {
-        check(run);
+        check_run(run);
     } catch (const std::invalid_argument& error) {
         return error.what();
     }

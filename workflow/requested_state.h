@@ -15,7 +15,7 @@ struct RequestedState {
     std::optional<double> reduced_pressure, bridge_volume, liquid_content;
 
     /// @throws InputError for what is no state
-    void check() const;
+    void check_supported() const;
 
     /// The state for the emulator; a liquid content is turned into a bridge volume by its
     /// coordination number.
@@ -35,7 +35,7 @@ struct RequestedState {
 dem::RunParameters run_of(const FlowState& state, const Fidelity& fidelity,
                           double stiffness_number);
 
-/// What is wrong with a run, as `dem::check` says it; empty where it can be carried out.
+/// What is wrong with a run, as `dem::check_run_parameters` says it; empty where it can be carried out.
 std::string why_impossible(const dem::RunParameters& run);
 
 /// The command that carries out a run of `run_of`.

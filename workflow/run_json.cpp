@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "data/form.h"
+#include "data/formula_variant.h"
 
 namespace pendular {
 namespace {
@@ -76,7 +76,7 @@ Json to_json(const dem::RunResult& run) {
     if (!p.effects.empty()) {
         json["effects_in_run_units"] = run_effects_json(p.effects);
     }
-    json["beads"] = p.beads;
+    json["beads"] = p.grains;
     json["strain"] = p.strain;
     json["seed"] = p.seed;
     if (p.start != 0) {
@@ -118,10 +118,10 @@ dem::RunResult run_from_json(const Json& json) {
     p.damping = json.at("damping");
     if (!json.at("reduced_pressure").is_null()) {
         p.wetting = {json.at("reduced_pressure"), json.at("bridge_volume"),
-                     form_named(json.at("bridge_force").get<std::string>())};
+                     formula_variant_named(json.at("bridge_force").get<std::string>())};
     }
     p.effects = read_run_effects(json.value("effects_in_run_units", Json::object()));
-    p.beads = json.at("beads");
+    p.grains = json.at("beads");
     p.strain = json.at("strain");
     p.seed = json.at("seed");
     p.start = std::stoull(json.value("start", "0"), nullptr, 16);

@@ -23,7 +23,7 @@ Emulator emulator_of_known_runs(const Fidelity& fidelity, const RunStore* store)
             "there are too few runs to predict from; name an atlas in PENDULAR_ATLAS, or make runs "
             "with 'pendular campaign'");
     }
-    return Emulator(known->runs, std::move(known->scales));
+    return Emulator(known->runs, std::move(known->hyperparameters));
 }
 
 /// The correction to very soft grains may lead to solid fractions that no packing has.

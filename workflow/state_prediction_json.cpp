@@ -62,7 +62,7 @@ Json to_json(const PredictionCurve& curve) {
 }
 
 Json simulated_state_json(const dem::RunParameters& requested, const dem::RunResult& run) {
-    const FlowState state = emulated::state_of(requested);
+    const FlowState state = emulated::flow_state_of(requested);
     Json json = state_json(state);
     for (const dem::Observable which : observables_of(state)) {
         json[name_of(which)] = uncertain(run[which].value, run[which].standard_error);

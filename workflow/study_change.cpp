@@ -59,19 +59,19 @@ Fitted fitted(const ResolvedStudy& study, Calibration c) {
     c.prediction = predict_readings(model.model(), c);
     const auto left_out = left_out_errors(model.predictor(), c);
     Comparison comparison = compare(c);
-    Rung rung = rung_of(c, comparison, left_out);
+    LadderStep ladder_step = ladder_step_of(c, comparison, left_out);
     const LeftOut counted = left_out.value_or(LeftOut{});
     return {.calibration = std::move(c),
             .comparison = std::move(comparison),
-            .rung = std::move(rung),
+            .ladder_step = std::move(ladder_step),
             .left_out = counted.conditions,
             .undetermined = counted.undetermined};
 }
 
-nlohmann::ordered_json to_json(const StudyChange& change, const Rung& before, const Rung& after,
+nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before, const LadderStep& after,
                                bool written) {
-    const auto side = [](const Rung& rung) {
-        auto json = to_json(rung);
+    const auto side = [](const LadderStep& ladder_step) {
+        auto json = to_json(ladder_step);
         for (const char* of_the_ladder : {"step", "change", "effect"}) {
             json.erase(of_the_ladder);
         }
@@ -84,7 +84,7 @@ nlohmann::ordered_json to_json(const StudyChange& change, const Rung& before, co
             {"after", side(after)}};
 }
 
-void carry_out(const StudyChange& change, const Rung& before, const Fitted& after, Ladder& ladder,
+void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after, Ladder& ladder,
                const std::filesystem::path& out) {
     const std::filesystem::path& file = change.study.study().file;
     if (read_text(file) != change.old_text) {
@@ -92,10 +92,10 @@ void carry_out(const StudyChange& change, const Rung& before, const Fitted& afte
                          "has changed while the fit was under way; nothing was written: give the "
                          "same command again");
     }
-    Rung rung = after.rung;
-    rung.change = word_for(change.change);
-    rung.effect = change.effect;
-    climb(ladder, before, std::move(rung));
+    LadderStep ladder_step = after.ladder_step;
+    ladder_step.change = word_for(change.change);
+    ladder_step.effect = change.effect;
+    climb(ladder, before, std::move(ladder_step));
     write_calibration(out, after.calibration, after.comparison, after.belief);
     write_ladder(out / "ladder.json", ladder);
     replace_study(file, change.new_text);
@@ -154,7 +154,7 @@ ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measur
     after.belief = belief_in(changed, measurements, after.calibration, after.comparison);
     const bool written = after.calibration.fit.converged;
     if (written) {
-        carry_out(change, before.rung, after, ladder, options.folder);
+        apply_change(change, before.ladder_step, after, ladder, options.folder);
     }
     return {std::move(change), std::move(before), std::move(after), std::move(ladder), written};
 }

@@ -32,7 +32,7 @@ StudyChange plan_change(const ResolvedStudy& study, Action change, const std::st
 struct Fitted {
     Calibration calibration;
     Comparison comparison;
-    Rung rung;
+    LadderStep ladder_step;
     Belief belief = {};            ///< of a study after a change
     std::size_t left_out = 0;      ///< conditions left out, one after the other
     std::size_t undetermined = 0;  ///< those without which a parameter was not determined
@@ -41,14 +41,14 @@ struct Fitted {
 Fitted fitted(const ResolvedStudy& study, Calibration calibration);
 
 /// A change with the errors before and after, as `add` and `drop` give it with --json.
-nlohmann::ordered_json to_json(const StudyChange& change, const Rung& before, const Rung& after,
+nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before, const LadderStep& after,
                                bool written);
 
 /// Writes fit.json and the ladder, with the change on top, to the folder, and then the study's
 /// file.
 /// @throws InputError where the study's file has changed since it was read; nothing is written
 /// @throws std::runtime_error where something cannot be written; the study then is as it was
-void carry_out(const StudyChange& change, const Rung& before, const Fitted& after, Ladder& ladder,
+void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after, Ladder& ladder,
                const std::filesystem::path& folder);
 
 /// A study before and after a change.

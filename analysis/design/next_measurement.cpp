@@ -34,12 +34,12 @@ Forecasts forecasts_of(const Rival& rival, const std::vector<Point>& points) {
     Forecasts result;
     // A few points at a time: the covariance of all with all is not wanted.
     for (const Point& point : points) {
-        const Prediction said = predicted_at(rival, {point});
+        const Prediction predicted = predicted_at(rival, {point});
         result.at.push_back(
-            {.value = said.value,
-             .from_parameters = said.jacobian * rival.covariance * said.jacobian.transpose(),
-             .from_simulation = said.covariance});
-        result.slopes.push_back(said.jacobian);
+            {.value = predicted.value,
+             .from_parameters = predicted.jacobian * rival.covariance * predicted.jacobian.transpose(),
+             .from_simulation = predicted.covariance});
+        result.slopes.push_back(predicted.jacobian);
     }
     return result;
 }

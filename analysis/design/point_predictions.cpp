@@ -17,8 +17,8 @@ Prediction predicted_at(const Rival& rival, const std::vector<Point>& points) {
                    .jacobian = Eigen::MatrixXd::Zero(size, columns),
                    .covariance = Eigen::MatrixXd::Zero(size, size),
                    .run_noise = {}};
-    Prediction said;
-    if (!conditions.empty()) said = rival.model->predict(rival.parameters, conditions);
+    Prediction predicted;
+    if (!conditions.empty()) predicted = rival.model->predict(rival.parameters, conditions);
     std::vector<Eigen::Index> place;  // of the entries of readings
     Eigen::Index entry = 0;
     for (const Point& point : points) {
@@ -29,15 +29,15 @@ Prediction predicted_at(const Rival& rival, const std::vector<Point>& points) {
             continue;
         }
         const auto from = static_cast<Eigen::Index>(place.size());
-        all.value.segment<2>(entry) = said.value.segment<2>(from);
-        all.jacobian.middleRows<2>(entry) = said.jacobian.middleRows<2>(from);
+        all.value.segment<2>(entry) = predicted.value.segment<2>(from);
+        all.jacobian.middleRows<2>(entry) = predicted.jacobian.middleRows<2>(from);
         place.push_back(entry++);
         place.push_back(entry++);
     }
     for (std::size_t a = 0; a < place.size(); ++a) {
         for (std::size_t b = 0; b < place.size(); ++b) {
             all.covariance(place[a], place[b]) =
-                said.covariance(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+                predicted.covariance(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
         }
     }
     return all;

@@ -26,21 +26,21 @@ struct Contrast {
 std::vector<Contrast> contrasts_of(const std::vector<Rival>& rivals,
                                    const std::vector<Point>& points,
                                    Eigen::VectorXd& first_forecast) {
-    std::vector<Prediction> said;
+    std::vector<Prediction> predicted;
     std::vector<Eigen::MatrixXd> by_parameters;
     for (const Rival& rival : rivals) {
-        said.push_back(predicted_at(rival, points));
-        const Eigen::MatrixXd& slopes = said.back().jacobian;
+        predicted.push_back(predicted_at(rival, points));
+        const Eigen::MatrixXd& slopes = predicted.back().jacobian;
         by_parameters.emplace_back(slopes * rival.covariance * slopes.transpose());
     }
-    first_forecast = said.front().value;
+    first_forecast = predicted.front().value;
     std::vector<Contrast> contrasts;
     for (std::size_t i = 0; i < rivals.size(); ++i) {
         for (std::size_t j = i + 1; j < rivals.size(); ++j) {
             contrasts.push_back({{i, j},
-                                 said[i].value - said[j].value,
+                                 predicted[i].value - predicted[j].value,
                                  by_parameters[i] + by_parameters[j] +
-                                     0.5 * (said[i].covariance + said[j].covariance)});
+                                     0.5 * (predicted[i].covariance + predicted[j].covariance)});
         }
     }
     return contrasts;

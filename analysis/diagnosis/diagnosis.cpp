@@ -100,7 +100,7 @@ void Diagnostician::sharpen(std::size_t k, ScoreTest& test) {
     Signature& signature = signatures_[k];
     for (int turn = 0; turn < most_sharpenings && test.seen(); ++turn) {
         const double ratio = test.estimate(0) / signature.taken_at;
-        if (test.predicted_drop < worth_sharpening || (ratio > 0.8 && ratio < 1.25)) {
+        if (test.predicted_reduction < worth_sharpening || (ratio > 0.8 && ratio < 1.25)) {
             return;
         }
         const double taken_at = signature.taken_at;
@@ -212,15 +212,15 @@ void Diagnostician::search() {
         {base_, *residuals_, additions_, signatures_, result_.scan, suspect_tests_});
     for (const Explanation& each : found.tried) {
         if (each.chosen.size() == 1 && !each.suspect) {
-            result_.scan[each.chosen.front()].refit_drop = base_.chi2 - each.chi2;
+            result_.scan[each.chosen.front()].refitted_reduction = base_.chi2 - each.chi2;
         }
     }
-    for (const Explanation& each : found.standing_suspects) {
+    for (const Explanation& each : found.fitting_suspects) {
         result_.suspects.push_back(evidence_.suspects[*each.suspect].name);
     }
     result_.tried = std::move(found.tried);
     result_.confidence_set =
-        std::move(found.standing.empty() ? found.standing_suspects : found.standing);
+        std::move(found.fitting.empty() ? found.fitting_suspects : found.fitting);
 }
 
 void Diagnostician::conclude() {
@@ -270,7 +270,7 @@ void Diagnostician::decide() {
             return std::ranges::find(each.chosen, finding.candidate) != each.chosen.end();
         };
         const auto unsettled = [&](const Explanation& each) {
-            return each.chosen == Choice{finding.candidate} && !each.fit.converged;
+            return each.chosen == EffectSet{finding.candidate} && !each.fit.converged;
         };
         if (!base && pointed_at) {
             finding.decision = result_.verdict == Verdict::missing ? "missing" : "may be missing";
@@ -291,7 +291,7 @@ void Diagnostician::decide() {
 
 void Diagnostician::order_scan() {
     std::ranges::stable_sort(result_.scan, std::greater<>(), [](const Finding& finding) {
-        return finding.refit_drop.value_or(finding.test.predicted_drop);
+        return finding.refitted_reduction.value_or(finding.test.predicted_reduction);
     });
 }
 

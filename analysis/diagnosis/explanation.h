@@ -17,7 +17,7 @@ namespace pendular {
 
 /// A part of the measurement that may be wrong, such as the readings of one condition: what an
 /// error of it adds to the entries, a column for each way in which it can be off.
-struct Suspect {
+struct SuspectMeasurement {
     std::string name;
     Eigen::MatrixXd columns;
 };
@@ -29,12 +29,12 @@ struct Evidence {
     bool errors_assumed = false;  ///< of some readings, rather than measured
     /// Entries that were measured at the same condition; each entry once.
     std::vector<std::vector<Eigen::Index>> conditions;
-    std::vector<Suspect> suspects;
+    std::vector<SuspectMeasurement> suspects;
 };
 
 /// A model with something more, refitted, and whether it stands.
 struct Explanation {
-    Choice chosen;
+    EffectSet chosen;
     std::optional<std::size_t> suspect;
     Fit fit;
     double chi2 = 0;
@@ -52,7 +52,7 @@ struct Finding {
     double p = 1;               ///< that some candidate looks so good where nothing is missing
     double power = 0;           ///< to see the size that matters
     double detectable = 0;      ///< how far from neutral it is seen in 4 of 5 cases [its unit]
-    std::optional<double> refit_drop;  ///< of chi2, where it was refitted
+    std::optional<double> refitted_reduction;  ///< of chi2, where it was refitted
     std::string decision;
     /// Whether there is a size within the bounds that would be seen.
     bool identifiable = false;

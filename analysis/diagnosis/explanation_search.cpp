@@ -38,7 +38,7 @@ class Search {
     Found run() {
         search_singles();
         search_suspects();
-        if (found_.standing.empty() && found_.standing_suspects.empty()) search_pairs();
+        if (found_.fitting.empty() && found_.fitting_suspects.empty()) search_pairs();
         return std::move(found_);
     }
 
@@ -57,19 +57,19 @@ class Search {
     bool may_do_better(double drop) const;
     /// chi2 that a choice would leave were everything linear: switches on, amplitudes within
     /// bounds.
-    double left_by(const Choice& chosen) const;
+    double left_by(const EffectSet& chosen) const;
     /// The amplitude nearest to this one that a candidate can have.
     double within_bounds(std::size_t candidate, double amplitude) const;
     /// A model to be refitted.
     struct Trial {
-        Choice chosen;
+        EffectSet chosen;
         std::optional<std::size_t> suspect;
         Eigen::VectorXd start;
     };
     /// Refits and judges them, side by side where there are further instances of the space.
     void try_all(std::string_view what, const std::vector<Trial>& trials);
     void take(Explanation explanation);
-    Eigen::VectorXd start_with(const Choice& chosen, const Eigen::MatrixXd& columns) const;
+    Eigen::VectorXd start_with(const EffectSet& chosen, const Eigen::MatrixXd& columns) const;
 
     const ModelSpace& space_;
     const Evidence& evidence_;
@@ -79,7 +79,7 @@ class Search {
     Found found_;
 };
 
-Eigen::VectorXd Search::start_with(const Choice& chosen, const Eigen::MatrixXd& columns) const {
+Eigen::VectorXd Search::start_with(const EffectSet& chosen, const Eigen::MatrixXd& columns) const {
     // Of the linear problem: all amplitudes together, and what the parameters then change by.
     const Eigen::MatrixXd whitened = scanned_.residuals.whiten(columns);
     const Eigen::VectorXd amplitudes =
@@ -102,7 +102,7 @@ Eigen::VectorXd Search::start_with(const Choice& chosen, const Eigen::MatrixXd& 
         added.push_back(amplitudes(column));
     }
     const Eigen::VectorXd own =
-        scanned_.base.fit.parameters - scanned_.residuals.absorbed_by(whitened * applied);
+        scanned_.base.fit.parameters - scanned_.residuals.share_imitated_by(whitened * applied);
     Eigen::VectorXd start(own.size() + static_cast<Eigen::Index>(added.size()));
     start << own,
         Eigen::Map<Eigen::VectorXd>(added.data(), static_cast<Eigen::Index>(added.size()));
@@ -111,7 +111,7 @@ Eigen::VectorXd Search::start_with(const Choice& chosen, const Eigen::MatrixXd& 
 
 /// Refitted and judged; none where so much of it is wanted that nothing real could show these
 /// readings.
-std::optional<Explanation> explained(const Explanations& explanations, const Choice& chosen,
+std::optional<Explanation> explained(const Explanations& explanations, const EffectSet& chosen,
                                      std::optional<std::size_t> suspect,
                                      const Eigen::VectorXd& start) {
     try {
@@ -155,7 +155,7 @@ void Search::try_all(std::string_view what, const std::vector<Trial>& trials) {
 
 void Search::take(Explanation explanation) {
     if (explanation.accepted) {
-        (explanation.suspect ? found_.standing_suspects : found_.standing).push_back(explanation);
+        (explanation.suspect ? found_.fitting_suspects : found_.fitting).push_back(explanation);
     }
     found_.tried.push_back(std::move(explanation));
 }
@@ -166,13 +166,13 @@ void Search::search_singles() {
         if (looks_missing(finding)) worth.push_back(&finding);
     }
     std::ranges::sort(worth, std::greater<>(),
-                      [](const Finding* finding) { return finding->test.predicted_drop; });
+                      [](const Finding* finding) { return finding->test.predicted_reduction; });
     // The best first, then those that may do better than what was refused of them.
     for (std::size_t from = 0; from < worth.size(); from += best_singles) {
         std::vector<Trial> trials;
         for (std::size_t k = from; k < std::min(from + best_singles, worth.size()); ++k) {
-            const Choice chosen = {worth[k]->candidate};
-            if (may_do_better(worth[k]->test.predicted_drop)) {
+            const EffectSet chosen = {worth[k]->candidate};
+            if (may_do_better(worth[k]->test.predicted_reduction)) {
                 trials.push_back(
                     {chosen,
                      {},
@@ -187,7 +187,7 @@ void Search::search_suspects() {
     std::vector<std::size_t> worth;
     for (std::size_t k = 0; k < scanned_.suspect_tests.size(); ++k) {
         const ScoreTest& test = scanned_.suspect_tests[k];
-        if (test.p() < worth_refitting && may_do_better(test.predicted_drop)) worth.push_back(k);
+        if (test.p() < worth_refitting && may_do_better(test.predicted_reduction)) worth.push_back(k);
     }
     std::ranges::sort(worth, {}, [&](std::size_t k) { return scanned_.suspect_tests[k].p(); });
     worth.resize(std::min(worth.size(), options_.most_suspects));
@@ -207,7 +207,7 @@ bool Search::may_do_better(double drop) const {
     return drop * (1 + foretelling_error) + all_the_same > best;
 }
 
-double Search::left_by(const Choice& chosen) const {
+double Search::left_by(const EffectSet& chosen) const {
     Eigen::VectorXd left = scanned_.residuals.project(scanned_.residuals.residuals());
     struct Column {
         Eigen::VectorXd change;
@@ -258,7 +258,7 @@ double Search::within_bounds(std::size_t candidate, double amplitude) const {
 
 void Search::search_pairs() {
     struct Pair {
-        Choice chosen;
+        EffectSet chosen;
         double left;
     };
     std::vector<std::size_t> seen;

@@ -21,8 +21,8 @@ struct Scanned {
 /// Models that were refitted to explain what a model leaves.
 struct Found {
     std::vector<Explanation> tried;     ///< all
-    std::vector<Explanation> standing;  ///< with candidates; pairs where no single one does
-    std::vector<Explanation> standing_suspects;  ///< with an error of the measurement
+    std::vector<Explanation> fitting;  ///< with candidates; pairs where no single one does
+    std::vector<Explanation> fitting_suspects;  ///< with an error of the measurement
 };
 
 /// Whether a candidate, by its test alone, is worth refitting.

@@ -13,26 +13,26 @@ namespace {
 /// columns.
 class WithSuspect : public Model {
   public:
-    WithSuspect(const Model& inside, const Suspect& suspect)
+    WithSuspect(const Model& inside, const SuspectMeasurement& suspect)
         : inside_(inside), columns_(suspect.columns), parameters_(inside.parameters()) {
         for (Eigen::Index k = 0; k < columns_.cols(); ++k) {
             parameters_.push_back({.name = suspect.name, .lower = -widest, .upper = widest});
         }
     }
     const std::vector<Parameter>& parameters() const override { return parameters_; }
-    Prediction predict(const Eigen::VectorXd& parameters, Ask what) const override {
+    Prediction predict(const Eigen::VectorXd& parameters, PredictionPart what) const override {
         Prediction prediction = inside_.predict(own(parameters), what);
         prediction.value += columns_ * parameters.tail(columns_.cols());
-        if (what != Ask::values) {
+        if (what != PredictionPart::values) {
             Eigen::MatrixXd jacobian(prediction.value.size(), size());
             jacobian << prediction.jacobian, columns_;
             prediction.jacobian = std::move(jacobian);
         }
         return prediction;
     }
-    Supported supported() const override {
-        const Supported range = inside_.supported();
-        Supported all{Eigen::VectorXd::Constant(size(), -widest),
+    ParameterBounds bounds() const override {
+        const ParameterBounds range = inside_.bounds();
+        ParameterBounds all{Eigen::VectorXd::Constant(size(), -widest),
                       Eigen::VectorXd::Constant(size(), widest)};
         all.lower.head(range.lower.size()) = range.lower;
         all.upper.head(range.upper.size()) = range.upper;
@@ -68,7 +68,7 @@ Explanations::Explanations(const ModelSpace& space, const Evidence& evidence,
     errors.resize(space.candidates().size());
 }
 
-Explanation Explanations::refit(const Choice& chosen, std::optional<std::size_t> suspect,
+Explanation Explanations::refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
                                 const Eigen::VectorXd& start) const {
     Explanation result{.chosen = chosen, .suspect = suspect};
     const std::shared_ptr<const Model> model = space_.with(chosen);
@@ -89,12 +89,12 @@ Explanation Explanations::refit(const Choice& chosen, std::optional<std::size_t>
 WeightedResiduals Explanations::residuals_of(const Explanation& explanation) const {
     Prediction prediction = explanation.fit.prediction;
     const std::shared_ptr<const Model> model = space_.with(explanation.chosen);
-    const Supported supported = model->supported();
+    const ParameterBounds bounds = model->bounds();
     for (std::size_t k = 0; k < model->parameters().size(); ++k) {
         const Parameter& p = model->parameters()[k];
         const auto i = static_cast<Eigen::Index>(k);
-        const double least = std::max(p.lower, supported.lower(i)),
-                     greatest = std::min(p.upper, supported.upper(i)),
+        const double least = std::max(p.lower, bounds.lower(i)),
+                     greatest = std::min(p.upper, bounds.upper(i)),
                      close = 1e-6 * (greatest - least), at = explanation.fit.parameters(i);
         if (at - least < close || greatest - at < close) {
             prediction.jacobian.col(i).setZero();
@@ -129,7 +129,7 @@ Addition Explanations::addition(const Explanation& explanation, std::size_t cand
         explanation.fit.parameters.head(std::ssize(model->parameters()));
     Eigen::VectorXd values = explanation.fit.prediction.value;
     if (explanation.suspect) {
-        values = model->predict(parameters, Ask::values).value;
+        values = model->predict(parameters, PredictionPart::values).value;
     }
     return {space_, explanation.chosen, candidate, parameters, std::move(values)};
 }

@@ -16,7 +16,7 @@ class Explanations {
 
     /// The model with these candidates, and perhaps a suspect's error besides, fitted from these
     /// starts of its parameters.
-    Explanation refit(const Choice& chosen, std::optional<std::size_t> suspect,
+    Explanation refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
                       const Eigen::VectorXd& start) const;
     /// Tests a refitted model and says whether it stands.
     void judge(Explanation& explanation) const;

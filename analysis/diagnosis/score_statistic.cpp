@@ -41,7 +41,7 @@ void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const S
     test.estimate = Eigen::VectorXd::Constant(1, estimate);
     test.standard_error = std::sqrt(variance) / test.information;
     test.statistic = test.one_sided && u < 0 ? 0.0 : u * u / v;
-    test.predicted_drop = is_switch ? 2 * u - test.information : test.statistic;
+    test.predicted_reduction = is_switch ? 2 * u - test.information : test.statistic;
     test.basis = projected / std::sqrt(v);
 }
 
@@ -55,10 +55,10 @@ ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signat
     test.one_sided = signature.one_sided;
     const double whole = whitened.squaredNorm();
     if (!(projected.squaredNorm() > rounding * whole)) {
-        test.absorbed = 1;
+        test.share_imitated = 1;
         return test;
     }
-    test.absorbed = 1 - projected.squaredNorm() / whole;
+    test.share_imitated = 1 - projected.squaredNorm() / whole;
     if (projected.cols() == 1) {
         test_amplitude(test, residuals, signature, projected, is_switch);
         return test;
@@ -69,7 +69,7 @@ ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signat
         decomposed.householderQ() * Eigen::MatrixXd::Identity(projected.rows(), decomposed.rank());
     test.estimate = decomposed.solve(residuals.residuals());
     test.statistic = (test.basis.transpose() * residuals.residuals()).squaredNorm();
-    test.predicted_drop = test.statistic;
+    test.predicted_reduction = test.statistic;
     test.length = test.information = projected.col(0).squaredNorm();
     test.standard_error = 1 / std::sqrt(test.information);
     return test;

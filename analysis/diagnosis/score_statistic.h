@@ -22,11 +22,11 @@ struct ScoreTest {
     Eigen::VectorXd estimate;   ///< amplitudes
     double standard_error = 0;  ///< of the first amplitude
     double statistic = 0;       ///< chi2 of as many degrees of freedom as the basis has columns
-    double predicted_drop = 0;  ///< of chi2
+    double predicted_reduction = 0;  ///< of chi2
     double length = 0;          ///< v
     double information =
         0;                ///< v_c: an amplitude A makes the statistic's noncentrality A^2 v_c^2/v
-    double absorbed = 0;  ///< part of g'g that the calibrated parameters take over
+    double share_imitated = 0;  ///< part of g'g that the calibrated parameters take over
     bool one_sided = false;
 
     /// Whether the readings tell anything of it.

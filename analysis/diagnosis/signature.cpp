@@ -7,7 +7,7 @@
 
 namespace pendular {
 
-Addition::Addition(const ModelSpace& space, Choice chosen, std::size_t added,
+Addition::Addition(const ModelSpace& space, EffectSet chosen, std::size_t added,
                    Eigen::VectorXd parameters, Eigen::VectorXd values)
     : space_(space),
       chosen_(std::move(chosen)),
@@ -16,12 +16,12 @@ Addition::Addition(const ModelSpace& space, Choice chosen, std::size_t added,
       values_(std::move(values)) {}
 
 Eigen::VectorXd Addition::change_at(const Eigen::VectorXd& values) const {
-    Choice more = chosen_;
+    EffectSet more = chosen_;
     more.push_back(added_);
     Eigen::VectorXd all(parameters_.size() + values.size());
     all << parameters_, values;
     try {
-        return space_.with(more)->predict(all, Ask::values).value - values_;
+        return space_.with(more)->predict(all, PredictionPart::values).value - values_;
     } catch (const std::domain_error&) {
         // Nothing real could show these readings with so much of it: no change that can be seen.
         return Eigen::VectorXd::Constant(values_.size(), std::nan(""));
@@ -38,12 +38,12 @@ Eigen::VectorXd Addition::neutral() const {
 }
 
 double Addition::direction(const EffectParameter& p) const {
-    return p.neutral + p.matters <= p.upper ? 1 : -1;
+    return p.neutral + p.smallest_of_interest <= p.upper ? 1 : -1;
 }
 
 bool Addition::mirrored(const Eigen::VectorXd& change) const {
     const EffectParameter& p = candidate().parameters.front();
-    const double other = p.neutral - direction(p) * p.matters;
+    const double other = p.neutral - direction(p) * p.smallest_of_interest;
     if (other < p.lower || other > p.upper) {
         return false;
     }
@@ -67,7 +67,7 @@ Signature Addition::signature(bool with_errors) const {
         for (const EffectParameter& p : c.parameters) {
             if (p.is_switch()) continue;
             Eigen::VectorXd moved = at;
-            moved(column) = seen_at = p.neutral + direction(p) * p.matters;
+            moved(column) = seen_at = p.neutral + direction(p) * p.smallest_of_interest;
             result.change.col(column++) = change_at(moved);
         }
         if (at.size() == 1) {
@@ -98,9 +98,9 @@ double Addition::amplitude_at(double value, bool one_sided) const {
     const EffectParameter& p = candidate().parameters.front();
     if (one_sided && p.amplitude != nullptr) {
         return (p.amplitude(value) - p.amplitude(p.neutral)) /
-               (p.amplitude(p.neutral + direction(p) * p.matters) - p.amplitude(p.neutral));
+               (p.amplitude(p.neutral + direction(p) * p.smallest_of_interest) - p.amplitude(p.neutral));
     }
-    return (one_sided ? direction(p) : 1) * (value - p.neutral) / p.matters;
+    return (one_sided ? direction(p) : 1) * (value - p.neutral) / p.smallest_of_interest;
 }
 
 double Addition::value_at(double amplitude, bool one_sided) const {
@@ -118,7 +118,7 @@ double Addition::value_at(double amplitude, bool one_sided) const {
         return 0.5 * (low + high);
     }
     const double sign = one_sided ? direction(p) : 1;
-    return std::clamp(p.neutral + sign * amplitude * p.matters, p.lower, p.upper);
+    return std::clamp(p.neutral + sign * amplitude * p.smallest_of_interest, p.lower, p.upper);
 }
 
 }  // namespace pendular

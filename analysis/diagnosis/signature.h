@@ -26,7 +26,7 @@ struct Signature {
 class Addition {
   public:
     /// To the model of `chosen` at `parameters`, where it says `values`.
-    Addition(const ModelSpace& space, Choice chosen, std::size_t added, Eigen::VectorXd parameters,
+    Addition(const ModelSpace& space, EffectSet chosen, std::size_t added, Eigen::VectorXd parameters,
              Eigen::VectorXd values);
 
     /// Its signature about neutral, at the size that matters.
@@ -49,7 +49,7 @@ class Addition {
     double direction(const EffectParameter& p) const;
 
     const ModelSpace& space_;
-    Choice chosen_;
+    EffectSet chosen_;
     std::size_t added_;
     Eigen::VectorXd parameters_, values_;
 };

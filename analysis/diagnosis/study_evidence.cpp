@@ -19,9 +19,9 @@ namespace pendular {
 namespace {
 
 /// A factor on the shear stresses and one on the solid fractions of some readings.
-Suspect suspect(std::string name, const std::vector<std::size_t>& readings,
+SuspectMeasurement suspect(std::string name, const std::vector<std::size_t>& readings,
                 const Eigen::VectorXd& values) {
-    Suspect result{std::move(name), Eigen::MatrixXd::Zero(values.size(), 2)};
+    SuspectMeasurement result{std::move(name), Eigen::MatrixXd::Zero(values.size(), 2)};
     for (const std::size_t k : readings) {
         for (const Eigen::Index observable : {0, 1}) {
             const Eigen::Index entry = 2 * static_cast<Eigen::Index>(k) + observable;
@@ -113,7 +113,7 @@ EntryKinds entries_of(const std::vector<Reading>& readings,
     return kinds;
 }
 
-std::string described(const Condition& condition) {
+std::string condition_text(const Condition& condition) {
     std::string text = fmt::format("{} Pa, I {:.2g}", short_text(condition.normal_stress),
                                    condition.inertial_number);
     return text + (condition.dry()
@@ -260,7 +260,7 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
     for (const auto& group : groups) {
         if (groups.size() > 1 && suspected.insert(group).second) {
             evidence.suspects.push_back(
-                suspect("the readings at " + described(readings[group.front()].condition), group,
+                suspect("the readings at " + condition_text(readings[group.front()].condition), group,
                         evidence.measured.value));
         }
     }

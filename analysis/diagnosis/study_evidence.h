@@ -25,6 +25,6 @@ EntryKinds entries_of(const std::vector<Reading>& readings,
                       const std::vector<Parameter>& parameters, std::size_t direct = 0);
 
 /// "300 Pa, I 0.003, liquid content 0.03".
-std::string described(const Condition& condition);
+std::string condition_text(const Condition& condition);
 
 }  // namespace pendular

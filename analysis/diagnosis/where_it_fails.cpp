@@ -13,7 +13,7 @@ constexpr double significant = 0.05;
 std::vector<Offending> offending_of(const Evidence& evidence, const WeightedResiduals& residuals,
                                     const NullDraws& draws) {
     std::vector<ScoreTest> tests;
-    for (const Suspect& suspect : evidence.suspects) {
+    for (const SuspectMeasurement& suspect : evidence.suspects) {
         tests.push_back(score_test(residuals, {.change = suspect.columns}, false));
     }
     const FamilyOfTests family(tests, residuals, draws);

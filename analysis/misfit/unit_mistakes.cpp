@@ -127,7 +127,7 @@ class Misfits {
   public:
     Misfits(const Predictor& model, const Eigen::VectorXd& parameters)
         : model_(model), parameters_(parameters) {
-        const Supported range = model.supported();
+        const ParameterBounds range = model.bounds();
         for (const double share : {0.0, 0.08, 0.16, 0.25, 0.4, 0.6, 1.0})
             frictions_.push_back(std::lerp(range.lower(0), range.upper(0), share));
     }
@@ -140,7 +140,7 @@ class Misfits {
         Eigen::VectorXd at = parameters_;
         for (Eigen::Index k = 0; k < all.cols(); ++k) {
             at(0) = frictions_[static_cast<std::size_t>(k)];
-            all.col(k) = model_.predict(at, conditions, Ask::values).value;
+            all.col(k) = model_.predict(at, conditions, PredictionPart::values).value;
         }
         return all;
     }

@@ -39,7 +39,7 @@ class WeightedResiduals {
     /// alike in proportion to what was measured.
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
     /// Change of the calibrated parameters that takes over a whitened change of the prediction.
-    Eigen::VectorXd absorbed_by(const Eigen::VectorXd& change) const;
+    Eigen::VectorXd share_imitated_by(const Eigen::VectorXd& change) const;
     /// Calibrated parameters that the readings determine.
     Eigen::Index determined() const { return basis_.cols(); }
     /// J.

@@ -34,7 +34,7 @@ class Design {
             known_runs(StudyModels::with_all_effects(study_), truth_fidelity(), nullptr).value();
         models_ = std::make_unique<StudyModels>(study_, conditions_, truth_fidelity(), known);
         simulation_ = std::make_shared<EmulatedSimulation>(
-            study_, truth_fidelity(), Emulator(known.runs, std::move(known.scales)));
+            study_, truth_fidelity(), Emulator(known.runs, std::move(known.hyperparameters)));
         const Eigen::VectorXd parameters = Eigen::VectorXd::Constant(1, friction);
         const Prediction prediction = models_->with({})->predict(parameters);
         Measured measured{.value = prediction.value, .covariance = {}};
@@ -70,7 +70,7 @@ class Design {
         const Eigen::VectorXd all = Eigen::Map<Eigen::VectorXd>(
             parameters.data(), static_cast<Eigen::Index>(parameters.size()));
         return residuals_->project(
-            residuals_->whiten(model->predict(all, conditions_, Ask::values).value - base_));
+            residuals_->whiten(model->predict(all, conditions_, PredictionPart::values).value - base_));
     }
 
     /// What the best pair of the catalogue's effects leaves of a change.
@@ -136,7 +136,7 @@ double value_reaching(const Design& design, const Effect& effect, double wanted,
     const EffectParameter& p = design.parameter_of(effect);
     const double room =
         p.upper - p.neutral >= p.neutral - p.lower ? p.upper - p.neutral : p.lower - p.neutral;
-    double distance = room > 0 ? p.matters : -p.matters, power = 2, before = 0, v_before = 0;
+    double distance = room > 0 ? p.smallest_of_interest : -p.smallest_of_interest, power = 2, before = 0, v_before = 0;
     for (int turn = 0; turn < 20; ++turn) {
         distance = room > 0 ? std::min(distance, room) : std::max(distance, room);
         const double v = noncentrality_of(design, effect, p.neutral + distance, outside);

@@ -85,8 +85,8 @@ std::vector<std::string> cells_of(const Outcome& o) {
                                       o.set_has_truth ? "1" : "0",
                                       text_of(o.chi2),
                                       std::to_string(o.dof),
-                                      text_of(o.foretold_drop),
-                                      text_of(o.refitted_drop)};
+                                      text_of(o.foretold_reduction),
+                                      text_of(o.refitted_reduction)};
     if (o.added) {
         const auto& a = *o.added;
         cells.push_back(text_of(a.p));
@@ -121,8 +121,8 @@ std::vector<Outcome> read_outcomes(const std::filesystem::path& file) {
         o.set_has_truth = cells.number() == 1;
         o.chi2 = cells.number().value_or(0);
         o.dof = static_cast<int>(cells.number().value_or(0));
-        o.foretold_drop = cells.number();
-        o.refitted_drop = cells.number();
+        o.foretold_reduction = cells.number();
+        o.refitted_reduction = cells.number();
         const auto p = cells.number();
         Outcome::Added a{.p = p.value_or(0)};
         for (auto* two : {&a.rms_before, &a.rms_after, &a.scatter, &a.noise, &a.left_out_before,

@@ -19,7 +19,7 @@ Effect lid_wobble() {
                             .lower = -0.8,
                             .upper = 0.8,
                             .neutral = 0,
-                            .matters = 0.02,
+                            .smallest_of_interest = 0.02,
                             .meaning = "relative change of the torque"}},
             .change = ChangeInstrument{
                 .show =
@@ -41,7 +41,7 @@ Effect load_cell_saturation() {
                             .lower = 0,
                             .upper = 0.9,
                             .neutral = 0,
-                            .matters = 0.05,
+                            .smallest_of_interest = 0.05,
                             .meaning = "share of a larger force that is not shown"}},
             .change = ChangeInstrument{.show =
                                            [](CellState shown, const Values& v) {
@@ -63,7 +63,7 @@ Effect torque_step() {
                             .lower = -0.5,
                             .upper = 1,
                             .neutral = 0,
-                            .matters = 0.02,
+                            .smallest_of_interest = 0.02,
                             .meaning = "relative change of the torque"}},
             .change = ChangeInstrument{.show =
                                            [](CellState shown, const Values& v) {
@@ -85,7 +85,7 @@ Effect merged_menisci() {
                             .lower = 0,
                             .upper = 0.9,
                             .neutral = 0,
-                            .matters = 0.1,
+                            .smallest_of_interest = 0.1,
                             .meaning = "share of the capillary force that is gone"}},
             .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
                 if (condition.liquid_content > merge_above) {

@@ -230,12 +230,12 @@ std::vector<std::string> figures_of(const Studies& every) {
         rate(those(all, [](const LabStudy& s) { return s.truth->kind == Truth::Kind::outside; }),
              alarms));
     const auto refitted = those(all, [](const LabStudy& s) {
-        return single(s) && s.outcome->foretold_drop && s.outcome->refitted_drop;
+        return single(s) && s.outcome->foretold_reduction && s.outcome->refitted_reduction;
     });
     add("foretold drop of chi2 within max(20 %, 4) of the refitted one",
         rate(refitted, [](const LabStudy& s) {
-            const double actual = *s.outcome->refitted_drop;
-            return std::abs(*s.outcome->foretold_drop - actual) <= std::max(0.2 * actual, 4.0);
+            const double actual = *s.outcome->refitted_reduction;
+            return std::abs(*s.outcome->foretold_reduction - actual) <= std::max(0.2 * actual, 4.0);
         }));
     const auto fitted = those(all, [](const LabStudy& s) { return s.outcome->added.has_value(); });
     const auto added = those(fitted, [](const LabStudy& s) { return !s.truth->hidden.empty(); });

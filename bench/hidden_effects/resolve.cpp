@@ -22,11 +22,11 @@ namespace pendular::bench {
 namespace {
 
 Rig rig_of_laboratory(const LabPlan& plan) {
-    const auto beads = [&](double mass) { return mass / plan.grains.density; };
+    const auto grains = [&](double mass) { return mass / plan.grains.density; };
     return {.normal_stress = {120, 5000},
             .inertial_number = Span{5e-3, 0.08},
             .liquid_contents = {0, 0.004, 0.014, 0.04},
-            .bead_volumes = {beads(20e-3), beads(60e-3), beads(150e-3)},
+            .bead_volumes = {grains(20e-3), grains(60e-3), grains(150e-3)},
             .repeats = 6,
             // The empty cell turned, and the tare.
             .direct = {{.effect = "torque-offset", .error = "0.1 mN m"},

@@ -4,7 +4,7 @@ namespace pendular::bench {
 
 Fidelity truth_fidelity() {
     return {.name = "hidden-effects",
-            .beads = 800,
+            .grains = 800,
             .stiffness_number = 1500,
             .lowest_inertial_number = 3e-3,
             .strain = 3};

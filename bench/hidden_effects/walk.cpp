@@ -91,13 +91,13 @@ Outcome::Added added(const StudyInput& input, const std::vector<std::string>& ef
         more = plan_change(more, Action::add, effect).study;
     }
     const Fitted after = effects.empty() ? before : fitted_with(more, input.measurements);
-    const boost::math::chi_squared law(after.rung.dof);
-    return {.p = boost::math::cdf(boost::math::complement(law, after.rung.chi2)),
-            .rms_before = before.rung.rms_percent,
-            .rms_after = after.rung.rms_percent,
+    const boost::math::chi_squared law(after.ladder_step.dof);
+    return {.p = boost::math::cdf(boost::math::complement(law, after.ladder_step.chi2)),
+            .rms_before = before.ladder_step.rms_percent,
+            .rms_after = after.ladder_step.rms_percent,
             .scatter = scatter_of(input.measurements.readings),
-            .left_out_before = before.rung.left_out_percent.value(),
-            .left_out_after = after.rung.left_out_percent.value()};
+            .left_out_before = before.ladder_step.left_out_percent.value(),
+            .left_out_after = after.ladder_step.left_out_percent.value()};
 }
 
 void diagnose_into(Outcome& outcome, const Truth& truth, const StudyInput& input) {
@@ -120,8 +120,8 @@ void diagnose_into(Outcome& outcome, const Truth& truth, const StudyInput& input
     outcome.confidence_set = fmt::format("{}", fmt::join(set, " | "));
     for (const Finding& finding : d.scan) {
         if (truth.hidden.size() == 1 && truth.hides(models.candidates()[finding.candidate].name)) {
-            outcome.foretold_drop = finding.test.predicted_drop;
-            outcome.refitted_drop = finding.refit_drop;
+            outcome.foretold_reduction = finding.test.predicted_reduction;
+            outcome.refitted_reduction = finding.refitted_reduction;
         }
     }
 }

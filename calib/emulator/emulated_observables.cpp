@@ -85,7 +85,7 @@ bool usable(const dem::RunResult& run) {
            run.parameters.stiffness_number >= softest;
 }
 
-FlowState state_of(const dem::RunParameters& p) {
+FlowState flow_state_of(const dem::RunParameters& p) {
     FlowState state{p.friction, p.inertial_number};
     if (p.wetting) {
         state.inverse_pressure = 1 / p.wetting->reduced_pressure;
@@ -95,7 +95,7 @@ FlowState state_of(const dem::RunParameters& p) {
     return state;
 }
 
-Mean taught(const dem::RunResult& run, Observable which) {
+Mean training_value(const dem::RunResult& run, Observable which) {
     Mean mean = run[which];
     if (which == Observable::solid_fraction) {
         mean.value -= dem::rigidity_shift(mean.value, run[Observable::overlap].value);

@@ -12,8 +12,8 @@ constexpr double reference_stiffness = 1000;
 /// Whether a run can teach.
 bool usable(const dem::RunResult& run);
 /// What a run says of an observable, as emulated.
-Mean taught(const dem::RunResult& run, dem::Observable which);
-FlowState state_of(const dem::RunParameters& run);
+Mean training_value(const dem::RunResult& run, dem::Observable which);
+FlowState flow_state_of(const dem::RunParameters& run);
 /// Whether an observable says nothing of dry beads.
 bool of_bridges(dem::Observable which);
 /// All observables that are emulated.

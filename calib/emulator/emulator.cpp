@@ -25,7 +25,7 @@ double response_scale(const std::string& name) {
     if (p.is_switch()) {
         return 1;
     }
-    const EffectValues scale = in_run_units({name, {p.neutral + 5 * p.matters}}, 1000,
+    const EffectValues scale = in_run_units({name, {p.neutral + 5 * p.smallest_of_interest}}, 1000,
                                             {.diameter = 500e-6, .density = 1050});
     const double value = scale.values.front();
     return p.amplitude ? p.amplitude(value) : value - p.neutral;
@@ -37,8 +37,8 @@ double response_amplitude(const EffectValues& values, double friction) {
     const Effect& effect = built_in_effect(values.effect);
     const EffectParameter& p = effect.parameters.front();
     const double value = values.values.front();
-    if (p.felt) {
-        return p.felt(value, friction);
+    if (p.effective_amplitude) {
+        return p.effective_amplitude(value, friction);
     }
     return p.amplitude ? p.amplitude(value) - p.amplitude(p.neutral) : value - p.neutral;
 }
@@ -55,7 +55,7 @@ double response_size(const EffectValues& values, const FlowState& state, Observa
 /// friction lets it be at most.
 double response_degree(const EffectValues& values, double friction) {
     const EffectParameter& p = built_in_effect(values.effect).parameters.front();
-    const double most = p.felt ? p.felt(p.upper, friction) : response_scale(values.effect);
+    const double most = p.effective_amplitude ? p.effective_amplitude(p.upper, friction) : response_scale(values.effect);
     return most > 0 ? response_amplitude(values, friction) / most : 0;
 }
 
@@ -83,18 +83,18 @@ std::unique_ptr<const EffectResponse> Emulator::learned(const std::string& effec
                                                         Observable which) const {
     std::vector<Query> plain;
     std::vector<ResponsePlace> places;
-    std::vector<double> amplitudes, told, variances, sizes;
+    std::vector<double> amplitudes, training_values, variances, sizes;
     for (const auto& run : runs()) {
         const auto& effects = run.parameters.effects;
         if (effects.size() != 1 || effects[0].effect != effect ||
             !tells(run, which, plain_.structure_stiffness())) {
             continue;
         }
-        FlowState state = state_of(run.parameters);
+        FlowState state = flow_state_of(run.parameters);
         places.push_back(response_place(state, effects[0]));
         amplitudes.push_back(response_size(effects[0], state, which));
         sizes.push_back(unit_at(which, state).size);
-        told.push_back(taught(run, which).value / sizes.back());
+        training_values.push_back(training_value(run, which).value / sizes.back());
         variances.push_back(plain_.noise_variance(run, which) / (sizes.back() * sizes.back()));
         state.effects.clear();
         plain.push_back({state, which});
@@ -114,7 +114,7 @@ std::unique_ptr<const EffectResponse> Emulator::learned(const std::string& effec
                                  size.cwiseInverse().asDiagonal();
     covariance.diagonal() += vector(variances);
     return std::make_unique<EffectResponse>(std::move(places), vector(amplitudes),
-                                            vector(told) - plain_.mean(plain).cwiseQuotient(size),
+                                            vector(training_values) - plain_.mean(plain).cwiseQuotient(size),
                                             covariance);
 }
 
@@ -180,18 +180,18 @@ Eigen::MatrixXd Emulator::covariance(const std::vector<Query>& queries) const {
 Emulator Emulator::with(const std::vector<dem::RunResult>& more) const {
     std::vector<dem::RunResult> all = runs();
     all.insert(all.end(), more.begin(), more.end());
-    return {all, scales(), plain_.structure_stiffness()};
+    return {all, hyperparameters(), plain_.structure_stiffness()};
 }
 
 std::string Emulator::beyond(const FlowState& state) const {
     struct Known {
         const char* name;
         double value, least = INFINITY, greatest = -INFINITY;
-        bool below_matters = true;
+        bool below_smallest_of_interest = true;
     };
     std::vector<Known> inputs = {
         {.name = "friction", .value = state.friction},
-        {.name = "inertial number", .value = state.inertial_number, .below_matters = false}};
+        {.name = "inertial number", .value = state.inertial_number, .below_smallest_of_interest = false}};
     if (!state.dry()) {
         inputs.push_back({.name = "reduced pressure", .value = 1 / state.inverse_pressure});
         inputs.push_back({.name = "bridge volume over a^3", .value = state.bridge_volume});
@@ -214,7 +214,7 @@ std::string Emulator::beyond(const FlowState& state) const {
     std::string text;
     for (const Known& input : inputs) {
         const bool above = input.value > input.greatest * (1 + rounding);
-        if (above || (input.below_matters && input.value < input.least * (1 - rounding))) {
+        if (above || (input.below_smallest_of_interest && input.value < input.least * (1 - rounding))) {
             text += fmt::format("{}{} {:.4g} is {} {:.4g}", text.empty() ? "" : ", ", input.name,
                                 input.value, above ? "above" : "below",
                                 above ? input.greatest : input.least);

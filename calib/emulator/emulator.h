@@ -22,15 +22,15 @@ namespace pendular {
 class Emulator {
   public:
     /// As `PlainEmulator`.
-    Emulator(const std::vector<dem::RunResult>& runs, EmulatorScales scales,
+    Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
              double structure_stiffness = emulated::reference_stiffness)
-        : plain_(runs, std::move(scales), structure_stiffness) {}
+        : plain_(runs, std::move(hyperparameters), structure_stiffness) {}
 
     /// The same with more runs; nothing is learned anew.
     Emulator with(const std::vector<dem::RunResult>& more) const;
 
     /// Scales in use, those learned so far included.
-    EmulatorScales scales() const { return plain_.scales(); }
+    EmulatorHyperparameters hyperparameters() const { return plain_.hyperparameters(); }
 
     /// An entry for each query.
     /// @throws std::invalid_argument for an observable of bridges where no run was wet, or of a dry

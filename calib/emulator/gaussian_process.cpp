@@ -20,18 +20,18 @@ GaussianProcess::GaussianProcess(std::vector<Kernel> kernels, const Observations
     const auto n = static_cast<Eigen::Index>(known.at.size()),
                m = static_cast<Eigen::Index>(kernels_.size());
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n * m, n * m);
-    Eigen::VectorXd growth(m), between(m);
+    Eigen::VectorXd growth(m), between_run_scatter(m);
     for (Eigen::Index k = 0; k < m; ++k) {
         const Kernel& kernel = kernels_[static_cast<std::size_t>(k)];
         known_.push_back(kernel.prepare(known.at));
         matrix.block(k * n, k * n, n, n) = kernel.matrix(known_.back());
-        growth(k) = std::sqrt(kernel.scales().noise);
-        between(k) = kernel.scales().between;
+        growth(k) = std::sqrt(kernel.hyperparameters().noise);
+        between_run_scatter(k) = kernel.hyperparameters().between_run_scatter;
     }
     for (Eigen::Index i = 0; i < n; ++i) {
         Eigen::MatrixXd noise =
             growth.asDiagonal() * known.noise[static_cast<std::size_t>(i)] * growth.asDiagonal();
-        noise.diagonal() += between.cwiseAbs2();
+        noise.diagonal() += between_run_scatter.cwiseAbs2();
         for (Eigen::Index k = 0; k < m; ++k) {
             for (Eigen::Index l = 0; l < m; ++l) {
                 matrix(k * n + i, l * n + i) += noise(k, l);
@@ -55,12 +55,12 @@ GaussianProcess::GaussianProcess(std::vector<Kernel> kernels, const Observations
     }
 }
 
-Eigen::MatrixXd GaussianProcess::with_known(const std::vector<Asked>& asked) const {
+Eigen::MatrixXd GaussianProcess::with_known(const std::vector<Requested>& requested) const {
     const auto n = static_cast<Eigen::Index>(known_.front().size());
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n * static_cast<Eigen::Index>(kernels_.size()),
-                                                   static_cast<Eigen::Index>(asked.size()));
+                                                   static_cast<Eigen::Index>(requested.size()));
     for (Eigen::Index c = 0; c < result.cols(); ++c) {
-        const Asked& one = asked[static_cast<std::size_t>(c)];
+        const Requested& one = requested[static_cast<std::size_t>(c)];
         const auto quantity = static_cast<std::size_t>(one.quantity);
         const Kernel::Prepared at = prepared(one);
         for (Eigen::Index i = 0; i < n; ++i) {
@@ -71,7 +71,7 @@ Eigen::MatrixXd GaussianProcess::with_known(const std::vector<Asked>& asked) con
     return result;
 }
 
-Eigen::VectorXd GaussianProcess::mean(const std::vector<Asked>& asked) const {
+Eigen::VectorXd GaussianProcess::mean(const std::vector<Requested>& requested) const {
     // Value and derivatives at one place come of the same sums.
     struct Place {
         Eigen::Index quantity;
@@ -80,39 +80,39 @@ Eigen::VectorXd GaussianProcess::mean(const std::vector<Asked>& asked) const {
     };
     std::vector<Place> places;
     const bool derivatives = std::ranges::any_of(
-        asked, [](const Asked& one) { return one.functional.derivative != Functional::value; });
-    Eigen::VectorXd result(static_cast<Eigen::Index>(asked.size()));
-    for (std::size_t c = 0; c < asked.size(); ++c) {
-        const auto quantity = static_cast<std::size_t>(asked[c].quantity);
-        const Kernel::Prepared at = prepared(asked[c]);
+        requested, [](const Requested& one) { return one.functional.derivative != Functional::value; });
+    Eigen::VectorXd result(static_cast<Eigen::Index>(requested.size()));
+    for (std::size_t c = 0; c < requested.size(); ++c) {
+        const auto quantity = static_cast<std::size_t>(requested[c].quantity);
+        const Kernel::Prepared at = prepared(requested[c]);
         auto place = std::find_if(places.begin(), places.end(), [&](const Place& known) {
-            return known.quantity == asked[c].quantity && known.at == asked[c].functional.at;
+            return known.quantity == requested[c].quantity && known.at == requested[c].functional.at;
         });
         if (place == places.end()) {
             place = places.insert(place,
-                                  {asked[c].quantity, asked[c].functional.at,
+                                  {requested[c].quantity, requested[c].functional.at,
                                    kernels_[quantity].sums(sums_over_[quantity], at, derivatives)});
         }
         // The polynomial by its coefficients: summed over the runs it would lose digits.
         result(static_cast<Eigen::Index>(c)) =
             at.polynomial.dot(coefficients_[quantity]) +
-            place->sums[static_cast<std::size_t>(1 + asked[c].functional.derivative)];
+            place->sums[static_cast<std::size_t>(1 + requested[c].functional.derivative)];
     }
     return result;
 }
 
-Eigen::MatrixXd GaussianProcess::covariance(const std::vector<Asked>& asked) const {
-    const Eigen::MatrixXd half = factor_.matrixL().solve(with_known(asked));
+Eigen::MatrixXd GaussianProcess::covariance(const std::vector<Requested>& requested) const {
+    const Eigen::MatrixXd half = factor_.matrixL().solve(with_known(requested));
     Eigen::MatrixXd result = -half.transpose() * half;
     std::vector<Kernel::Prepared> places;
-    for (const Asked& one : asked) {
+    for (const Requested& one : requested) {
         places.push_back(prepared(one));
     }
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        for (std::size_t j = 0; j < asked.size(); ++j) {
-            if (asked[i].quantity == asked[j].quantity) {
+    for (std::size_t i = 0; i < requested.size(); ++i) {
+        for (std::size_t j = 0; j < requested.size(); ++j) {
+            if (requested[i].quantity == requested[j].quantity) {
                 result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
-                    kernels_[static_cast<std::size_t>(asked[i].quantity)](places[i], places[j]);
+                    kernels_[static_cast<std::size_t>(requested[i].quantity)](places[i], places[j]);
             }
         }
     }

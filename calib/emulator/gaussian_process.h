@@ -30,20 +30,20 @@ class GaussianProcess {
     GaussianProcess(std::vector<Kernel> kernels, const Observations& known);
 
     /// A value or derivative of one of the quantities.
-    struct Asked {
+    struct Requested {
         Eigen::Index quantity = 0;
         Functional functional;
     };
     /// @return an entry for each that is asked
-    Eigen::VectorXd mean(const std::vector<Asked>& asked) const;
+    Eigen::VectorXd mean(const std::vector<Requested>& requested) const;
     /// @return a row and column for each that is asked
-    Eigen::MatrixXd covariance(const std::vector<Asked>& asked) const;
+    Eigen::MatrixXd covariance(const std::vector<Requested>& requested) const;
 
   private:
-    Eigen::MatrixXd with_known(const std::vector<Asked>& asked) const;
+    Eigen::MatrixXd with_known(const std::vector<Requested>& requested) const;
 
-    Kernel::Prepared prepared(const Asked& asked) const {
-        return kernels_[static_cast<std::size_t>(asked.quantity)].prepare(asked.functional);
+    Kernel::Prepared prepared(const Requested& requested) const {
+        return kernels_[static_cast<std::size_t>(requested.quantity)].prepare(requested.functional);
     }
 
     std::vector<Kernel> kernels_;

@@ -21,16 +21,16 @@ double inverse_square(double length) {
 
 }  // namespace
 
-std::array<double, Scales::count> Scales::as_array() const {
-    return {dry_amplitude, dry_x, dry_q, wet_amplitude, wet_x, wet_q, wet_u, wet_v, noise, between};
+std::array<double, Hyperparameters::count> Hyperparameters::as_array() const {
+    return {dry_amplitude, dry_x, dry_q, wet_amplitude, wet_x, wet_q, wet_u, wet_v, noise, between_run_scatter};
 }
 
-Scales Scales::from_array(const std::array<double, count>& a) {
+Hyperparameters Hyperparameters::from_array(const std::array<double, count>& a) {
     return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9]};
 }
 
-Kernel::Kernel(Domain domain, const Scales& s, double unit)
-    : scales_(s),
+Kernel::Kernel(Domain domain, const Hyperparameters& s, double unit)
+    : hyperparameters_(s),
       steps_(domain == Domain::contacts),
       coefficient_variance_(std::pow(coefficient_scale * unit, 2)) {
     if (domain != Domain::bridges) {
@@ -196,10 +196,10 @@ Eigen::MatrixXd Kernel::matrix(const std::vector<Prepared>& of) const {
     return result;
 }
 
-std::array<double, Scales::of_processes> Kernel::half_traces(const std::vector<Prepared>& values,
+std::array<double, Hyperparameters::of_processes> Kernel::half_traces(const std::vector<Prepared>& values,
                                                              const Eigen::MatrixXd& weights) const {
     // Of a part K: dK/d(ln amplitude) = 2 K, dK/d(ln length) = K (difference/length)^2.
-    std::array<double, Scales::of_processes> traces{};
+    std::array<double, Hyperparameters::of_processes> traces{};
     for (std::size_t p = 0; p < parts_.size(); ++p) {
         double* const own = traces.data() + (is_dry_[p] ? 0 : 3);
         const std::size_t lengths = is_dry_[p] ? 2 : coordinate_count;

@@ -27,20 +27,20 @@ enum class Domain {
 };
 
 /// Scales of a Gaussian process; all positive.
-struct Scales {
+struct Hyperparameters {
     double dry_amplitude = 1;  ///< of what the polynomial leaves of dry flow, unit of the quantity
     double dry_x = 1, dry_q = 0.2;  ///< lengths over which it changes
     double wet_amplitude = 1;       ///< of what it leaves of capillarity, per 1/P*
     double wet_x = 1, wet_q = 0.2, wet_u = 1, wet_v = 1;
     double noise = 1;       ///< factor on the runs' stated variances
-    double between = 1e-3;  ///< scatter between runs beyond that, unit of the quantity
+    double between_run_scatter = 1e-3;  ///< scatter between runs beyond that, unit of the quantity
 
     static constexpr std::size_t count = 10, of_processes = 8;  ///< the last two are of noise
     static constexpr std::array<std::string_view, count> names = {
         "dry_amplitude", "dry_friction", "dry_inertia", "wet_amplitude", "wet_friction",
         "wet_inertia",   "wet_pressure", "wet_volume",  "noise",         "between"};
     std::array<double, count> as_array() const;
-    static Scales from_array(const std::array<double, count>& values);
+    static Hyperparameters from_array(const std::array<double, count>& values);
 };
 
 /// Covariance of a random function of friction, inertial number, reduced pressure and bridge
@@ -54,7 +54,7 @@ struct Scales {
 class Kernel {
   public:
     /// `unit`: a typical size of the quantity, for coefficients to be large beside.
-    Kernel(Domain domain, const Scales& scales, double unit);
+    Kernel(Domain domain, const Hyperparameters& hyperparameters, double unit);
 
     /// A functional with all of it that its covariances with others have in common.
     struct Prepared {
@@ -90,10 +90,10 @@ class Kernel {
     Eigen::MatrixXd matrix(const std::vector<Prepared>& of) const;
     /// Derivatives of half the trace of W K by the logarithms of the scales of processes, K being
     /// the matrix of values; W symmetric.
-    std::array<double, Scales::of_processes> half_traces(const std::vector<Prepared>& values,
+    std::array<double, Hyperparameters::of_processes> half_traces(const std::vector<Prepared>& values,
                                                          const Eigen::MatrixXd& weights) const;
 
-    const Scales& scales() const { return scales_; }
+    const Hyperparameters& hyperparameters() const { return hyperparameters_; }
 
   private:
     enum class Amplitude { one, linear, step };
@@ -106,7 +106,7 @@ class Kernel {
     static double amplitude(const Part& part, const Prepared& at);
     static double of_part(const Part& part, const Prepared& a, const Prepared& b);
 
-    Scales scales_;
+    Hyperparameters hyperparameters_;
     std::vector<Part> parts_;
     std::vector<bool> is_dry_;  ///< of the parts
     Basis basis_;

@@ -74,7 +74,7 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& columns,
 KnownRange::KnownRange(const Emulator& emulator) : emulator_(emulator) {
     std::vector<Point> dry, wet;
     for (const dem::RunResult& run : emulator.runs()) {
-        const FlowState state = emulated::state_of(run.parameters);
+        const FlowState state = emulated::flow_state_of(run.parameters);
         if (state.effects.empty()) {
             (state.dry() ? dry : wet).push_back(run_coordinates(state));
         }

@@ -12,11 +12,11 @@ std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fid
                                          const std::vector<dem::RunResult>& runs) {
     constexpr double largest_poisson_difference = 0.1;
     // Smaller samples than those asked for, and than the atlas has, feel their own periodicity.
-    constexpr int enough_beads = 1000;
+    constexpr int enough_grains = 1000;
     std::vector<dem::RunResult> result;
     std::ranges::copy_if(runs, std::back_inserter(result), [&](const dem::RunResult& run) {
         const auto& p = run.parameters;
-        return emulated::usable(run) && p.beads >= std::min(fidelity.beads, enough_beads) &&
+        return emulated::usable(run) && p.grains >= std::min(fidelity.grains, enough_grains) &&
                std::abs(p.poisson_ratio - study.grains.poisson_ratio) <=
                    largest_poisson_difference &&
                (!p.wetting || p.wetting->bridge_force == study.model.bridge_force) &&

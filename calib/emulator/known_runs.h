@@ -12,7 +12,7 @@ namespace pendular {
 /// What an emulator begins with.
 struct KnownRuns {
     std::vector<dem::RunResult> runs;  ///< none: the planner makes a first design of its own
-    EmulatorScales scales;             ///< those missing are learned
+    EmulatorHyperparameters hyperparameters;             ///< those missing are learned
     bool orders_more = true;           ///< whether runs may be ordered
 };
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "calib/emulator/emulated_observables.h"
-#include "calib/emulator/learn_scales.h"
+#include "calib/emulator/fit_hyperparameters.h"
 
 namespace pendular {
 
@@ -42,12 +42,12 @@ Observations observations_of(const std::vector<dem::RunResult>& runs, Observable
         if (!teaches(run, which, structure_stiffness)) {
             continue;
         }
-        const FlowState state = state_of(run.parameters);
+        const FlowState state = flow_state_of(run.parameters);
         const Unit unit = unit_at(which, state);
         known.at.push_back(place_of(state));
         Eigen::MatrixXd noise(m, m);
         for (Eigen::Index k = 0; k < m; ++k) {
-            const Mean mean = taught(run, quantities[static_cast<std::size_t>(k)]);
+            const Mean mean = training_value(run, quantities[static_cast<std::size_t>(k)]);
             values.push_back((mean.value - unit.offset) / unit.size);
             noise(k, k) = std::pow(mean.standard_error / unit.size, 2);
         }
@@ -80,7 +80,7 @@ double unit_of(const Observations& known, Eigen::Index quantity) {
 /// A query is a sum of what a process can be asked, each with a factor.
 struct Term {
     double factor = 1;
-    GaussianProcess::Asked asked;
+    GaussianProcess::Requested requested;
 };
 
 std::vector<Term> terms_of(const Query& query) {
@@ -115,7 +115,7 @@ std::vector<Term> terms_of(const Query& query) {
 /// those answers to the queries'.
 struct Share {
     std::vector<Eigen::Index> queries;
-    std::vector<GaussianProcess::Asked> asked;
+    std::vector<GaussianProcess::Requested> requested;
     Eigen::MatrixXd map;
 };
 
@@ -132,7 +132,7 @@ std::map<Observable, Share> shares_of(const std::vector<Query>& queries) {
         std::vector<Eigen::Index> rows;
         for (std::size_t row = 0; row < terms[process].size(); ++row) {
             for (const Term& term : terms[process][row]) {
-                share.asked.push_back(term.asked);
+                share.requested.push_back(term.requested);
                 factors.push_back(term.factor);
                 rows.push_back(static_cast<Eigen::Index>(row));
             }
@@ -150,17 +150,17 @@ std::map<Observable, Share> shares_of(const std::vector<Query>& queries) {
 }  // namespace
 
 double PlainEmulator::noise_variance(const dem::RunResult& run, Observable which) const {
-    const Scales scales = scales_of(which);
-    const double size = unit_at(which, state_of(run.parameters)).size;
-    return scales.noise * std::pow(taught(run, which).standard_error, 2) +
-           std::pow(scales.between * size, 2);
+    const Hyperparameters hyperparameters = hyperparameters_of(which);
+    const double size = unit_at(which, flow_state_of(run.parameters)).size;
+    return hyperparameters.noise * std::pow(training_value(run, which).standard_error, 2) +
+           std::pow(hyperparameters.between_run_scatter * size, 2);
 }
 
 Eigen::Matrix2d PlainEmulator::noise(const dem::RunResult& run) const {
     Eigen::Matrix2d noise;
     noise.diagonal() << noise_variance(run, pair[0]), noise_variance(run, pair[1]);
     noise(0, 1) = noise(1, 0) =
-        run.covariance * std::sqrt(scales_of(pair[0]).noise * scales_of(pair[1]).noise);
+        run.covariance * std::sqrt(hyperparameters_of(pair[0]).noise * hyperparameters_of(pair[1]).noise);
     return noise;
 }
 
@@ -169,37 +169,37 @@ bool PlainEmulator::known(const std::vector<dem::RunResult>& runs, Observable wh
         runs, [&](const auto& run) { return teaches(run, which, reference_stiffness); });
 }
 
-Scales PlainEmulator::learn(const std::vector<dem::RunResult>& runs, Observable which,
+Hyperparameters PlainEmulator::learn(const std::vector<dem::RunResult>& runs, Observable which,
                             double structure_stiffness) {
     const Observations known = observations_of(runs, which, structure_stiffness);
     const Eigen::Index quantity = which == pair[1];
-    return learn_scales(domain_of(which), known.only(quantity), unit_of(known, quantity));
+    return fit_hyperparameters(domain_of(which), known.only(quantity), unit_of(known, quantity));
 }
 
-PlainEmulator::PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorScales scales,
+PlainEmulator::PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
                              double structure_stiffness)
     : structure_stiffness_(structure_stiffness), learned_(std::make_unique<Learned>()) {
-    learned_->scales = std::move(scales);
+    learned_->hyperparameters = std::move(hyperparameters);
     std::ranges::copy_if(runs, std::back_inserter(runs_), usable);
     if (runs_.empty()) {
         throw std::invalid_argument("there is no run to learn from");
     }
 }
 
-EmulatorScales PlainEmulator::scales() const {
+EmulatorHyperparameters PlainEmulator::hyperparameters() const {
     const std::scoped_lock lock(learned_->mutex);
-    return learned_->scales;
+    return learned_->hyperparameters;
 }
 
-Scales PlainEmulator::scales_of(Observable which) const {
+Hyperparameters PlainEmulator::hyperparameters_of(Observable which) const {
     {
         const std::scoped_lock lock(learned_->mutex);
-        const auto known = learned_->scales.find(which);
-        if (known != learned_->scales.end()) return known->second;
+        const auto known = learned_->hyperparameters.find(which);
+        if (known != learned_->hyperparameters.end()) return known->second;
     }
-    const Scales scales = learn(runs_, which, structure_stiffness_);
+    const Hyperparameters hyperparameters = learn(runs_, which, structure_stiffness_);
     const std::scoped_lock lock(learned_->mutex);
-    return learned_->scales.emplace(which, scales).first->second;
+    return learned_->hyperparameters.emplace(which, hyperparameters).first->second;
 }
 
 std::unique_ptr<const GaussianProcess> PlainEmulator::trained(Observable which) const {
@@ -210,7 +210,7 @@ std::unique_ptr<const GaussianProcess> PlainEmulator::trained(Observable which) 
     }
     std::vector<Kernel> kernels;
     for (const Observable quantity : quantities) {
-        kernels.emplace_back(domain_of(quantity), scales_of(quantity),
+        kernels.emplace_back(domain_of(quantity), hyperparameters_of(quantity),
                              unit_of(known, static_cast<Eigen::Index>(kernels.size())));
     }
     return std::make_unique<GaussianProcess>(std::move(kernels), known);
@@ -225,7 +225,7 @@ const GaussianProcess& PlainEmulator::process_of(Observable which) const {
 Eigen::VectorXd PlainEmulator::mean(const std::vector<Query>& queries) const {
     Eigen::VectorXd result(static_cast<Eigen::Index>(queries.size()));
     for (const auto& [process, share] : shares_of(queries)) {
-        result(share.queries) = share.map * process_of(process).mean(share.asked);
+        result(share.queries) = share.map * process_of(process).mean(share.requested);
     }
     for (std::size_t k = 0; k < queries.size(); ++k) {
         if (!queries[k].by) {
@@ -241,7 +241,7 @@ Eigen::MatrixXd PlainEmulator::covariance(const std::vector<Query>& queries) con
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
     for (const auto& [process, share] : shares_of(queries)) {
         result(share.queries, share.queries) =
-            share.map * process_of(process).covariance(share.asked) * share.map.transpose();
+            share.map * process_of(process).covariance(share.requested) * share.map.transpose();
     }
     return result;
 }

@@ -27,11 +27,11 @@ class PlainEmulator {
     /// Runs that failed, crystallised or were not steady are left out, and those of another damping
     /// than the standard. Scales that are missing are learned, half a second an observable.
     /// @throws std::invalid_argument where no run is left
-    PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorScales scales,
+    PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
                   double structure_stiffness = emulated::reference_stiffness);
 
     /// Scales in use, those learned so far included.
-    EmulatorScales scales() const;
+    EmulatorHyperparameters hyperparameters() const;
 
     /// An entry for each query, whose effects do not count.
     /// @throws std::invalid_argument for an observable of bridges where no run was wet, or of a dry
@@ -55,11 +55,11 @@ class PlainEmulator {
     static bool known(const std::vector<dem::RunResult>& runs, dem::Observable which);
     /// Scales of greatest likelihood for one observable.
     /// @throws std::invalid_argument where none does
-    static Scales learn(const std::vector<dem::RunResult>& runs, dem::Observable which,
+    static Hyperparameters learn(const std::vector<dem::RunResult>& runs, dem::Observable which,
                         double structure_stiffness = emulated::reference_stiffness);
 
   private:
-    Scales scales_of(dem::Observable which) const;
+    Hyperparameters hyperparameters_of(dem::Observable which) const;
     const GaussianProcess& process_of(dem::Observable which) const;
     std::unique_ptr<const GaussianProcess> trained(dem::Observable which) const;
 
@@ -71,7 +71,7 @@ class PlainEmulator {
         };
         std::array<Process, dem::observable_count> processes;
         std::mutex mutex;  ///< of the scales
-        EmulatorScales scales;
+        EmulatorHyperparameters hyperparameters;
     };
     std::vector<dem::RunResult> runs_;
     double structure_stiffness_;

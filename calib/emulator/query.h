@@ -19,6 +19,6 @@ struct Query {
 };
 
 /// Scales of the emulator of each observable.
-using EmulatorScales = std::map<dem::Observable, Scales>;
+using EmulatorHyperparameters = std::map<dem::Observable, Hyperparameters>;
 
 }  // namespace pendular

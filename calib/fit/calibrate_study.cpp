@@ -32,10 +32,10 @@ void check_wet(const Reading& reading, const Study& study, const Fidelity& fidel
     // Bridges of a bead: 4 to 12 whatever friction, pressure and content, offsets of runs included.
     for (const double bridges : {4.0, 12.0}) {
         try {
-            check({.stiffness_number = fidelity.stiffness_number,
+            check_run({.stiffness_number = fidelity.stiffness_number,
                    .wetting = dem::Wetting{pressure,
                                            dem::bridge_volume(condition.liquid_content, bridges)},
-                   .beads = fidelity.beads});
+                   .grains = fidelity.grains});
         } catch (const std::invalid_argument& error) {
             throw InputError(
                 reading.origin,
@@ -302,7 +302,7 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
     c.prediction = predict_readings(model.whole().model(), c);
     const Emulator& emulator = planner.simulation()->emulator();
     c.runs = emulator.runs();
-    c.scales = emulator.scales();
+    c.hyperparameters = emulator.hyperparameters();
     c.orders = planner.orders();
     c.notes = notes_on(c, resolved, planner, wet_known);
     c.cohesion = request.cohesion;

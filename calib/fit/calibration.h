@@ -23,9 +23,9 @@ struct Calibration {
     std::vector<Reading> readings;
     std::size_t fitted = 0;
     std::vector<DirectMeasurement> direct = {};  ///< fitted too
-    Grains grains;                               ///< those of the study when it was fitted
+    GrainProperties grains;                               ///< those of the study when it was fitted
     std::optional<Liquid> liquid;                ///< likewise
-    ModelChoice model;                           ///< likewise
+    ModelSettings model;                           ///< likewise
     std::vector<WrittenEffect> written_effects;  ///< likewise
     Fidelity fidelity;
     std::uint64_t seed = 1;
@@ -39,7 +39,7 @@ struct Calibration {
     std::vector<std::string> cohesion_notes;   ///< which readings are on no line, and why
     int rounds = 0;
     std::vector<dem::RunResult> runs;                  ///< the model rests on
-    EmulatorScales scales;                             ///< of the emulator behind it
+    EmulatorHyperparameters hyperparameters;                             ///< of the emulator behind it
     std::vector<Order> orders;                         ///< runs that were asked for
     std::optional<std::pair<double, double>> profile;  ///< of the friction, where asked for
     std::vector<std::string> notes;

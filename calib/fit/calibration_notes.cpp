@@ -34,7 +34,7 @@ std::optional<std::string> unsupported_note(const Calibration& c, const RunPlann
     std::vector<std::string> readings;
     for (const Reading& reading : c.readings) {
         const FlowState state =
-            planner.simulation()->state_of(c.fit.parameters(0), reading.condition);
+            planner.simulation()->flow_state_at(c.fit.parameters(0), reading.condition);
         if (const std::string why = known.why_unsupported(state); !why.empty()) {
             const auto file = std::filesystem::path(reading.origin.file).filename().string();
             const std::string place = reading.step > 0

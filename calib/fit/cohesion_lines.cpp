@@ -52,7 +52,7 @@ struct Task {
 
 /// Readings of a group as points, by falling P*.
 Points points_of(const WetGroup& group, const std::vector<Reading>& readings, const Task& task,
-                 const Grains& grains, const Liquid& liquid) {
+                 const GrainProperties& grains, const Liquid& liquid) {
     std::vector<Eigen::Index> order(group.members.begin(), group.members.end());
     std::ranges::stable_sort(order, std::greater<>(),
                              [&](Eigen::Index k) { return condition(readings, k).normal_stress; });
@@ -83,11 +83,11 @@ class StraightLine : public Model {
         matrix_ << Eigen::VectorXd::Ones(inverse_pressure.size()), inverse_pressure;
     }
     const std::vector<Parameter>& parameters() const override { return parameters_; }
-    Prediction predict(const Eigen::VectorXd& line, Ask /*what*/) const override {
+    Prediction predict(const Eigen::VectorXd& line, PredictionPart /*what*/) const override {
         const Eigen::MatrixXd exact = Eigen::MatrixXd::Zero(matrix_.rows(), matrix_.rows());
         return {matrix_ * line, matrix_, exact, exact};
     }
-    Supported supported() const override {
+    ParameterBounds bounds() const override {
         return {Eigen::Vector2d::Constant(-unbounded), Eigen::Vector2d::Constant(unbounded)};
     }
     const Eigen::MatrixXd& matrix() const { return matrix_; }
@@ -170,7 +170,7 @@ std::string list_of_pressures(const Points& points, const std::vector<Eigen::Ind
 }
 
 std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& readings,
-                                const Grains& grains, const Liquid& liquid,
+                                const GrainProperties& grains, const Liquid& liquid,
                                 const CohesionOptions& options, std::vector<std::string>& notes) {
     std::vector<CohesionLine> result;
     const double limit = options.lowest_reduced_pressure;
@@ -207,7 +207,7 @@ std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& re
 
 }  // namespace
 
-void check(const CohesionOptions& options) {
+void check_options(const CohesionOptions& options) {
     if (!(options.lowest_reduced_pressure > 0) || !std::isfinite(options.lowest_reduced_pressure)) {
         throw InputError(fmt::format("lowest reduced pressure {}: it must be above 0",
                                      options.lowest_reduced_pressure));
@@ -223,7 +223,7 @@ double stress_ratio(const CohesionLine& line, double reduced_pressure) {
     return line.stress_ratio_intercept.value + line.reduced_cohesion.value / reduced_pressure;
 }
 
-std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const Grains& grains,
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const GrainProperties& grains,
                                          const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes) {
     const Measured measured = stack(readings);
@@ -234,7 +234,7 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, c
 }
 
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
-                                         const Prediction& predicted, const Grains& grains,
+                                         const Prediction& predicted, const GrainProperties& grains,
                                          const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes) {
     return lines({"simulated", {predicted.value, predicted.covariance}, stack(readings).covariance},

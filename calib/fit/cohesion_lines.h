@@ -49,12 +49,12 @@ struct CohesionOptions {
 };
 
 /// @throws InputError where the limit is no reduced pressure
-void check(const CohesionOptions& options);
+void check_options(const CohesionOptions& options);
 
 /// Straight lines through the measured wet readings, one per group of `wet_groups` and in their
 /// order. A group without two distinct P* (2 % apart) at or above the limit has no line; `notes`
 /// says so, and which readings a line leaves out.
-std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const Grains& grains,
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const GrainProperties& grains,
                                          const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes);
 
@@ -64,7 +64,7 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, c
 /// whose errors are nearly common decide a line by their small differences, and simulated stress
 /// ratios are not exactly straight.) chi2 says whether the readings' errors would show the bend.
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
-                                         const Prediction& predicted, const Grains& grains,
+                                         const Prediction& predicted, const GrainProperties& grains,
                                          const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes);
 

@@ -33,8 +33,8 @@ class Whitening {
 };
 
 /// Where both the parameter's own range and the model's support allow it.
-Supported allowed(const Model& model) {
-    Supported range = model.supported();
+ParameterBounds allowed(const Model& model) {
+    ParameterBounds range = model.bounds();
     for (Eigen::Index k = 0; k < range.lower.size(); ++k) {
         const Parameter& p = model.parameters()[static_cast<std::size_t>(k)];
         range.lower(k) = std::max(range.lower(k), p.lower);
@@ -43,7 +43,7 @@ Supported allowed(const Model& model) {
     return range;
 }
 
-bool contains(const Supported& range, const Eigen::VectorXd& parameters) {
+bool contains(const ParameterBounds& range, const Eigen::VectorXd& parameters) {
     return (parameters.array() >= range.lower.array()).all() &&
            (parameters.array() <= range.upper.array()).all();
 }
@@ -52,7 +52,7 @@ bool contains(const Supported& range, const Eigen::VectorXd& parameters) {
 class WhitenedResiduals : public ceres::CostFunction {
   public:
     WhitenedResiduals(const Model& model, const Measured& measured, const Whitening& whitening,
-                      const Supported& range)
+                      const ParameterBounds& range)
         : model_(model), measured_(measured), whitening_(whitening), range_(range) {
         set_num_residuals(static_cast<int>(measured.value.size()));
         mutable_parameter_block_sizes()->push_back(static_cast<int>(model.parameters().size()));
@@ -68,7 +68,7 @@ class WhitenedResiduals : public ceres::CostFunction {
         const bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
         Prediction prediction;
         try {
-            prediction = model_.predict(at, derivatives ? Ask::slopes : Ask::values);
+            prediction = model_.predict(at, derivatives ? PredictionPart::slopes : PredictionPart::values);
         } catch (const std::domain_error&) {
             return false;  // an effect so large that nothing real could show the readings
         }
@@ -90,7 +90,7 @@ class WhitenedResiduals : public ceres::CostFunction {
     const Model& model_;
     const Measured& measured_;
     const Whitening& whitening_;
-    const Supported& range_;
+    const ParameterBounds& range_;
     mutable int refused_ = 0;
 };
 
@@ -126,7 +126,7 @@ struct Search {
 /// goes without, by steps that are refused where they leave the range, and with them only if some
 /// were.
 Minimum minimise(const Model& model, const Measured& measured, const Whitening& whitening,
-                 const Supported& range, const Eigen::VectorXd& start, const FitEffort& effort,
+                 const ParameterBounds& range, const Eigen::VectorXd& start, const FitEffort& effort,
                  const Search& search = {}, std::optional<Eigen::Index> held = {}) {
     Minimum minimum{.parameters = start};
     double* block = minimum.parameters.data();
@@ -185,11 +185,11 @@ struct Scaled {
 /// Goes on from where Ceres stopped, since chi2 is too flat there to tell where its minimum is:
 /// steps of Gauss and Newton, as long as they become shorter.
 void polish(const Model& model, const Measured& measured, const Whitening& whitening,
-            const Supported& range, double settled, Minimum& minimum) {
+            const ParameterBounds& range, double settled, Minimum& minimum) {
     Eigen::VectorXd at = minimum.parameters;
     double shortest = std::numeric_limits<double>::infinity();
     for (int turn = 0; turn < 100; ++turn) {
-        const Prediction prediction = model.predict(at, Ask::slopes);
+        const Prediction prediction = model.predict(at, PredictionPart::slopes);
         const Eigen::VectorXd residuals = whitening.apply(measured.value - prediction.value);
         const double chi2 = residuals.squaredNorm();
         const Scaled scaled(whitening.apply(prediction.jacobian));
@@ -229,7 +229,7 @@ Eigen::MatrixXd parameter_covariance(const Eigen::MatrixXd& whitened_jacobian) {
 }
 
 /// Whether each parameter's error, by the scatter of the residuals, is smaller than its range.
-bool determined(const Fit& fit, const Supported& range) {
+bool determined(const Fit& fit, const ParameterBounds& range) {
     const Eigen::ArrayXd variance = fit.covariance.diagonal();
     return (variance > 0).all() && (variance * fit.chi2 / std::max(fit.dof, 1) <
                                     (range.upper - range.lower).array().square())
@@ -306,7 +306,7 @@ double Fit::simulation_error(Eigen::Index k) const {
 
 Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start,
         const FitEffort& effort) {
-    const Supported range = allowed(model);
+    const ParameterBounds range = allowed(model);
     const Eigen::VectorXd from = start.cwiseMax(range.lower).cwiseMin(range.upper);
     const Whitening whitening(measured.covariance + model.predict(from).covariance);
 
@@ -356,7 +356,7 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
 std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
                                            const Fit& best, Eigen::Index which, double rise) {
     const Whitening whitening(measured.covariance + best.prediction.covariance);
-    const Supported range = allowed(model);
+    const ParameterBounds range = allowed(model);
     const auto chi2_at = [&](double value) {
         Eigen::VectorXd parameters = best.parameters;
         parameters(which) = value;

@@ -41,7 +41,7 @@ class Means {
         const EmulatedSimulation& simulation = model_.simulation();
         const std::vector<EffectiveCondition> imposed = model_.imposed(parameters, conditions_);
         const Eigen::VectorXd predicted =
-            simulation.predict_flow(parameters.head(1), with_dry_twins(imposed), Ask::values).value;
+            simulation.predict_flow(parameters.head(1), with_dry_twins(imposed), PredictionPart::values).value;
         if (slopes) *slopes = Eigen::RowVectorXd::Zero(predicted.size());
         Eigen::Vector2d mean = Eigen::Vector2d::Zero();
         auto dry = 2 * static_cast<Eigen::Index>(imposed.size());

@@ -13,7 +13,7 @@ std::shared_ptr<const EmulatedSimulation> simulation_of(const Study& study, cons
     const double structure_stiffness =
         c.cold ? c.fidelity.stiffness_number : emulated::reference_stiffness;
     return std::make_shared<EmulatedSimulation>(study, c.fidelity,
-                                                Emulator(c.runs, c.scales, structure_stiffness));
+                                                Emulator(c.runs, c.hyperparameters, structure_stiffness));
 }
 
 }  // namespace

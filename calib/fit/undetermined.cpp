@@ -9,7 +9,7 @@ namespace pendular {
 
 std::vector<std::string> undetermined(const Fit& fit, const std::vector<Parameter>& parameters) {
     /// Of the largest component, from which on a parameter counts as part of a combination.
-    constexpr double matters = 0.01;
+    constexpr double smallest_of_interest = 0.01;
     const auto n = static_cast<Eigen::Index>(parameters.size());
     Eigen::VectorXd ranges(n);
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -29,7 +29,7 @@ std::vector<std::string> undetermined(const Fit& fit, const std::vector<Paramete
         std::vector<std::string> names, steps;
         double first = 0;
         for (Eigen::Index k = 0; k < n; ++k) {
-            if (std::abs(direction(k)) < matters * largest) {
+            if (std::abs(direction(k)) < smallest_of_interest * largest) {
                 continue;
             }
             const Parameter& p = parameters[static_cast<std::size_t>(k)];

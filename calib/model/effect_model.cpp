@@ -23,7 +23,7 @@ double start_of(const Effect& effect, const EffectParameter& p, const Study& stu
     if (effect.given_by_liquid && study.liquid) {
         return effect.unlisted_value(study.liquid);
     }
-    return std::clamp(p.neutral + start_share * p.matters, p.lower, p.upper);
+    return std::clamp(p.neutral + start_share * p.smallest_of_interest, p.lower, p.upper);
 }
 
 }  // namespace
@@ -160,7 +160,7 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
         Eigen::VectorXd values = predicted;
         if (!changed.empty()) {
             const Eigen::VectorXd anew =
-                inside_->predict_flow(own_there, changed, Ask::values).value;
+                inside_->predict_flow(own_there, changed, PredictionPart::values).value;
             for (std::size_t k = 0; k < places.size(); ++k) {
                 values.segment<2>(places[k]) = anew.segment<2>(2 * static_cast<Eigen::Index>(k));
             }
@@ -183,7 +183,7 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
     for (const Effect* effect : effects_) {
         for (const EffectParameter& p : effect->parameters) {
             if (!p.is_switch()) {
-                result.jacobian.col(next) = quotient(next, step_share * p.matters);
+                result.jacobian.col(next) = quotient(next, step_share * p.smallest_of_interest);
                 ++next;
             }
         }
@@ -191,17 +191,17 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
 }
 
 Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
-                                const std::vector<Condition>& conditions, Ask what) const {
+                                const std::vector<Condition>& conditions, PredictionPart what) const {
     const Truths truths = truths_at(parameters, conditions);
     const Prediction inside =
         inside_->predict_flow(inside_parameters(parameters), truths.imposed, what);
     Prediction result{
         .value = shown(truths, inside.value), .jacobian = {}, .covariance = {}, .run_noise = {}};
-    if (what == Ask::values) {
+    if (what == PredictionPart::values) {
         return result;
     }
     const Eigen::MatrixXd slopes = shown_by_predicted(truths, inside.value);
-    if (what == Ask::covariance) {
+    if (what == PredictionPart::covariance) {
         result.covariance = slopes * inside.covariance * slopes.transpose();
         result.run_noise = slopes * inside.run_noise * slopes.transpose();
     }
@@ -230,14 +230,14 @@ ModelSpace::ChangeErrors EffectModel::change_errors(
         return {covariance(here) - covariance(there), Eigen::MatrixXd::Zero(n, n)};
     }
     // Predictions without, then those of the conditions that are others with.
-    std::vector<EffectiveCondition> asked = there.imposed;
+    std::vector<EffectiveCondition> requested = there.imposed;
     std::vector<Eigen::Index> place;  // of a reading's prediction with
     for (std::size_t k = 0; k < here.imposed.size(); ++k) {
         const bool same = here.imposed[k] == there.imposed[k];
-        place.push_back(static_cast<Eigen::Index>(same ? k : asked.size()));
-        if (!same) asked.push_back(here.imposed[k]);
+        place.push_back(static_cast<Eigen::Index>(same ? k : requested.size()));
+        if (!same) requested.push_back(here.imposed[k]);
     }
-    const Prediction inside = inside_->predict_flow(own, asked);
+    const Prediction inside = inside_->predict_flow(own, requested);
     Eigen::VectorXd with_values(n);
     for (std::size_t k = 0; k < place.size(); ++k) {
         with_values.segment<2>(2 * static_cast<Eigen::Index>(k)) =
@@ -257,8 +257,8 @@ ModelSpace::ChangeErrors EffectModel::change_errors(
     return {change * half, without_by_asked * half};
 }
 
-Supported EffectModel::supported() const {
-    Supported range = inside_->supported();
+ParameterBounds EffectModel::bounds() const {
+    ParameterBounds range = inside_->bounds();
     const Eigen::Index inside = range.lower.size();
     const auto all = static_cast<Eigen::Index>(parameters_.size());
     range.lower.conservativeResize(all);

@@ -26,8 +26,8 @@ class EffectModel : public Predictor {
 
     const std::vector<Parameter>& parameters() const override { return parameters_; }
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
-                       Ask what = Ask::covariance) const override;
-    Supported supported() const override;
+                       PredictionPart what = PredictionPart::covariance) const override;
+    ParameterBounds bounds() const override;
 
     /// What errors of the model inside make of the change from a model on the same inside, with
     /// fewer effects, to this one. An effect on grains is known from runs of its own, whose errors

@@ -50,8 +50,8 @@ double EmulatedSimulation::allowed(double friction) const {
 FlowState EmulatedSimulation::filled(const FlowState& state, double liquid_content) const {
     const std::size_t hash = hash_of(state, liquid_content);
     {
-        const std::scoped_lock lock(memory_->mutex);
-        const auto [begin, end] = memory_->filled.equal_range(hash);
+        const std::scoped_lock lock(cache_->mutex);
+        const auto [begin, end] = cache_->filled.equal_range(hash);
         for (auto known = begin; known != end; ++known) {
             if (known->second.liquid_content == liquid_content &&
                 same_but_for_volume(known->second.state, state)) {
@@ -61,15 +61,15 @@ FlowState EmulatedSimulation::filled(const FlowState& state, double liquid_conte
     }
     FlowState result = state;
     result.bridge_volume = bridge_volume_of(emulator_, liquid_content, state);
-    const std::scoped_lock lock(memory_->mutex);
-    if (memory_->filled.size() >= most_filled) {
-        memory_->filled.clear();
+    const std::scoped_lock lock(cache_->mutex);
+    if (cache_->filled.size() >= most_filled) {
+        cache_->filled.clear();
     }
-    memory_->filled.emplace(hash, Filled{liquid_content, result});
+    cache_->filled.emplace(hash, Filled{liquid_content, result});
     return result;
 }
 
-FlowState EmulatedSimulation::state_of(double friction, const EffectiveCondition& condition) const {
+FlowState EmulatedSimulation::flow_state_at(double friction, const EffectiveCondition& condition) const {
     FlowState state{allowed(friction + condition.friction_difference), condition.inertial_number};
     for (const EffectValues& effect : condition.grain_effects) {
         state.effects.push_back(in_run_units(effect, condition.normal_stress, study_.grains));
@@ -90,14 +90,14 @@ StructureResponse EmulatedSimulation::at_constant_content(StructureResponse resp
 
 StructureResponse EmulatedSimulation::effective_coordination(
     double friction, const EffectiveCondition& condition) const {
-    const FlowState state = state_of(friction, condition);
+    const FlowState state = flow_state_at(friction, condition);
     return at_constant_content(respond(emulator_, {Observable::effective_coordination}, state),
                                state);
 }
 
 StructureResponse EmulatedSimulation::capillary_shear_stress(
     double friction, const EffectiveCondition& condition) const {
-    const FlowState state = state_of(friction, condition);
+    const FlowState state = flow_state_at(friction, condition);
     StructureResponse stress =
         at_constant_content(respond(emulator_, {Observable::capillary_shear_stress}, state), state);
     stress.value /= state.inverse_pressure;  // over s22; wanted over F0/a^2
@@ -181,18 +181,18 @@ Prediction EmulatedSimulation::predict_slopes(const std::vector<FlowState>& stat
 
 Prediction EmulatedSimulation::predict_flow(const Eigen::VectorXd& parameters,
                                             const std::vector<EffectiveCondition>& conditions,
-                                            Ask what) const {
+                                            PredictionPart what) const {
     std::vector<FlowState> states;
     for (const EffectiveCondition& condition : conditions) {
-        states.push_back(state_of(parameters(0), condition));
+        states.push_back(flow_state_at(parameters(0), condition));
     }
     switch (what) {
-        case Ask::values:
+        case PredictionPart::values:
             return {.value = predict_values(states, conditions),
                     .jacobian = {},
                     .covariance = {},
                     .run_noise = {}};
-        case Ask::slopes:
+        case PredictionPart::slopes:
             return predict_slopes(states, conditions, nullptr);
         default:
             return predict_all(states, conditions);
@@ -242,7 +242,7 @@ Prediction EmulatedSimulation::predict_all(
     return prediction;
 }
 
-Supported EmulatedSimulation::supported() const {
+ParameterBounds EmulatedSimulation::bounds() const {
     const auto [least, greatest] = std::ranges::minmax(
         emulator_.runs(), {}, [](const dem::RunResult& run) { return run.parameters.friction; });
     return {Eigen::VectorXd::Constant(1, least.parameters.friction),

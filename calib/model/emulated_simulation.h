@@ -24,12 +24,12 @@ class EmulatedSimulation : public FlowPredictor {
     const std::vector<Parameter>& parameters() const override { return parameters_; }
     Prediction predict_flow(const Eigen::VectorXd& parameters,
                             const std::vector<EffectiveCondition>& conditions,
-                            Ask what = Ask::covariance) const override;
-    Supported supported() const override;
+                            PredictionPart what = PredictionPart::covariance) const override;
+    ParameterBounds bounds() const override;
 
     /// State to simulate for a condition: a wet one at the bridge volume that has its liquid
     /// content.
-    FlowState state_of(double friction, const EffectiveCondition& condition) const;
+    FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
     /// A wet state with the bridge volume that this liquid content makes.
     FlowState filled(const FlowState& state, double liquid_content) const;
     /// Z* and a^2 s12cap/F0 at a wet condition; derivatives by friction at constant liquid content.
@@ -68,11 +68,11 @@ class EmulatedSimulation : public FlowPredictor {
         double liquid_content;
         FlowState state;
     };
-    struct Memory {
+    struct Cache {
         std::mutex mutex;
         std::unordered_multimap<std::size_t, Filled> filled;
     };
-    std::unique_ptr<Memory> memory_ = std::make_unique<Memory>();
+    std::unique_ptr<Cache> cache_ = std::make_unique<Cache>();
 };
 
 }  // namespace pendular

@@ -20,7 +20,7 @@ struct Parameter {
 };
 
 /// What of a prediction is wanted; each includes those before it.
-enum class Ask { values, slopes, covariance };
+enum class PredictionPart { values, slopes, covariance };
 
 /// What a model says of n readings, and how sure it is. Entries 2 k and 2 k + 1 belong to reading
 /// k: its shear stress magnitude [Pa] and its solid fraction [1]. Where a model is asked for a
@@ -47,7 +47,7 @@ double predicted_value(const DirectMeasurement& direct, const std::vector<Parame
 void widen(Eigen::MatrixXd& square, Eigen::Index by);
 
 /// The range of parameters over which a model's predictions are supported by simulation.
-struct Supported {
+struct ParameterBounds {
     Eigen::VectorXd lower, upper;
 };
 
@@ -62,9 +62,9 @@ class Model {
 
     /// Predictions at `parameters` (in the order of parameters()).
     virtual Prediction predict(const Eigen::VectorXd& parameters,
-                               Ask what = Ask::covariance) const = 0;
+                               PredictionPart what = PredictionPart::covariance) const = 0;
 
-    virtual Supported supported() const = 0;
+    virtual ParameterBounds bounds() const = 0;
 };
 
 }  // namespace pendular

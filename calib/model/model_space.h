@@ -23,7 +23,7 @@ struct Candidate {
 };
 
 /// Candidates by their places among all of them, in the order of their parameters.
-using Choice = std::vector<std::size_t>;
+using EffectSet = std::vector<std::size_t>;
 
 /// A model with everything that it may lack: all the models that arise by adding some of it. Any
 /// number of threads may ask it at once.
@@ -35,7 +35,7 @@ class ModelSpace {
 
     /// The model with some candidates, whose parameters are those of the model without any and then
     /// those of the candidates that are no switches.
-    virtual std::shared_ptr<const Model> with(const Choice& chosen) const = 0;
+    virtual std::shared_ptr<const Model> with(const EffectSet& chosen) const = 0;
 
     /// Covariance of what the model's own errors make of a change g = f(with) - f(without); n x n
     /// each, empty where the model is exact in it.
@@ -45,7 +45,7 @@ class ModelSpace {
     };
     /// Of the change from the model with `chosen` at `parameters` to that with candidate `added` at
     /// `value` of its first parameter (1 for a switch).
-    virtual ChangeErrors change_errors(const Choice& /*chosen*/,
+    virtual ChangeErrors change_errors(const EffectSet& /*chosen*/,
                                        const Eigen::VectorXd& /*parameters*/, std::size_t /*added*/,
                                        double /*value*/) const {
         return {};

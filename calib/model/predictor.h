@@ -23,9 +23,9 @@ class Predictor {
     /// `parameters` (in the order of parameters()).
     virtual Prediction predict(const Eigen::VectorXd& parameters,
                                const std::vector<Condition>& conditions,
-                               Ask what = Ask::covariance) const = 0;
+                               PredictionPart what = PredictionPart::covariance) const = 0;
 
-    virtual Supported supported() const = 0;
+    virtual ParameterBounds bounds() const = 0;
 
     /// (stress ratio [1], solid fraction [1]) with their covariance.
     struct Point {
@@ -40,11 +40,11 @@ class Predictor {
 class FlowPredictor : public Predictor {
   public:
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
-                       Ask what = Ask::covariance) const final;
+                       PredictionPart what = PredictionPart::covariance) const final;
     /// The same for grains and liquid as effects make them.
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
-                                    Ask what = Ask::covariance) const = 0;
+                                    PredictionPart what = PredictionPart::covariance) const = 0;
 };
 
 /// Predictions of readings, and after them those of direct measurements by the same parameters.
@@ -62,11 +62,11 @@ class ModelOfReadings : public Model {
 
     const std::vector<Parameter>& parameters() const override { return predictor_->parameters(); }
     Prediction predict(const Eigen::VectorXd& parameters,
-                       Ask what = Ask::covariance) const override {
+                       PredictionPart what = PredictionPart::covariance) const override {
         return with_direct(predictor_->predict(parameters, conditions_, what), direct_,
                            predictor_->parameters(), parameters);
     }
-    Supported supported() const override { return predictor_->supported(); }
+    ParameterBounds bounds() const override { return predictor_->bounds(); }
 
   private:
     std::shared_ptr<const Predictor> predictor_;

@@ -40,7 +40,7 @@ double RumpfModel::Closure::rumpf_stress(double dry, double fraction,
 Eigen::VectorXd RumpfModel::predict_values(
     const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const {
     const Eigen::VectorXd simulated =
-        simulation_->predict_flow(parameters, with_dry_twins(conditions), Ask::values).value;
+        simulation_->predict_flow(parameters, with_dry_twins(conditions), PredictionPart::values).value;
     const auto n = static_cast<Eigen::Index>(conditions.size());
     Eigen::VectorXd values = simulated.head(2 * n);
     Eigen::Index twin = 2 * n;
@@ -59,8 +59,8 @@ Eigen::VectorXd RumpfModel::predict_values(
 
 Prediction RumpfModel::predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
-                                    Ask what) const {
-    if (what == Ask::values) {
+                                    PredictionPart what) const {
+    if (what == PredictionPart::values) {
         return {.value = predict_values(parameters, conditions),
                 .jacobian = {},
                 .covariance = {},

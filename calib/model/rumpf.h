@@ -27,8 +27,8 @@ class RumpfModel : public FlowPredictor {
     const std::vector<Parameter>& parameters() const override { return simulation_->parameters(); }
     Prediction predict_flow(const Eigen::VectorXd& parameters,
                             const std::vector<EffectiveCondition>& conditions,
-                            Ask what = Ask::covariance) const override;
-    Supported supported() const override { return simulation_->supported(); }
+                            PredictionPart what = PredictionPart::covariance) const override;
+    ParameterBounds bounds() const override { return simulation_->bounds(); }
 
   private:
     /// What the closure makes of a wet condition.

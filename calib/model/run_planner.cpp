@@ -49,9 +49,9 @@ const Eigen::Vector2d grave(0.01, 0.002);
 Eigen::Matrix2d expected_noise(const Emulator& emulator, const Fidelity& fidelity) {
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
     for (const auto& run : emulator.runs()) {
-        sum += emulator.noise(run) * run.parameters.beads * run.strain_averaged;
+        sum += emulator.noise(run) * run.parameters.grains * run.strain_averaged;
     }
-    return sum / (static_cast<double>(emulator.runs().size()) * fidelity.beads * fidelity.strain);
+    return sum / (static_cast<double>(emulator.runs().size()) * fidelity.grains * fidelity.strain);
 }
 
 bool has_grain_effects(const std::vector<EffectiveCondition>& conditions) {
@@ -110,12 +110,12 @@ RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditi
                 extrapolation_factor * fidelity.lowest_inertial_number, fastest_extrapolated));
         }
         structure_stiffness = fidelity.stiffness_number;
-        known.runs = carry_out(first_dry_design(), "since nothing was known");
+        known.runs = simulate_states(first_dry_design(), "since nothing was known");
         if (known.runs.empty()) {
             throw dem::SimulationError("no run succeeded: " + notes_.back());
         }
     }
-    use(Emulator(known.runs, std::move(known.scales), structure_stiffness));
+    use(Emulator(known.runs, std::move(known.hyperparameters), structure_stiffness));
 }
 
 void RunPlanner::use(Emulator emulator) {
@@ -157,7 +157,7 @@ void RunPlanner::begin_wet(double friction) {
     if (!orders_more_ || std::ranges::any_of(simulation_->emulator().runs(), wet)) {
         return;
     }
-    const auto fresh = carry_out(first_wet_design(friction), "since no wet run was known");
+    const auto fresh = simulate_states(first_wet_design(friction), "since no wet run was known");
     if (fresh.empty()) {
         throw dem::SimulationError("no wet run succeeded: " + notes_.back());
     }
@@ -175,7 +175,7 @@ RunPlanner::Candidates RunPlanner::candidates(double friction,
                 EffectiveCondition simulated = condition;
                 simulated.inertial_number =
                     std::max(condition.inertial_number, fidelity_.lowest_inertial_number);
-                const FlowState state = simulation_->state_of(at, simulated);
+                const FlowState state = simulation_->flow_state_at(at, simulated);
                 if (condition.dry() != wet &&
                     std::ranges::none_of(states, [&](const auto& s) { return near(s, state); })) {
                     states.push_back(state);
@@ -316,12 +316,12 @@ void RunPlanner::confirm(double friction, const std::vector<EffectiveCondition>&
     }
 }
 
-std::vector<dem::RunResult> RunPlanner::carry_out(const std::vector<FlowState>& states,
+std::vector<dem::RunResult> RunPlanner::simulate_states(const std::vector<FlowState>& states,
                                                   const std::string& why) {
     std::set<std::string> known;
     if (simulation_) {
         for (const auto& run : simulation_->emulator().runs()) {
-            known.insert(described(run.parameters));
+            known.insert(run_description(run.parameters));
         }
     }
     std::vector<dem::RunParameters> wanted;
@@ -330,7 +330,7 @@ std::vector<dem::RunResult> RunPlanner::carry_out(const std::vector<FlowState>& 
         // A run that is known already would confirm nothing.
         do {
             run.seed = seed_of_run(seed_, ordered_++);
-        } while (known.contains(described(run)));
+        } while (known.contains(run_description(run)));
         wanted.push_back(run);
     }
     std::vector<dem::RunResult> fresh;
@@ -339,7 +339,7 @@ std::vector<dem::RunResult> RunPlanner::carry_out(const std::vector<FlowState>& 
             fresh.push_back(run);
         } else {
             notes_.push_back(fmt::format("a run at {} is not used: it {}",
-                                         describe(emulated::state_of(run.parameters)),
+                                         describe(emulated::flow_state_of(run.parameters)),
                                          !run.failure.empty() ? "failed, " + run.failure
                                          : run.crystallised   ? "crystallised"
                                                               : "was not steady"));
@@ -350,13 +350,13 @@ std::vector<dem::RunResult> RunPlanner::carry_out(const std::vector<FlowState>& 
 }
 
 double RunPlanner::order(const std::vector<FlowState>& states, const std::string& why) {
-    const std::vector<dem::RunResult> fresh = carry_out(states, why);
+    const std::vector<dem::RunResult> fresh = simulate_states(states, why);
     if (fresh.empty()) {
         return 0;
     }
     std::vector<FlowState> places;
     for (const auto& run : fresh) {
-        places.push_back(emulated::state_of(run.parameters));
+        places.push_back(emulated::flow_state_of(run.parameters));
     }
     const Emulator& emulator = simulation_->emulator();
     const auto queries = pairs_at(places);
@@ -364,8 +364,8 @@ double RunPlanner::order(const std::vector<FlowState>& states, const std::string
     Eigen::MatrixXd covariance = emulator.covariance(queries);
     for (std::size_t k = 0; k < fresh.size(); ++k) {
         const auto at = 2 * static_cast<Eigen::Index>(k);
-        off(at) += emulated::taught(fresh[k], Observable::stress_ratio).value;
-        off(at + 1) += emulated::taught(fresh[k], Observable::solid_fraction).value;
+        off(at) += emulated::training_value(fresh[k], Observable::stress_ratio).value;
+        off(at + 1) += emulated::training_value(fresh[k], Observable::solid_fraction).value;
         covariance.block<2, 2>(at, at) += emulator.noise(fresh[k]);
     }
     use(emulator.with(fresh));

@@ -74,7 +74,7 @@ class RunPlanner {
                                             const std::vector<FlowState>& from,
                                             double excess) const;
     /// Carries runs out at these states. @return those that can teach
-    std::vector<dem::RunResult> carry_out(const std::vector<FlowState>& states,
+    std::vector<dem::RunResult> simulate_states(const std::vector<FlowState>& states,
                                           const std::string& why);
     /// Carries runs out at these states and learns from them.
     /// @return probability that they are so far from what the emulator said of them before

@@ -23,11 +23,11 @@ StudyModels::StudyModels(const ResolvedStudy& study, std::vector<Condition> cond
                          const Fidelity& fidelity, KnownRuns known)
     : study_(study), conditions_(std::move(conditions)) {
     simulation_ = std::make_shared<EmulatedSimulation>(
-        study, fidelity, Emulator(known.runs, std::move(known.scales)));
+        study, fidelity, Emulator(known.runs, std::move(known.hyperparameters)));
     known_range_ = std::make_unique<KnownRange>(simulation_->emulator());
     const std::vector<const Effect*>& listed = study_.effects();
     for (std::size_t k = 0; k < listed.size(); ++k) {
-        if (!told(*listed[k])) {
+        if (!has_runs(*listed[k])) {
             throw InputError(study_.study().model.effects[k].position,
                              fmt::format("'effects': no known run has {} alone, so that the "
                                          "emulator cannot tell what it does; 'pendular campaign' "
@@ -36,7 +36,7 @@ StudyModels::StudyModels(const ResolvedStudy& study, std::vector<Condition> cond
         }
     }
     for (const StatedDirect& stated : study_.study().direct) {
-        if (!told(study_.catalogue().find(stated.effect))) {
+        if (!has_runs(study_.catalogue().find(stated.effect))) {
             throw InputError(stated.effect_position,
                              fmt::format("'effect': no known run has {} alone, so that the "
                                          "emulator cannot tell what it does; 'pendular campaign' "
@@ -63,10 +63,10 @@ std::vector<std::string> StudyModels::why_unsupported(double friction) const {
 }
 
 std::string StudyModels::why_unsupported(double friction, const Condition& condition) const {
-    return known_range_->why_unsupported(simulation_->state_of(friction, condition));
+    return known_range_->why_unsupported(simulation_->flow_state_at(friction, condition));
 }
 
-bool StudyModels::told(const Effect& effect) const {
+bool StudyModels::has_runs(const Effect& effect) const {
     return !effect.of_grains() ||
            std::ranges::any_of(simulation_->emulator().runs(), [&](const dem::RunResult& run) {
                const auto& effects = run.parameters.effects;
@@ -77,7 +77,7 @@ bool StudyModels::told(const Effect& effect) const {
 void StudyModels::add_candidate(const Effect& effect) {
     if (const auto why = why_not(effect, study_)) {
         left_aside_.push_back({effect.name, *why});
-    } else if (!told(effect)) {
+    } else if (!has_runs(effect)) {
         left_aside_.push_back(
             {effect.name, "no known run has it alone; 'pendular campaign' makes such runs", true});
     } else {
@@ -89,7 +89,7 @@ void StudyModels::add_candidate(const Effect& effect) {
     }
 }
 
-std::shared_ptr<const EffectModel> StudyModels::predictor(const Choice& chosen) const {
+std::shared_ptr<const EffectModel> StudyModels::predictor(const EffectSet& chosen) const {
     std::vector<const Effect*> effects = study_.effects();
     for (const std::size_t k : chosen) {
         effects.push_back(offered_.at(k));
@@ -97,17 +97,17 @@ std::shared_ptr<const EffectModel> StudyModels::predictor(const Choice& chosen) 
     return assemble_model(study_, simulation_, effects);
 }
 
-std::shared_ptr<const Model> StudyModels::with(const Choice& chosen) const {
+std::shared_ptr<const Model> StudyModels::with(const EffectSet& chosen) const {
     return std::make_shared<ModelOfReadings>(predictor(chosen), conditions_, direct());
 }
 
-ModelSpace::ChangeErrors StudyModels::change_errors(const Choice& chosen,
+ModelSpace::ChangeErrors StudyModels::change_errors(const EffectSet& chosen,
                                                     const Eigen::VectorXd& parameters,
                                                     std::size_t added, double value) const {
     if (offered_[added]->of_closure()) {
         return {};  // of the terms of a closure, which are known far better than what they add to
     }
-    Choice more = chosen;
+    EffectSet more = chosen;
     more.push_back(added);
     Eigen::VectorXd with_it = parameters;
     if (!candidates_[added].is_switch()) {

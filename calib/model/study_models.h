@@ -15,7 +15,7 @@ namespace pendular {
 /// An effect that is no candidate, and why.
 struct LeftAside {
     std::string effect, why;
-    bool untold = false;  ///< it applies, but no run tells what it does
+    bool without_runs = false;  ///< it applies, but no run tells what it does
 };
 
 /// The emulated model of a study, with the effects that the study lists, and every further effect
@@ -28,10 +28,10 @@ class StudyModels : public ModelSpace {
                 const Fidelity& fidelity, KnownRuns known);
 
     const std::vector<Candidate>& candidates() const override { return candidates_; }
-    std::shared_ptr<const Model> with(const Choice& chosen) const override;
+    std::shared_ptr<const Model> with(const EffectSet& chosen) const override;
     /// The same model of any conditions.
-    std::shared_ptr<const EffectModel> predictor(const Choice& chosen) const;
-    ChangeErrors change_errors(const Choice& chosen, const Eigen::VectorXd& parameters,
+    std::shared_ptr<const EffectModel> predictor(const EffectSet& chosen) const;
+    ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;
 
     /// The study's direct measurements, which its models predict after the readings.
@@ -50,7 +50,7 @@ class StudyModels : public ModelSpace {
     static Study with_all_effects(const ResolvedStudy& study);
 
   private:
-    bool told(const Effect& effect) const;
+    bool has_runs(const Effect& effect) const;
     void add_candidate(const Effect& effect);
 
     ResolvedStudy study_;

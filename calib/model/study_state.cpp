@@ -12,7 +12,7 @@ dem::RunParameters run_at(const FlowState& state, const Study& study, const Fide
                            .inertial_number = state.inertial_number,
                            .stiffness_number = fidelity.stiffness_number,
                            .poisson_ratio = study.grains.poisson_ratio,
-                           .beads = fidelity.beads,
+                           .grains = fidelity.grains,
                            .strain = fidelity.strain,
                            .effects = state.effects};
     if (!state.dry()) {
@@ -21,7 +21,7 @@ dem::RunParameters run_at(const FlowState& state, const Study& study, const Fide
     return run;
 }
 
-double stiffness_share(double simulated, const Condition& condition, const Grains& grains,
+double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity) {
     const auto studied = stiffness_number(condition.normal_stress, grains);
     return 1 - simulated / studied.value_or(fidelity.stiffness_number);

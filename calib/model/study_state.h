@@ -16,7 +16,7 @@ dem::RunParameters run_at(const FlowState& state, const Study& study, const Fide
 
 /// Share of the rigidity shift of runs of a stiffness number that separates them from the beads of
 /// the study at a condition [1]; from those of the fidelity, where the study names no modulus.
-double stiffness_share(double simulated, const Condition& condition, const Grains& grains,
+double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity);
 
 }  // namespace pendular

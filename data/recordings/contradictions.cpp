@@ -158,7 +158,7 @@ void exclude_rows(const Recording& recording, const std::set<std::size_t>& rows,
 }  // namespace
 
 Contradictions take_out_contradictions(Recording& recording, const AnnularCell& cell,
-                                       const ImportChoice& choice, Measurements& result) {
+                                       const ImportSettings& choice, Measurements& result) {
     Contradictions found;
     std::set<std::size_t> rows;
     for (const ColumnPair& pair : pairs_of(recording, cell))

@@ -26,7 +26,7 @@ struct Contradictions {
 /// Doubts and notes go to `result`; the rows that contradict are taken out of the recording, unless
 /// the choice keeps them.
 Contradictions take_out_contradictions(Recording& recording, const AnnularCell& cell,
-                                       const ImportChoice& choice, Measurements& result);
+                                       const ImportSettings& choice, Measurements& result);
 
 /// Sets aside the readings of a recording that its contradictions spoil: all of them, or those with
 /// more than 1 in 100 of their rows taken out, since what is left is no fair sample.

@@ -240,7 +240,7 @@ std::vector<StuckColumn> stuck_columns(const Recording& recording) {
 }  // namespace
 
 void doubt_stuck_columns(const Recording& recording, Measurements& part,
-                         const ImportChoice& choice) {
+                         const ImportSettings& choice) {
     if (recording.size() < shortest_step) return;
     for (const StuckColumn& stuck : stuck_columns(recording)) {
         const bool aside = !stuck.usable && !choice.keep_implausible;

@@ -35,7 +35,7 @@ void doubt_impossible_readings(Measurements& measurements, const Study& study);
 /// makes no reading: what was made of it is set aside, unless the choice keeps it. A stuck gap may
 /// have been measured coarsely; only its error is unknown.
 void doubt_stuck_columns(const Recording& recording, Measurements& part,
-                         const ImportChoice& choice);
+                         const ImportSettings& choice);
 
 /// Adds a doubt about a recording that makes no reading, where the solid fraction at its median gap
 /// cannot be right: that may be the reason why.

@@ -18,7 +18,7 @@ namespace {
 struct Setting {
     const Recording& recording;
     const AnnularCell& cell;
-    const Grains& grains;
+    const GrainProperties& grains;
     double liquid_content;
     double least_strain;       ///< of a steady part [1]
     double torque_resolution;  ///< [N m]
@@ -172,14 +172,14 @@ void note_steps(const std::vector<int>& steps, const std::string& file, const st
 }  // namespace
 
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
-                              const Grains& grains, double liquid_content) {
+                              const GrainProperties& grains, double liquid_content) {
     RunClock first;
     return reduce_recording(recording, cell, grains, liquid_content, first);
 }
 
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
-                              const Grains& grains, double liquid_content, RunClock& clock,
-                              const ImportChoice& choice) {
+                              const GrainProperties& grains, double liquid_content, RunClock& clock,
+                              const ImportSettings& choice) {
     Setting setting{recording,
                     cell,
                     grains,

@@ -33,11 +33,11 @@ namespace pendular {
 /// recordings before this one.
 /// @throws InputError where the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
-                              const Grains& grains, double liquid_content, RunClock& clock,
-                              const ImportChoice& choice = {});
+                              const GrainProperties& grains, double liquid_content, RunClock& clock,
+                              const ImportSettings& choice = {});
 
 /// The same of a recording that is the first.
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
-                              const Grains& grains, double liquid_content);
+                              const GrainProperties& grains, double liquid_content);
 
 }  // namespace pendular

@@ -97,9 +97,9 @@ void read_bounds(const StudyTable& table, WrittenEffect& effect) {
                      fmt::format("the neutral value, {:g} where 'neutral' is left out, must lie "
                                  "between 'lower' and 'upper', so that the effect can be absent",
                                  effect.neutral));
-    effect.matters =
+    effect.smallest_of_interest =
         table.quantity_in("matters", unit).value_or((effect.upper - effect.lower) / 10);
-    if (effect.matters <= 0) table.refuse("matters", "must be positive");
+    if (effect.smallest_of_interest <= 0) table.refuse("matters", "must be positive");
 }
 
 /// The formulas of one group of targets that the table has.

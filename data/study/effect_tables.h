@@ -23,7 +23,7 @@ struct WrittenEffect {
     std::string unit = "1";       ///< SI
     double lower = 0, upper = 1;  ///< [unit]
     double neutral = 0;           ///< [unit]
-    double matters = 1;           ///< [unit]
+    double smallest_of_interest = 1;           ///< [unit]
     std::string summary = {};     ///< empty where the user gave none
     std::vector<Formula> formulas;
     Position position;  ///< of the table

@@ -38,7 +38,7 @@ int count(const StudyTable& table, std::string_view key, int by_default) {
 
 }  // namespace
 
-std::optional<Rig> read_rig(const StudyTable& root, const Grains& grains, bool has_liquid) {
+std::optional<Rig> read_rig(const StudyTable& root, const GrainProperties& grains, bool has_liquid) {
     const auto table = root.table("rig", rig_keys);
     if (!table) return std::nullopt;
     Rig rig;

@@ -36,6 +36,6 @@ struct Rig {
 
 /// [rig] of a study; empty where there is none.
 /// @throws InputError at what is missing, unknown or impossible
-std::optional<Rig> read_rig(const StudyTable& root, const Grains& grains, bool has_liquid);
+std::optional<Rig> read_rig(const StudyTable& root, const GrainProperties& grains, bool has_liquid);
 
 }  // namespace pendular

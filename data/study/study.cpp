@@ -40,11 +40,11 @@ std::filesystem::path study_file(const std::filesystem::path& study) {
     return study / "study.toml";
 }
 
-Grains read_grains(const StudyTable& root) {
+GrainProperties read_grains(const StudyTable& root) {
     const auto table = root.table("grains", grains_keys);
     if (!table)
         throw InputError(root.position(), "[grains] is missing; it holds diameter and density");
-    Grains grains;
+    GrainProperties grains;
     grains.diameter = table->positive_quantity("diameter", "m");
     grains.density = table->positive_quantity("density", "kg/m^3");
     if (table->has("youngs_modulus"))
@@ -70,7 +70,7 @@ std::optional<Liquid> read_liquid(const StudyTable& root) {
 }
 
 /// Bead volume [m^3] a table gives by mass or volume.
-std::optional<double> bead_volume(const StudyTable& table, const Grains& grains) {
+std::optional<double> bead_volume(const StudyTable& table, const GrainProperties& grains) {
     if (table.has("bead_mass") && table.has("bead_volume"))
         table.refuse("bead_volume", "'bead_mass' is given too; remove one");
     if (table.has("bead_mass")) return table.positive_quantity("bead_mass", "kg") / grains.density;
@@ -78,11 +78,11 @@ std::optional<double> bead_volume(const StudyTable& table, const Grains& grains)
     return std::nullopt;
 }
 
-Form form(const StudyTable& table, std::string_view key) {
-    return form_named(table.choice(key, form_names()));
+FormulaVariant form(const StudyTable& table, std::string_view key) {
+    return formula_variant_named(table.choice(key, formula_variant_names()));
 }
 
-std::optional<AnnularCell> read_cell(const StudyTable& root, const Grains& grains) {
+std::optional<AnnularCell> read_cell(const StudyTable& root, const GrainProperties& grains) {
     const auto table = root.table("cell", cell_keys);
     if (!table) return std::nullopt;
     AnnularCell cell;
@@ -165,8 +165,8 @@ std::vector<Source> read_sources(const StudyTable& root, const Study& study) {
     return sources;
 }
 
-ImportChoice read_import(const StudyTable& root) {
-    ImportChoice choice;
+ImportSettings read_import(const StudyTable& root) {
+    ImportSettings choice;
     const auto table = root.table("import", import_keys);
     if (!table) return choice;
     choice.keep_implausible = table->flag("keep_implausible").value_or(choice.keep_implausible);
@@ -204,8 +204,8 @@ std::vector<ListedEffect> read_listed_effects(const StudyTable& model) {
     return effects;
 }
 
-ModelChoice read_model(const StudyTable& root) {
-    ModelChoice model;
+ModelSettings read_model(const StudyTable& root) {
+    ModelSettings model;
     const auto table = root.table("model", model_keys);
     if (!table) return model;
     model.base = table->choice("base", {"dem", "rumpf"});

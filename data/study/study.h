@@ -34,16 +34,16 @@ struct ListedEffect {
 };
 
 /// What to do with the model.
-struct ModelChoice {
+struct ModelSettings {
     std::string base = "dem";
     std::vector<std::string> calibrate = {"friction"};
     std::string fit_to = "dry";         ///< "dry" or "all"
     std::vector<ListedEffect> effects;  ///< each once; whether they exist is not known here
-    Form bridge_force = Form::derived;
+    FormulaVariant bridge_force = FormulaVariant::derived;
 };
 
 /// What import believes: [import] in study.toml.
-struct ImportChoice {
+struct ImportSettings {
     bool keep_implausible = false;  ///< doubted readings are used all the same
     double least_strain = 1;        ///< of the steady part of a step [1]; less is no steady shear
 };
@@ -52,13 +52,13 @@ struct ImportChoice {
 struct Study {
     std::filesystem::path folder;
     std::filesystem::path file;
-    Grains grains;
+    GrainProperties grains;
     std::optional<Liquid> liquid;
     std::optional<AnnularCell> cell;  ///< needed by recordings
     std::vector<Source> sources;      ///< in run order
-    ImportChoice import;
+    ImportSettings import;
     std::optional<StatedScatter> scatter;  ///< of the instrument, where the study knows it
-    ModelChoice model;
+    ModelSettings model;
     std::vector<WrittenEffect> written_effects;
     std::vector<StatedDirect> direct;  ///< effects that were measured by themselves
     std::optional<Rig> rig;

@@ -25,7 +25,7 @@ std::size_t place_of(const std::vector<Named>& all, std::string_view name, const
 }
 
 /// SI value of the unit of a run for what is measured in this unit.
-double run_unit(const std::string& unit, double normal_stress, const Grains& grains) {
+double run_unit(const std::string& unit, double normal_stress, const GrainProperties& grains) {
     const double diameter = grains.diameter;
     if (unit == "N") {
         return diameter * diameter * normal_stress;
@@ -104,7 +104,7 @@ const Effect& built_in_effect(std::string_view name) {
     return effect_named(built_in_effects(), name);
 }
 
-EffectValues in_run_units(const EffectValues& values, double normal_stress, const Grains& grains) {
+EffectValues in_run_units(const EffectValues& values, double normal_stress, const GrainProperties& grains) {
     EffectValues result = values;
     const Effect& effect = built_in_effect(values.effect);
     for (std::size_t k = 0; k < result.values.size(); ++k) {

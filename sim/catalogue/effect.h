@@ -21,7 +21,7 @@ namespace pendular {
 /// inverts it where it must. Effects on the beads in the cell act before those on the transducers.
 struct ChangeInstrument {
     std::function<CellState(CellState, const Values&)> show;
-    enum class Where { beads, transducers } where = Where::beads;
+    enum class Where { grains, transducers } where = Where::grains;
 };
 
 /// An effect that puts other beads or another liquid in the place of the study's: no new physics, a
@@ -130,6 +130,6 @@ const Effect& built_in_effect(std::string_view name);
 /// Values in the units of a run (bead diameter, mass and normal stress are 1) of values in SI units
 /// at a normal stress [Pa].
 /// @throws std::invalid_argument where the effect is not built in
-EffectValues in_run_units(const EffectValues& values, double normal_stress, const Grains& grains);
+EffectValues in_run_units(const EffectValues& values, double normal_stress, const GrainProperties& grains);
 
 }  // namespace pendular

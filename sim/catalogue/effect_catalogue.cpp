@@ -50,10 +50,10 @@ std::optional<std::string> why_no_instrument(const Effect& effect, const Study& 
             "inner_radius, outer_radius and bead_mass, or leave the effect out",
             effect.name);
     }
-    const auto lacks_beads = [&](const Source& source) {
+    const auto lacks_grains = [&](const Source& source) {
         return study.cell->bead_volume == 0 && !source.bead_volume;
     };
-    const auto source = std::ranges::find_if(study.sources, lacks_beads);
+    const auto source = std::ranges::find_if(study.sources, lacks_grains);
     if (source == study.sources.end()) {
         return std::nullopt;
     }

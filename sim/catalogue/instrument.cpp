@@ -24,7 +24,7 @@ const ChangeInstrument& change_of(const ActiveEffect& active) {
 }
 
 /// Sizes of the values of a state, none of them 0.
-CellState scales_of(const CellState& shown) {
+CellState hyperparameters_of(const CellState& shown) {
     const auto size = [](double value, double at_rest) {
         return std::max(std::abs(value), at_rest);
     };
@@ -43,7 +43,7 @@ CellState scales_of(const CellState& shown) {
 class Equations {
   public:
     Equations(const InstrumentMap& map, const CellState& shown)
-        : map_(map), shown_(shown), scales_(scales_of(shown)) {}
+        : map_(map), shown_(shown), scales_(hyperparameters_of(shown)) {}
 
     Vector first_guess() const { return scaled(shown_); }
 
@@ -115,7 +115,7 @@ std::string names_of(const std::vector<ActiveEffect>& effects) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string described(const CellState& state) {
+std::string cell_state_text(const CellState& state) {
     return fmt::format(
         "a normal force of {:.4g} N, a gap of {:.4g} mm and a bead volume of {:.4g} cm^3",
         state.normal_force, 1e3 * state.height, 1e6 * state.bead_volume);
@@ -159,19 +159,19 @@ CellState InstrumentMap::truth(const CellState& shown) const {
     if (!(size_of(equations.residual(x)) <= tolerance)) {
         throw std::domain_error(
             fmt::format("with {} no state of the cell shows {}; use smaller values of the effect",
-                        names_of(effects_), described(shown)));
+                        names_of(effects_), cell_state_text(shown)));
     }
     if (const std::string what = impossible(truth); !what.empty()) {
         throw std::domain_error(
             fmt::format("with {} the true {} where {} are shown; use smaller values of the effect, "
                         "or leave the reading out",
-                        names_of(effects_), what, described(shown)));
+                        names_of(effects_), what, cell_state_text(shown)));
     }
     return truth;
 }
 
 CellState shown_state(const Condition& shown, double shear_stress, double solid_fraction,
-                      AnnularCell cell, const Grains& grains) {
+                      AnnularCell cell, const GrainProperties& grains) {
     cell.bead_volume = shown.bead_volume.value_or(cell.bead_volume);
     const double gap = shown.height.value_or(height(solid_fraction, cell));
     const double rate = shear_rate_at(shown.inertial_number, shown.normal_stress, grains);
@@ -232,7 +232,7 @@ Eigen::Vector2d shown_reading(const Eigen::Vector2d& predicted, CellState truth,
 
 CellState truth_at_set_points(const Condition& asked, const FlowPoint& flow,
                               const InstrumentMap& map, const AnnularCell& cell,
-                              const Grains& grains) {
+                              const GrainProperties& grains) {
     // Torque and height follow from the true force and bead volume, which depend on them only
     // weakly (through friction at the side walls), so that each round is far closer than the last.
     constexpr int most_rounds = 100;

@@ -40,7 +40,7 @@ class InstrumentMap {
 /// cell's; the height is the condition's, else the one that goes with the solid fraction; I = 0
 /// is a lid at rest.
 CellState shown_state(const Condition& shown, double shear_stress, double solid_fraction,
-                      AnnularCell cell, const Grains& grains);
+                      AnnularCell cell, const GrainProperties& grains);
 
 /// The condition that is truly imposed where `shown` is recorded and `truth` is the state of the
 /// cell: normal stress, inertial number, liquid content, height and bead volume. The inertial
@@ -63,6 +63,6 @@ Eigen::Vector2d shown_reading(const Eigen::Vector2d& predicted, CellState truth,
 /// @throws std::domain_error as InstrumentMap::truth
 CellState truth_at_set_points(const Condition& asked, const FlowPoint& flow,
                               const InstrumentMap& map, const AnnularCell& cell,
-                              const Grains& grains);
+                              const GrainProperties& grains);
 
 }  // namespace pendular

@@ -16,7 +16,7 @@ namespace pendular {
 namespace {
 
 /// What beads show at a condition.
-struct BeadState {
+struct GrainState {
     FlowPoint shown;
     Condition condition;
 };
@@ -78,24 +78,24 @@ struct Field<CellState> {
 };
 
 template <>
-struct Field<BeadState> {
-    static constexpr Variable<BeadState> variables[] = {
-        {"stress_ratio", [](const BeadState& s) { return s.shown.stress_ratio; }},
-        {"solid_fraction", [](const BeadState& s) { return s.shown.solid_fraction; }},
-        {"normal_stress", [](const BeadState& s) { return s.condition.normal_stress; }},
-        {"inertial_number", [](const BeadState& s) { return s.condition.inertial_number; }},
-        {"liquid_content", [](const BeadState& s) { return s.condition.liquid_content; }},
+struct Field<GrainState> {
+    static constexpr Variable<GrainState> variables[] = {
+        {"stress_ratio", [](const GrainState& s) { return s.shown.stress_ratio; }},
+        {"solid_fraction", [](const GrainState& s) { return s.shown.solid_fraction; }},
+        {"normal_stress", [](const GrainState& s) { return s.condition.normal_stress; }},
+        {"inertial_number", [](const GrainState& s) { return s.condition.inertial_number; }},
+        {"liquid_content", [](const GrainState& s) { return s.condition.liquid_content; }},
         {"height",
-         [](const BeadState& s) {
+         [](const GrainState& s) {
              return s.condition.height.value_or(std::numeric_limits<double>::quiet_NaN());
          }},
-        {"time", [](const BeadState& s) { return s.condition.time; }}};
-    static constexpr Target<BeadState> targets[] = {
-        {"stress_ratio", [](BeadState& s) -> double& { return s.shown.stress_ratio; }},
-        {"solid_fraction", [](BeadState& s) -> double& { return s.shown.solid_fraction; }}};
+        {"time", [](const GrainState& s) { return s.condition.time; }}};
+    static constexpr Target<GrainState> targets[] = {
+        {"stress_ratio", [](GrainState& s) -> double& { return s.shown.stress_ratio; }},
+        {"solid_fraction", [](GrainState& s) -> double& { return s.shown.solid_fraction; }}};
 
-    static BeadState typical(bool large, double liquid_content, double time) {
-        BeadState state;
+    static GrainState typical(bool large, double liquid_content, double time) {
+        GrainState state;
         state.shown = {large ? 0.35 : 0.27, large ? 0.57 : 0.59};
         state.condition.normal_stress = large ? 3000 : 300;
         state.condition.inertial_number = large ? 0.1 : 0.001;
@@ -104,7 +104,7 @@ struct Field<BeadState> {
         state.condition.time = time;
         return state;
     }
-    static double liquid_content(const BeadState& state) { return state.condition.liquid_content; }
+    static double liquid_content(const GrainState& state) { return state.condition.liquid_content; }
 };
 
 template <typename State>
@@ -303,7 +303,7 @@ class ShownValues {
 /// A parameter that is called like something else would hide it.
 void check_parameter(const WrittenEffect& written) {
     std::vector<std::string> taken = CompiledFormula::reserved_words();
-    for (const auto& names : {known_names<CellState>(""), known_names<BeadState>("")}) {
+    for (const auto& names : {known_names<CellState>(""), known_names<GrainState>("")}) {
         taken.insert(taken.end(), names.begin(), names.end());
     }
     if (std::ranges::find(taken, written.parameter) != taken.end()) {
@@ -323,7 +323,7 @@ EffectParameter parameter_of(const WrittenEffect& written) {
             .lower = written.lower,
             .upper = written.upper,
             .neutral = written.neutral,
-            .matters = written.matters,
+            .smallest_of_interest = written.smallest_of_interest,
             .meaning = "as the formulas have it"};
 }
 
@@ -342,7 +342,7 @@ Change change_of(std::shared_ptr<const ShownValues<CellState>> shown, std::strin
                             .where = ChangeInstrument::Where::transducers};
 }
 
-Change change_of(std::shared_ptr<const ShownValues<BeadState>> shown, std::string parameter) {
+Change change_of(std::shared_ptr<const ShownValues<GrainState>> shown, std::string parameter) {
     return ChangeFlow{[shown = std::move(shown), parameter = std::move(parameter)](
                           FlowPoint point, const Condition& condition, const Values& v) {
         return (*shown)({point, condition}, v[parameter]).shown;
@@ -367,7 +367,7 @@ Effect effect_of(const WrittenEffect& written) {
 
 Effect effect_from(const WrittenEffect& written) {
     check_parameter(written);
-    return written.of_instrument() ? effect_of<CellState>(written) : effect_of<BeadState>(written);
+    return written.of_instrument() ? effect_of<CellState>(written) : effect_of<GrainState>(written);
 }
 
 }  // namespace pendular

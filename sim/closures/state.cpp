@@ -2,7 +2,7 @@
 
 namespace pendular::closures {
 
-State state_of(const dem::RunResult& run) {
+State network_state_of(const dem::RunResult& run) {
     using enum dem::Observable;
     State state;
     state.solid_fraction = run[solid_fraction].value;

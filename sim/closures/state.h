@@ -32,7 +32,7 @@ struct CapillaryStress {
 };
 
 /// Averages of a run as the closures want them.
-State state_of(const dem::RunResult& run);
+State network_state_of(const dem::RunResult& run);
 
 /// Capillary stresses of a run in units of F0/a^2 [1]: those it reports, which are over s22, times
 /// P*. Zero for a dry run.

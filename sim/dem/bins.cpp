@@ -13,13 +13,13 @@ constexpr double row_width = 1;
 
 }  // namespace
 
-Bins::Bins(const Beads& beads, const Cell& cell, double range) : cell_(cell) {
+Bins::Bins(const Grains& grains, const Cell& cell, double range) : cell_(cell) {
     // A bin is thinner than its edge along direction 1 by the cosine of the lattice's tilt.
     const double cosine = cell.height / std::hypot(cell.height, cell.offset);
     count_ = {static_cast<int>(cell.length * cosine / range), static_cast<int>(cell.height / range),
               static_cast<int>(cell.width / range)};
     if (enough()) {
-        sort(beads);
+        sort(grains);
     }
 }
 
@@ -36,30 +36,30 @@ std::array<int, 3> Bins::bin_of(const Vector& position) const {
     return bin;
 }
 
-void Bins::sort(const Beads& beads) {
-    std::vector<std::uint32_t> bin(beads.size());
+void Bins::sort(const Grains& grains) {
+    std::vector<std::uint32_t> bin(grains.size());
     begin_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
-    for (std::size_t i = 0; i < beads.size(); ++i) {
-        const auto b = bin_of(beads.position(i));
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        const auto b = bin_of(grains.position(i));
         bin[i] = static_cast<std::uint32_t>(index(b[0], b[1], b[2]));
         ++begin_[bin[i] + 1];
     }
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    entries_.resize(beads.size());
+    entries_.resize(grains.size());
     auto next = begin_;
-    for (std::size_t i = 0; i < beads.size(); ++i) {
-        entries_[next[bin[i]]++] = {beads.position(i), static_cast<std::int32_t>(i)};
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        entries_[next[bin[i]]++] = {grains.position(i), static_cast<std::int32_t>(i)};
     }
 }
 
-std::vector<std::int32_t> order_in_rows(const Beads& beads, const Cell& cell) {
-    std::vector<std::tuple<int, int, double>> place(beads.size());
-    for (std::size_t i = 0; i < beads.size(); ++i) {
-        const Vector r = cell.wrapped(beads.position(i));
+std::vector<std::int32_t> order_in_rows(const Grains& grains, const Cell& cell) {
+    std::vector<std::tuple<int, int, double>> place(grains.size());
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        const Vector r = cell.wrapped(grains.position(i));
         place[i] = {static_cast<int>(r[2] / row_width), static_cast<int>(r[1] / row_width),
                     r[0] - r[1] / cell.height * cell.offset};
     }
-    std::vector<std::int32_t> order(beads.size());
+    std::vector<std::int32_t> order(grains.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, {}, [&](std::int32_t i) { return place[i]; });
     return order;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/dem/beads.h"
+#include "sim/dem/grains.h"
 #include "sim/dem/cell.h"
 
 namespace pendular::dem {
@@ -13,7 +13,7 @@ namespace pendular::dem {
 /// direction.
 class Bins {
   public:
-    Bins(const Beads& beads, const Cell& cell, double range);
+    Bins(const Grains& grains, const Cell& cell, double range);
 
     /// With fewer than three bins in a direction a neighbour bin would be searched twice.
     bool enough() const;
@@ -28,13 +28,13 @@ class Bins {
 
     struct Entry {
         Vector position;
-        std::int32_t bead;
+        std::int32_t grain;
     };
     const Entry* begin(std::size_t bin) const { return entries_.data() + begin_[bin]; }
     const Entry* end(std::size_t bin) const { return entries_.data() + begin_[bin + 1]; }
 
   private:
-    void sort(const Beads& beads);
+    void sort(const Grains& grains);
 
     const Cell& cell_;
     std::array<int, 3> count_{};
@@ -46,6 +46,6 @@ class Bins {
 /// neighbours of successive beads then lie in a few places that advance through memory side by
 /// side, which is what a processor fetches ahead by itself: samples larger than its cache run a
 /// third faster than along a Morton curve.
-std::vector<std::int32_t> order_in_rows(const Beads& beads, const Cell& cell);
+std::vector<std::int32_t> order_in_rows(const Grains& grains, const Cell& cell);
 
 }  // namespace pendular::dem

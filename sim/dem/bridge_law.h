@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "data/form.h"
+#include "data/formula_variant.h"
 
 namespace pendular::dem {
 
@@ -11,7 +11,7 @@ namespace pendular::dem {
 struct Wetting {
     double reduced_pressure = 0;  ///< P* = a^2 s22/F0
     double bridge_volume = 0;     ///< V0/a^3
-    Form bridge_force = Form::derived;
+    FormulaVariant bridge_force = FormulaVariant::derived;
 };
 
 /// Largest V0/a^3 of the pendular range: from there on the bridges between three beads in contact
@@ -48,7 +48,7 @@ struct BridgeLaw {
     explicit BridgeLaw(const Wetting& wetting)
         : pull_off_force(1 / wetting.reduced_pressure),
           rupture_distance(std::cbrt(wetting.bridge_volume)),
-          curvature((wetting.bridge_force == Form::as_printed ? 2 : 4) * wetting.bridge_volume /
+          curvature((wetting.bridge_force == FormulaVariant::as_printed ? 2 : 4) * wetting.bridge_volume /
                     std::numbers::pi),
           volume(wetting.bridge_volume) {}
 

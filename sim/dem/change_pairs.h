@@ -20,7 +20,7 @@ struct PairBatch {
     const double* diameter;      ///< 2 d1 d2/(d1 + d2), which is 1 for beads of unit diameter
     const double* normal_speed;  ///< rate at which the gap opens
     const double *rolling_x, *rolling_y, *rolling_z;  ///< spin of the second less that of the first
-    const double *turn_x, *turn_y, *turn_z;           ///< rate at which the pair turns
+    const double *pair_rotation_x, *pair_rotation_y, *pair_rotation_z;           ///< rate at which the pair turns
     const double* elastic;                            ///< elastic normal force F_N
     const double* stiffness;                          ///< tangential stiffness K_T
     const double* joined;                             ///< 1 where a bridge joins the beads, else 0
@@ -28,7 +28,7 @@ struct PairBatch {
     double* coulomb_limit;  ///< largest tangential force, likewise
     double *fx, *fy, *fz;   ///< force on the second bead; on the first it is opposite
     double *tx, *ty, *tz;   ///< torque on the second bead; on the first it is opposite
-    double* const* memory = nullptr;  ///< memory[word][pair]
+    double* const* contact_history = nullptr;  ///< memory[word][pair]
 };
 
 /// What is the same for all pairs of a run.
@@ -44,7 +44,7 @@ struct ChangePairs {
 
     /// Words that each pair remembers, also through new lists. They change sign when the two beads
     /// change places, as components of what acts on the second bead do.
-    std::size_t memory = 0;
+    std::size_t contact_history = 0;
     bool bridges_without_contact = false;  ///< bridges form as soon as beads are close enough
     /// Changes the law of the bridges before a run.
     BridgeLaw (*bridge_law)(BridgeLaw, const Values&) = nullptr;

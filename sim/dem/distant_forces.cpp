@@ -33,32 +33,32 @@ template <bool accounted>
 }
 
 PENDULAR_SIMD_CLONES
-PairSums between_equal_grains(const Beads& beads, Pairs& distant, Stretch stretch,
-                              const PairLaws& laws, Beads::Load* load) {
+PairSums between_equal_grains(const Grains& grains, Pairs& distant, Stretch stretch,
+                              const PairLaws& laws, Grains::ForceAndTorque* net_force) {
     const Shifts shifts = image_shifts(laws.cell);
     SizeLanes unused;
     Batch batch;
     LaneSums sums;
     for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
-        gather<Gathered::separation>(beads.motion.data(), distant, begin, shifts, unused, batch);
+        gather<Gathered::separation>(grains.motion.data(), distant, begin, shifts, unused, batch);
         if (laws.accounting == EnergyAccounting::on) {
             attract<true>(batch, distant, begin, laws.bridges, sums);
         } else {
             attract<false>(batch, distant, begin, laws.bridges, sums);
         }
-        scatter<Torques::none>(batch, distant, begin, load);
+        scatter<Torques::none>(batch, distant, begin, net_force);
     }
     return sums.total(laws.accounting);
 }
 
 }  // namespace
 
-PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, const PairLaws& laws,
-                        std::vector<Beads::Load>& load) {
-    const PairNeeds needs = PairNeeds::of(beads, laws);
+PairSums distant_forces(const Grains& grains, Pairs& distant, Stretch stretch, const PairLaws& laws,
+                        std::vector<Grains::ForceAndTorque>& net_force) {
+    const PairNeeds needs = PairNeeds::of(grains, laws);
     return needs.sizes || needs.effects
-               ? pair_forces(beads, distant, stretch, laws, needs, load)
-               : between_equal_grains(beads, distant, stretch, laws, load.data());
+               ? pair_forces(grains, distant, stretch, laws, needs, net_force)
+               : between_equal_grains(grains, distant, stretch, laws, net_force.data());
 }
 
 }  // namespace pendular::dem

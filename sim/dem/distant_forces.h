@@ -9,7 +9,7 @@ namespace pendular::dem {
 /// Adds the attraction of a stretch of distant pairs, which bridges join without contact; breaks
 /// the bridges whose gap has passed the rupture distance. Pairs of unequal grains, and pairs whose
 /// forces effects change, go through `pair_forces`.
-PairSums distant_forces(const Beads& beads, Pairs& distant, Stretch stretch, const PairLaws& laws,
-                        std::vector<Beads::Load>& load);
+PairSums distant_forces(const Grains& grains, Pairs& distant, Stretch stretch, const PairLaws& laws,
+                        std::vector<Grains::ForceAndTorque>& net_force);
 
 }  // namespace pendular::dem

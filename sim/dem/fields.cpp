@@ -47,10 +47,10 @@ double volume_below(double plane, double diameter) {
 
 }  // namespace
 
-Bins1d bins_of(Coordinate coordinate, int beads, double rupture_distance) {
+Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance) {
     switch (coordinate) {
         case Coordinate::height:
-            return {static_cast<std::size_t>(std::lround(ShearCell::edge(beads))), 1};
+            return {static_cast<std::size_t>(std::lround(ShearCell::edge(grains))), 1};
         case Coordinate::angle:
             return {angle_bins, 180};
         case Coordinate::relative_force:
@@ -61,12 +61,12 @@ Bins1d bins_of(Coordinate coordinate, int beads, double rupture_distance) {
     return {gap_bins, rupture_distance > 0 ? rupture_distance : 1};
 }
 
-void MotionProfile::add(const Beads& beads, double height) {
+void MotionProfile::add(const Grains& grains, double height) {
     const Bins1d bins{bins_.size(), 1};
-    for (std::size_t i = 0; i < beads.size(); ++i) {
-        const double place = beads.position(i)[1] / height;
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        const double place = grains.position(i)[1] / height;
         Bin& bin = bins_[std::min(bins.of(place - std::floor(place)), bins_.size() - 1)];
-        const Vector& v = beads.velocity(i);
+        const Vector& v = grains.velocity(i);
         bin.count += 1;
         bin.squares += dot(v, v);
         for (std::size_t d = 0; d < 3; ++d) {
@@ -110,11 +110,11 @@ BinnedSums MotionProfile::temperature(double shear_rate) const {
     return sums;
 }
 
-void add_solid_fraction(const Beads& beads, const Cell& cell, BinnedSums& sums) {
+void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums) {
     const auto count = static_cast<long>(sums.sum.size());
     const double thickness = cell.height / static_cast<double>(count);
-    for (std::size_t i = 0; i < beads.size(); ++i) {
-        const double centre = beads.position(i)[1], diameter = beads.diameter(i);
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        const double centre = grains.position(i)[1], diameter = grains.diameter(i);
         const auto first = static_cast<long>(std::floor((centre - 0.5 * diameter) / thickness));
         double below = 0;
         for (long slice = first; below < volume_below(0.5 * diameter, diameter); ++slice) {
@@ -130,7 +130,7 @@ void add_solid_fraction(const Beads& beads, const Cell& cell, BinnedSums& sums) 
     }
 }
 
-void add_distributions(const Beads& beads, const Cell& cell, const Pairs& near,
+void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        FieldSums& sums) {
     std::vector<double> forces, angles, distant_angles, gaps;
@@ -138,17 +138,17 @@ void add_distributions(const Beads& beads, const Cell& cell, const Pairs& near,
         distant_angles.push_back(angle_of(r));
         // A step after its force was computed a bridge may be a trifle beyond its range.
         gaps.push_back(
-            std::clamp(gap_of(beads, pairs, k, r), 0.0, bridges.rupture_distance * (1 - 1e-12)));
+            std::clamp(gap_of(grains, pairs, k, r), 0.0, bridges.rupture_distance * (1 - 1e-12)));
     };
-    for_each_pair(beads, cell, near, [&](std::size_t k, const Vector& r) {
+    for_each_pair(grains, cell, near, [&](std::size_t k, const Vector& r) {
         if (near.root[k] > 0) {
             angles.push_back(angle_of(r));
-            forces.push_back(contact_of(beads, near, k, material.modulus).elastic);
+            forces.push_back(contact_of(grains, near, k, material.modulus).elastic);
         } else if (near.bridge[k] > 0) {
             note_distant(near, k, r);
         }
     });
-    for_each_pair(beads, cell, distant, [&](std::size_t k, const Vector& r) {
+    for_each_pair(grains, cell, distant, [&](std::size_t k, const Vector& r) {
         if (distant.bridge[k] > 0) {
             note_distant(distant, k, r);
         }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "data/recordings/time_series.h"
-#include "sim/dem/beads.h"
+#include "sim/dem/grains.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/contact_law.h"
@@ -102,7 +102,7 @@ struct Bins1d {
 /// Bins of a coordinate in a sample of so many beads: one per bead diameter across the gradient, of
 /// 5 degrees over half a turn, of a fifth of the mean force up to 8 times it, 30 up to the rupture
 /// distance [the coordinate's unit].
-Bins1d bins_of(Coordinate coordinate, int beads, double rupture_distance);
+Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);
 
 /// One field of a run: a time average with standard error in the middle of each bin. A mean over
 /// nothing is not a number.
@@ -129,7 +129,7 @@ class MotionProfile {
     explicit MotionProfile(std::size_t bins = 0) : bins_(bins) {}
 
     /// Adds the peculiar velocities of a state.
-    void add(const Beads& beads, double height);
+    void add(const Grains& grains, double height);
     /// Localization [1]: 0 uniform shear, 1 an infinitely thin band.
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
     /// Source: Badetti et al. (2018), eq:defdelta.
@@ -158,10 +158,10 @@ class MotionProfile {
 };
 
 /// Adds the solid fraction across the gradient of one state: each sphere is cut at the bins' faces.
-void add_solid_fraction(const Beads& beads, const Cell& cell, BinnedSums& sums);
+void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums);
 
 /// Adds the distributions over the contacts and the bridges without contact of one state.
-void add_distributions(const Beads& beads, const Cell& cell, const Pairs& near,
+void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        FieldSums& sums);
 

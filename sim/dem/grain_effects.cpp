@@ -9,8 +9,8 @@ GrainEffects::GrainEffects(const std::vector<GrainEffect>& on) {
     for (const GrainEffect& effect : on) {
         if (const auto* pairs = std::get_if<const ChangePairs*>(&effect.change)) {
             const ChangePairs& change = **pairs;
-            pairs_.push_back({&change, effect.parameters, effect.values, memory_});
-            memory_ += change.memory;
+            pairs_.push_back({&change, effect.parameters, effect.values, contact_history_});
+            contact_history_ += change.contact_history;
             bridges_without_contact_ |= change.bridges_without_contact;
             changes_bridges_ |= change.bridge != nullptr;
             changes_forces_ |=
@@ -62,7 +62,7 @@ void GrainEffects::stage(ChangePairs::Stage ChangePairs::*which, const PairBatch
     for (const OnPairs& on : pairs_) {
         if (const ChangePairs::Stage work = on.change->*which) {
             PairBatch own = batch;
-            own.memory = batch.memory == nullptr ? nullptr : batch.memory + on.first_word;
+            own.contact_history = batch.contact_history == nullptr ? nullptr : batch.contact_history + on.first_history_value;
             const Values values(on.parameters, on.values);
             work(own, {material, bridges, values});
         }
@@ -84,9 +84,9 @@ double GrainEffects::attraction(double gap, double diameter, const Material& mat
                          .rolling_x = &nothing,
                          .rolling_y = &nothing,
                          .rolling_z = &nothing,
-                         .turn_x = &nothing,
-                         .turn_y = &nothing,
-                         .turn_z = &nothing,
+                         .pair_rotation_x = &nothing,
+                         .pair_rotation_y = &nothing,
+                         .pair_rotation_z = &nothing,
                          .elastic = &nothing,
                          .stiffness = &nothing,
                          .joined = &one,

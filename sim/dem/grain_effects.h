@@ -32,7 +32,7 @@ class GrainEffects {
     /// Whether pairs follow other laws than equal grains without effects: forces or sizes differ.
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
     /// Words that a pair remembers for all of them.
-    std::size_t memory() const { return memory_; }
+    std::size_t contact_history() const { return contact_history_; }
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;
     double damping_rate(const BridgeLaw& law) const;
@@ -58,7 +58,7 @@ class GrainEffects {
         const ChangePairs* change;
         std::span<const EffectParameter> parameters;
         std::vector<double> values;
-        std::size_t first_word;
+        std::size_t first_history_value;
     };
     struct OnSample {
         const ChangeSample* change;
@@ -70,7 +70,7 @@ class GrainEffects {
 
     std::vector<OnPairs> pairs_;
     std::vector<OnSample> samples_;
-    std::size_t memory_ = 0;
+    std::size_t contact_history_ = 0;
     bool changes_forces_ = false, bridges_without_contact_ = false, changes_bridges_ = false;
 };
 

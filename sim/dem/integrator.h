@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/dem/beads.h"
+#include "sim/dem/grains.h"
 #include "sim/dem/flow.h"
 
 namespace pendular::dem {
@@ -13,7 +13,7 @@ namespace pendular::dem {
 struct MotionSums {
     Vector squares;              ///< sums of m v1^2, m v2^2, m v3^2 after the step
     double shear = 0;            ///< sum of m v1 v2
-    double spin = 0;             ///< sum of m d^2 times the squared angular velocities
+    double angular_velocity = 0;             ///< sum of m d^2 times the squared angular velocities
     double largest_squared = 0;  ///< displacement since the narrow list was made
     MotionSums& operator+=(const MotionSums& other);
     /// Kinetic energy of the peculiar motion, reduced units.
@@ -21,13 +21,13 @@ struct MotionSums {
 
     template <typename Archive>
     void serialize(Archive& archive) {
-        archive(squares, shear, spin, largest_squared);
+        archive(squares, shear, angular_velocity, largest_squared);
     }
 };
 
 /// One leapfrog step of the beads of a range: dv/dt = f - L v, since v is peculiar, then
 /// dx/dt = v + L x, with L the imposed velocity gradient. Leaves their loads at zero.
-MotionSums advance(Beads& beads, std::pair<std::size_t, std::size_t> range,
-                   std::vector<Beads::Load>& loads, const Flow& flow, double time_step);
+MotionSums advance(Grains& grains, std::pair<std::size_t, std::size_t> range,
+                   std::vector<Grains::ForceAndTorque>& net_forces, const Flow& flow, double time_step);
 
 }  // namespace pendular::dem

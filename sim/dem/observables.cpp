@@ -10,18 +10,18 @@ namespace pendular::dem {
 
 namespace {
 
-/// Grains that an observable says something of.
-enum class Grains { all, wet };
+/// Grains for which an observable is defined.
+enum class Wetness { all, wet };
 
-constexpr Grains grains_of[] = {
-#define OBSERVABLE(name, symbol, unit, grains, ...) Grains::grains,
+constexpr Wetness grains_of[] = {
+#define OBSERVABLE(name, symbol, unit, grains, ...) Wetness::grains,
 #include "data/quantities/observables.def"
 };
 
 }  // namespace
 
 bool needs_bridges(Observable which) {
-    return grains_of[static_cast<std::size_t>(which)] == Grains::wet;
+    return grains_of[static_cast<std::size_t>(which)] == Wetness::wet;
 }
 
 Observable observable_named(std::string_view name) {

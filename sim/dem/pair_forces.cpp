@@ -23,21 +23,21 @@ enum class Stage {
 template <bool sized, bool wet, bool accounted, bool staged>
 class ForceLoop {
   public:
-    [[gnu::always_inline]] ForceLoop(const Beads& beads, Pairs& pairs, const PairLaws& laws,
-                                     Beads::Load* load)
-        : beads_(beads),
+    [[gnu::always_inline]] ForceLoop(const Grains& grains, Pairs& pairs, const PairLaws& laws,
+                                     Grains::ForceAndTorque* net_force)
+        : grains_(grains),
           pairs_(pairs),
           laws_(laws),
-          load_(load),
+          net_force_(net_force),
           shifts_(image_shifts(laws.cell)),
-          memory_(pairs.memory.size()) {
+          contact_history_(pairs.contact_history.size()) {
         if constexpr (staged && !sized) {
             sizes_.set_equal();
         }
     }
 
     [[gnu::always_inline]] PairSums sum(Stretch stretch) {
-        const bool fetching = beads_.size() > cached_beads;
+        const bool fetching = grains_.size() > cached_beads;
         for (std::size_t begin = stretch.first; begin < stretch.second; begin += lanes) {
             if (fetching && begin + ahead + lanes <= pairs_.size()) {
                 fetch(begin + ahead);
@@ -49,7 +49,7 @@ class ForceLoop {
                 work<Stage::both>(begin);
             }
             constexpr auto torques = sized || staged ? Torques::separate : Torques::shared;
-            scatter<torques>(batch_, pairs_, begin, load_);
+            scatter<torques>(batch_, pairs_, begin, net_force_);
         }
         return sums_.total(accounted ? EnergyAccounting::on : EnergyAccounting::off);
     }
@@ -59,22 +59,22 @@ class ForceLoop {
     /// the first ones are in order.
     [[gnu::always_inline]] void fetch(std::size_t begin) const {
         for (std::size_t k = begin; k < begin + lanes; ++k) {
-            const auto bead = static_cast<std::size_t>(pairs_.second[k]);
-            const char* motion = reinterpret_cast<const char*>(&beads_.motion[bead]);
+            const auto grain = static_cast<std::size_t>(pairs_.second[k]);
+            const char* motion = reinterpret_cast<const char*>(&grains_.motion[grain]);
             __builtin_prefetch(motion, 1);
-            __builtin_prefetch(motion + sizeof(Beads::Motion) - 1, 1);
-            __builtin_prefetch(&load_[bead], 1);
+            __builtin_prefetch(motion + sizeof(Grains::Motion) - 1, 1);
+            __builtin_prefetch(&net_force_[grain], 1);
         }
     }
 
     [[gnu::always_inline]] void read(std::size_t begin) {
         if constexpr (sized) {
-            gather_sizes(beads_, pairs_, begin, sizes_);
+            gather_sizes(grains_, pairs_, begin, sizes_);
         }
         constexpr auto part = sized ? Gathered::weighted_motion : Gathered::motion;
-        gather<part>(beads_.motion.data(), pairs_, begin, shifts_, sizes_, batch_);
+        gather<part>(grains_.motion.data(), pairs_, begin, shifts_, sizes_, batch_);
         if constexpr (staged) {
-            gather_rolling(beads_.motion.data(), pairs_, begin, stages_.rolling);
+            gather_rolling(grains_.motion.data(), pairs_, begin, stages_.rolling);
         }
     }
 
@@ -167,12 +167,12 @@ class ForceLoop {
 
     /// The two stages with the effects in between and after them.
     [[gnu::always_inline]] void work_with_effects(std::size_t begin) {
-        for (std::size_t word = 0; word < memory_.size(); ++word) {
-            memory_[word] = pairs_.memory[word].data() + begin;
+        for (std::size_t word = 0; word < contact_history_.size(); ++word) {
+            contact_history_[word] = pairs_.contact_history[word].data() + begin;
         }
         const GrainEffects& effects = *laws_.effects;
         const PairBatch view =
-            batch_for_effects(batch_, stages_, sizes_, laws_.time_step, memory_.data());
+            batch_for_effects(batch_, stages_, sizes_, laws_.time_step, contact_history_.data());
         work<Stage::normal>(begin);
         effects.bridge(view, laws_.material, laws_.bridges);
         effects.limit(view, laws_.material, laws_.bridges);
@@ -193,56 +193,56 @@ class ForceLoop {
         }
     }
 
-    const Beads& beads_;
+    const Grains& grains_;
     Pairs& pairs_;
     const PairLaws& laws_;
-    Beads::Load* load_;
+    Grains::ForceAndTorque* net_force_;
     Shifts shifts_;
     Batch batch_;
     SizeLanes sizes_;
     Stages stages_;
     LaneSums sums_;
-    std::vector<double*> memory_;  ///< what the pairs of the batch remember, word by word
+    std::vector<double*> contact_history_;  ///< what the pairs of the batch remember, word by word
 };
 
 /// Sums the forces by the loop for these needs, in the order of ForceLoop's parameters.
 template <bool... known, typename... Needs>
-[[gnu::always_inline]] inline PairSums sum_forces(const Beads& beads, Pairs& pairs, Stretch stretch,
-                                                  const PairLaws& laws, Beads::Load* load,
+[[gnu::always_inline]] inline PairSums sum_forces(const Grains& grains, Pairs& pairs, Stretch stretch,
+                                                  const PairLaws& laws, Grains::ForceAndTorque* net_force,
                                                   bool need, Needs... others) {
     if constexpr (sizeof...(known) == 3) {
-        return need ? ForceLoop<known..., true>(beads, pairs, laws, load).sum(stretch)
-                    : ForceLoop<known..., false>(beads, pairs, laws, load).sum(stretch);
+        return need ? ForceLoop<known..., true>(grains, pairs, laws, net_force).sum(stretch)
+                    : ForceLoop<known..., false>(grains, pairs, laws, net_force).sum(stretch);
     } else {
-        return need ? sum_forces<known..., true>(beads, pairs, stretch, laws, load, others...)
-                    : sum_forces<known..., false>(beads, pairs, stretch, laws, load, others...);
+        return need ? sum_forces<known..., true>(grains, pairs, stretch, laws, net_force, others...)
+                    : sum_forces<known..., false>(grains, pairs, stretch, laws, net_force, others...);
     }
 }
 
 }  // namespace
 
-PairNeeds PairNeeds::of(const Beads& beads, const PairLaws& laws) {
-    return {.sizes = !beads.diameters.empty(),
+PairNeeds PairNeeds::of(const Grains& grains, const PairLaws& laws) {
+    return {.sizes = !grains.diameters.empty(),
             .bridges = laws.bridges.wet(),
             .accounting = laws.accounting == EnergyAccounting::on,
             .effects = laws.effects && laws.effects->changes_forces()};
 }
 
 PENDULAR_SIMD_CLONES
-PairSums pair_forces(const Beads& beads, Pairs& pairs, Stretch stretch, const PairLaws& laws,
-                     const PairNeeds& needs, std::vector<Beads::Load>& load) {
-    return sum_forces<>(beads, pairs, stretch, laws, load.data(), needs.sizes, needs.bridges,
+PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
+                     const PairNeeds& needs, std::vector<Grains::ForceAndTorque>& net_force) {
+    return sum_forces<>(grains, pairs, stretch, laws, net_force.data(), needs.sizes, needs.bridges,
                         needs.accounting, needs.effects);
 }
 
-PairSums pair_forces(const Beads& beads, Pairs& pairs, Stretch stretch, const PairLaws& laws,
-                     std::vector<Beads::Load>& load) {
-    return pair_forces(beads, pairs, stretch, laws, PairNeeds::of(beads, laws), load);
+PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
+                     std::vector<Grains::ForceAndTorque>& net_force) {
+    return pair_forces(grains, pairs, stretch, laws, PairNeeds::of(grains, laws), net_force);
 }
 
-PairSums pair_forces(Beads& beads, Pairs& near, const PairLaws& laws) {
-    std::ranges::fill(beads.load, Beads::Load{});
-    return pair_forces(beads, near, {0, near.size()}, laws, beads.load);
+PairSums pair_forces(Grains& grains, Pairs& near, const PairLaws& laws) {
+    std::ranges::fill(grains.net_force, Grains::ForceAndTorque{});
+    return pair_forces(grains, near, {0, near.size()}, laws, grains.net_force);
 }
 
 }  // namespace pendular::dem

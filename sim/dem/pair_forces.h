@@ -13,10 +13,10 @@ struct PairNeeds {
     bool accounting = false;  ///< energies are added up
     bool effects = false;     ///< effects change or add forces between grains
 
-    static PairNeeds of(const Beads& beads, const PairLaws& laws);
+    static PairNeeds of(const Grains& grains, const PairLaws& laws);
 };
 
-/// Adds the forces and torques of a stretch of pairs to `load` and advances the tangential forces
+/// Adds the forces and torques of a stretch of pairs to `net_force` and advances the tangential forces
 /// of their contacts by one step. Where bridges are wet, contacts form them, and the grains that
 /// they join attract each other. The laws stand in pair_contact.h.
 ///
@@ -24,14 +24,14 @@ struct PairNeeds {
 /// and does not change a bit of the result, nor do needs that a sample does not have. Forces and
 /// torques that an effect adds are left out of the energies, and so are bridges whose force it
 /// changes.
-PairSums pair_forces(const Beads& beads, Pairs& pairs, Stretch stretch, const PairLaws& laws,
-                     const PairNeeds& needs, std::vector<Beads::Load>& load);
+PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
+                     const PairNeeds& needs, std::vector<Grains::ForceAndTorque>& net_force);
 
 /// Adds the forces of a stretch of pairs with the needs of this sample.
-PairSums pair_forces(const Beads& beads, Pairs& pairs, Stretch stretch, const PairLaws& laws,
-                     std::vector<Beads::Load>& load);
+PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
+                     std::vector<Grains::ForceAndTorque>& net_force);
 
 /// Sets forces and torques of all grains from the near pairs alone.
-PairSums pair_forces(Beads& beads, Pairs& near, const PairLaws& laws);
+PairSums pair_forces(Grains& grains, Pairs& near, const PairLaws& laws);
 
 }  // namespace pendular::dem

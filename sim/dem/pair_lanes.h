@@ -113,11 +113,11 @@ inline Shifts image_shifts(const Cell& cell) {
 }
 
 /// Reads the sizes of the pairs from `begin` on.
-[[gnu::always_inline]] inline void gather_sizes(const Beads& beads, const Pairs& pairs,
+[[gnu::always_inline]] inline void gather_sizes(const Grains& grains, const Pairs& pairs,
                                                 std::size_t begin, SizeLanes& sizes) {
     const std::int32_t* first = pairs.first.data() + begin;
     const std::int32_t* second = pairs.second.data() + begin;
-    const double* diameters = beads.diameters.data();
+    const double* diameters = grains.diameters.data();
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
         sizes.set(k, PairSizes::of(diameters[first[k]], diameters[second[k]]));
@@ -133,7 +133,7 @@ enum class Gathered {
 
 /// Reads the motion of the pairs from `begin` on: grain by grain, then turned into lanes.
 template <Gathered part>
-[[gnu::always_inline]] inline void gather(const Beads::Motion* motion, const Pairs& pairs,
+[[gnu::always_inline]] inline void gather(const Grains::Motion* motion, const Pairs& pairs,
                                           std::size_t begin, const Shifts& shifts,
                                           const SizeLanes& sizes, Batch& b) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -142,16 +142,16 @@ template <Gathered part>
     for (std::size_t k = 0; k < lanes; k += 4) {
         Vector::Lanes r[4], v[4], w[4];
         for (std::size_t l = 0; l < 4; ++l) {
-            const Beads::Motion &i = motion[first[k + l]], &j = motion[second[k + l]];
+            const Grains::Motion &i = motion[first[k + l]], &j = motion[second[k + l]];
             r[l] = j.position.lanes - i.position.lanes + shifts[image[k + l]].lanes;
             if constexpr (part != Gathered::separation) {
                 v[l] = j.velocity.lanes - i.velocity.lanes;
             }
             if constexpr (part == Gathered::motion) {
-                w[l] = j.spin.lanes + i.spin.lanes;
+                w[l] = j.angular_velocity.lanes + i.angular_velocity.lanes;
             } else if constexpr (part == Gathered::weighted_motion) {
                 const PairSizes size = sizes[k + l];
-                w[l] = size.first_arm() * i.spin.lanes + size.second_arm * j.spin.lanes;
+                w[l] = size.first_arm() * i.angular_velocity.lanes + size.second_arm * j.angular_velocity.lanes;
             }
         }
         to_lanes(r, k, b.separation);
@@ -172,7 +172,7 @@ enum class Torques {
 /// Adds the forces and torques of a batch to the grains.
 template <Torques torques>
 [[gnu::always_inline]] inline void scatter(const Batch& b, const Pairs& pairs, std::size_t begin,
-                                           Beads::Load* load) {
+                                           Grains::ForceAndTorque* net_force) {
     const std::int32_t* first = pairs.first.data() + begin;
     const std::int32_t* second = pairs.second.data() + begin;
     for (std::size_t k = 0; k < lanes; k += 4) {
@@ -185,7 +185,7 @@ template <Torques torques>
             from_lanes(b.first_torque, k, first_t);
         }
         for (std::size_t l = 0; l < 4; ++l) {
-            Beads::Load &i = load[first[k + l]], &j = load[second[k + l]];
+            Grains::ForceAndTorque &i = net_force[first[k + l]], &j = net_force[second[k + l]];
             j.force.lanes += f[l];
             i.force.lanes -= f[l];
             if constexpr (torques != Torques::none) {

@@ -15,15 +15,15 @@ namespace {
 constexpr double strain_between_numberings = 1;
 
 /// Image of j nearest to i in a sheared cell whose offset is reduced.
-Image nearest_image(const Beads& beads, const Cell& cell, std::size_t i, std::size_t j) {
-    const Vector r = beads.position(j) - beads.position(i);
+Image nearest_image(const Grains& grains, const Cell& cell, std::size_t i, std::size_t j) {
+    const Vector r = grains.position(j) - grains.position(i);
     const int n2 = -static_cast<int>(std::lround(r[1] / cell.height));
     return {-static_cast<int>(std::lround((r[0] + n2 * cell.offset) / cell.length)), n2,
             -static_cast<int>(std::lround(r[2] / cell.width))};
 }
 
 struct Neighbour {
-    std::int32_t bead;
+    std::int32_t grain;
     std::uint8_t image;
 };
 
@@ -31,9 +31,9 @@ struct Neighbour {
 /// across a face of the cell is the image of one on the other side.
 /// `range_squared(j)` is the square of that range.
 template <typename RangeSquared>
-void neighbours_of(std::int32_t i, const Beads& beads, const Cell& cell, const Bins& bins,
+void neighbours_of(std::int32_t i, const Grains& grains, const Cell& cell, const Bins& bins,
                    const RangeSquared& range_squared, std::vector<Neighbour>& found) {
-    const Vector& position = beads.position(static_cast<std::size_t>(i));
+    const Vector& position = grains.position(static_cast<std::size_t>(i));
     const auto home = bins.bin_of(position);
     for (int step = 0; step < 27; ++step) {
         const std::array<int, 3> to = {home[0] + step % 3 - 1, home[1] + step / 3 % 3 - 1,
@@ -46,8 +46,8 @@ void neighbours_of(std::int32_t i, const Beads& beads, const Cell& cell, const B
         const Vector from = position - image.shift(cell);
         for (const auto* j = bins.begin(bin); j != bins.end(bin); ++j) {
             const Vector r = j->position - from;
-            if (j->bead > i && dot(r, r) < range_squared(j->bead)) {
-                found.push_back({j->bead, static_cast<std::uint8_t>(image_code::of(image))});
+            if (j->grain > i && dot(r, r) < range_squared(j->grain)) {
+                found.push_back({j->grain, static_cast<std::uint8_t>(image_code::of(image))});
             }
         }
     }
@@ -106,7 +106,7 @@ Pairs renumbered(const Pairs& pairs, std::size_t live, const std::vector<std::in
     std::ranges::sort(order, {}, [&](std::size_t k) {
         return std::minmax({name(pairs.first[k]), name(pairs.second[k])});
     });
-    Pairs result({}, pairs.memory.size());
+    Pairs result({}, pairs.contact_history.size());
     result.reserve(live);
     for (const std::size_t k : order) {
         const std::int32_t i = name(pairs.first[k]), j = name(pairs.second[k]);
@@ -118,7 +118,7 @@ Pairs renumbered(const Pairs& pairs, std::size_t live, const std::vector<std::in
             for (auto* component : {&result.sx, &result.sy, &result.sz}) {
                 component->back() = -component->back();
             }
-            for (auto& word : result.memory) {
+            for (auto& word : result.contact_history) {
                 word.back() = -word.back();
             }
         }
@@ -143,11 +143,11 @@ void Neighbours::reserve(std::size_t count) {
 }
 
 Pairs::Pairs(Neighbours neighbours, std::size_t words)
-    : Neighbours(std::move(neighbours)), memory(words) {
+    : Neighbours(std::move(neighbours)), contact_history(words) {
     for (auto* column : {&sx, &sy, &sz, &root, &bridge}) {
         column->assign(size(), 0.0);
     }
-    for (auto& word : memory) {
+    for (auto& word : contact_history) {
         word.assign(size(), 0.0);
     }
 }
@@ -155,7 +155,7 @@ Pairs::Pairs(Neighbours neighbours, std::size_t words)
 void Pairs::clear() {
     first.clear(), second.clear(), image.clear();
     sx.clear(), sy.clear(), sz.clear(), root.clear(), bridge.clear();
-    for (auto& word : memory) {
+    for (auto& word : contact_history) {
         word.clear();
     }
 }
@@ -170,7 +170,7 @@ void Pairs::reserve(std::size_t count) {
 void Pairs::add(std::int32_t i, std::int32_t j, std::uint8_t code) {
     Neighbours::add(i, j, code);
     sx.push_back(0), sy.push_back(0), sz.push_back(0), root.push_back(0), bridge.push_back(0);
-    for (auto& word : memory) {
+    for (auto& word : contact_history) {
         word.push_back(0);
     }
 }
@@ -184,18 +184,18 @@ void Pairs::fill_up(std::size_t batch) {
 void Pairs::remember(std::size_t to, const Pairs& other, std::size_t from) {
     sx[to] = other.sx[from], sy[to] = other.sy[from], sz[to] = other.sz[from];
     root[to] = other.root[from], bridge[to] = other.bridge[from];
-    for (std::size_t w = 0; w < memory.size(); ++w) {
-        memory[w][to] = other.memory[w][from];
+    for (std::size_t w = 0; w < contact_history.size(); ++w) {
+        contact_history[w][to] = other.contact_history[w][from];
     }
 }
 
-Neighbours find_pairs_by_brute_force(const Beads& beads, const Cell& cell, double gap) {
+Neighbours find_pairs_by_brute_force(const Grains& grains, const Cell& cell, double gap) {
     Neighbours pairs;
-    for (std::size_t i = 0; i < beads.size(); ++i) {
-        for (std::size_t j = i + 1; j < beads.size(); ++j) {
-            const Image image = nearest_image(beads, cell, i, j);
-            const Vector r = beads.position(j) - beads.position(i) + image.shift(cell);
-            const double range = beads.contact_distance(i, j) + gap;
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        for (std::size_t j = i + 1; j < grains.size(); ++j) {
+            const Image image = nearest_image(grains, cell, i, j);
+            const Vector r = grains.position(j) - grains.position(i) + image.shift(cell);
+            const double range = grains.contact_distance(i, j) + gap;
             if (dot(r, r) < range * range) {
                 pairs.add(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j),
                           static_cast<std::uint8_t>(image_code::of(image)));
@@ -205,35 +205,35 @@ Neighbours find_pairs_by_brute_force(const Beads& beads, const Cell& cell, doubl
     return pairs;
 }
 
-Neighbours find_pairs(const Beads& beads, const Cell& cell, double gap, int parts) {
-    const Bins bins(beads, cell, beads.largest_diameter() + gap);
+Neighbours find_pairs(const Grains& grains, const Cell& cell, double gap, int parts) {
+    const Bins bins(grains, cell, grains.largest_diameter() + gap);
     if (!bins.enough()) {
-        return find_pairs_by_brute_force(beads, cell, gap);
+        return find_pairs_by_brute_force(grains, cell, gap);
     }
     const double equal = (1 + gap) * (1 + gap);
     std::vector<Neighbours> found(static_cast<std::size_t>(parts));
     in_parts(parts, [&](int part) {
         Neighbours& mine = found[static_cast<std::size_t>(part)];
-        const auto [begin, end] = range_of(part, parts, beads.size());
+        const auto [begin, end] = range_of(part, parts, grains.size());
         mine.reserve((end - begin) * 5);
         std::vector<Neighbour> around;
         for (auto i = static_cast<std::int32_t>(begin); i < static_cast<std::int32_t>(end); ++i) {
             around.clear();
-            if (beads.diameters.empty()) {
+            if (grains.diameters.empty()) {
                 neighbours_of(
-                    i, beads, cell, bins, [&](std::int32_t) { return equal; }, around);
+                    i, grains, cell, bins, [&](std::int32_t) { return equal; }, around);
             } else {
                 const auto squared = [&](std::int32_t j) {
-                    const double range = beads.contact_distance(static_cast<std::size_t>(i),
+                    const double range = grains.contact_distance(static_cast<std::size_t>(i),
                                                                 static_cast<std::size_t>(j)) +
                                          gap;
                     return range * range;
                 };
-                neighbours_of(i, beads, cell, bins, squared, around);
+                neighbours_of(i, grains, cell, bins, squared, around);
             }
-            std::ranges::sort(around, {}, &Neighbour::bead);
+            std::ranges::sort(around, {}, &Neighbour::grain);
             for (const auto& neighbour : around) {
-                mine.add(i, neighbour.bead, neighbour.image);
+                mine.add(i, neighbour.grain, neighbour.image);
             }
         }
     });
@@ -247,64 +247,64 @@ PairList::PairList(double rupture_distance, int parts, const ListWants& wants)
     : wide_skin_(std::max(shortest_wide_skin, rupture_distance)),
       parts_(parts),
       wants_(wants),
-      narrow_({}, wants.memory),
-      distant_({}, wants.memory),
-      old_narrow_({}, wants.memory),
-      old_distant_({}, wants.memory) {
+      narrow_({}, wants.contact_history),
+      distant_({}, wants.contact_history),
+      old_narrow_({}, wants.contact_history),
+      old_distant_({}, wants.contact_history) {
     if (wants.all_in_reach) {
         reach_ = std::max(reach_, rupture_distance);
         wide_skin_ = std::max(wide_skin_, reach_ + narrow_skin + shortest_wide_skin / 2);
     }
 }
 
-void PairList::update(Beads& beads, Cell& cell, double affine_strain) {
-    update(beads, cell, affine_strain, largest_squared(beads.displacement));
+void PairList::update(Grains& grains, Cell& cell, double affine_strain) {
+    update(grains, cell, affine_strain, largest_squared(grains.displacement));
 }
 
-void PairList::update(Beads& beads, Cell& cell, double affine_strain, double squared) {
+void PairList::update(Grains& grains, Cell& cell, double affine_strain, double squared) {
     narrow_strain_ += affine_strain;
     if (!outdated(std::sqrt(squared), narrow_strain_, largest_ + narrow_skin, largest_)) {
         return;
     }
     wide_strain_ += narrow_strain_;
     strain_since_renumbered_ += narrow_strain_;
-    for (std::size_t i = 0; i < beads.size(); ++i) {
-        moved_[i] += beads.displacement[i];
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        moved_[i] += grains.displacement[i];
     }
     // The wide list need only hold whatever the narrow list is to be chosen from.
     // Until the narrow list is chosen again, beads come closer by less than its skin.
     const double known =
         wants_.all_in_reach ? largest_ + reach_ + narrow_skin : largest_ + narrow_skin;
     if (outdated(std::sqrt(largest_squared(moved_)), wide_strain_, largest_ + wide_skin_, known)) {
-        rebuild(beads, cell);
+        rebuild(grains, cell);
     } else {
-        select(beads, cell);
+        select(grains, cell);
     }
 }
 
-void PairList::rebuild(Beads& beads, Cell& cell) {
+void PairList::rebuild(Grains& grains, Cell& cell) {
     cell.reduce_offset();
-    for (auto& bead : beads.motion) {
-        bead.position = cell.wrapped(bead.position);
+    for (auto& grain : grains.motion) {
+        grain.position = cell.wrapped(grain.position);
     }
     if (strain_since_renumbered_ > strain_between_numberings) {
-        renumber(beads, cell);
+        renumber(grains, cell);
     }
     wide_ = {};  // gives its memory back before the search asks for more
-    largest_ = beads.largest_diameter();
-    wide_ = find_pairs(beads, cell, wide_skin_, parts_);
-    moved_.assign(beads.size(), Vector());
+    largest_ = grains.largest_diameter();
+    wide_ = find_pairs(grains, cell, wide_skin_, parts_);
+    moved_.assign(grains.size(), Vector());
     wide_strain_ = 0;
     ++wide_rebuilds_;
-    select(beads, cell);
+    select(grains, cell);
 }
 
-void PairList::renumber(Beads& beads, const Cell& cell) {
-    const auto order = order_in_rows(beads, cell);
-    permute(beads.motion, order);
-    permute(beads.number, order);
-    if (!beads.diameters.empty()) {
-        permute(beads.diameters, order);
+void PairList::renumber(Grains& grains, const Cell& cell) {
+    const auto order = order_in_rows(grains, cell);
+    permute(grains.motion, order);
+    permute(grains.number, order);
+    if (!grains.diameters.empty()) {
+        permute(grains.diameters, order);
     }
     std::vector<std::int32_t> renamed(order.size());
     for (std::size_t to = 0; to < order.size(); ++to) {
@@ -315,13 +315,13 @@ void PairList::renumber(Beads& beads, const Cell& cell) {
     strain_since_renumbered_ = 0;
 }
 
-void PairList::find_close_ones(const Beads& beads, const Cell& cell) {
+void PairList::find_close_ones(const Grains& grains, const Cell& cell) {
     std::array<Vector, image_code::count> shifts;
     for (int code = 0; code < image_code::count; ++code) {
         shifts[static_cast<std::size_t>(code)] = image_code::image(code).shift(cell);
     }
     const double equal = (1 + narrow_skin) * (1 + narrow_skin);
-    const bool sized = !beads.diameters.empty();
+    const bool sized = !grains.diameters.empty();
     close_.resize(wide_.size());
     in_parts(parts_, [&](int part) {
         const auto [begin, end] = range_of(part, parts_, wide_.size());
@@ -329,15 +329,15 @@ void PairList::find_close_ones(const Beads& beads, const Cell& cell) {
             const auto i = static_cast<std::size_t>(wide_.first[k]),
                        j = static_cast<std::size_t>(wide_.second[k]);
             const Vector r =
-                beads.motion[j].position - beads.motion[i].position + shifts[wide_.image[k]];
-            const double range = sized ? beads.contact_distance(i, j) + narrow_skin : 0;
+                grains.motion[j].position - grains.motion[i].position + shifts[wide_.image[k]];
+            const double range = sized ? grains.contact_distance(i, j) + narrow_skin : 0;
             close_[k] = dot(r, r) < (sized ? range * range : equal);
         }
     });
 }
 
-void PairList::select(Beads& beads, const Cell& cell) {
-    find_close_ones(beads, cell);
+void PairList::select(Grains& grains, const Cell& cell) {
+    find_close_ones(grains, cell);
     std::swap(narrow_, old_narrow_);
     std::swap(distant_, old_distant_);
     Cursor old_narrow(old_narrow_, live_), old_distant(old_distant_, live_distant_);
@@ -364,7 +364,7 @@ void PairList::select(Beads& beads, const Cell& cell) {
     live_distant_ = distant_.size();
     narrow_.fill_up(batch);
     distant_.fill_up(batch);
-    beads.displacement.assign(beads.size(), Vector());
+    grains.displacement.assign(grains.size(), Vector());
     narrow_strain_ = 0;
     ++renewals_;
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/dem/beads.h"
+#include "sim/dem/grains.h"
 #include "sim/dem/cell.h"
 
 namespace pendular::dem {
@@ -32,7 +32,7 @@ struct Pairs : Neighbours {
     std::vector<double> sx, sy, sz;           ///< tangential force on the second bead
     std::vector<double> root;                 ///< sqrt(overlap) of the last step, 0 without contact
     std::vector<double> bridge;               ///< 1 where a liquid bridge joins the beads, else 0
-    std::vector<std::vector<double>> memory;  ///< of effects: words, each of all pairs
+    std::vector<std::vector<double>> contact_history;  ///< of effects: words, each of all pairs
 
     Pairs() = default;
     explicit Pairs(Neighbours neighbours, std::size_t words = 0);
@@ -47,13 +47,13 @@ struct Pairs : Neighbours {
     template <typename Archive>
     void serialize(Archive& archive) {
         Neighbours::serialize(archive);
-        archive(sx, sy, sz, root, bridge, memory);
+        archive(sx, sy, sz, root, bridge, contact_history);
     }
 };
 
 /// What effects on grains want of the lists.
 struct ListWants {
-    std::size_t memory = 0;     ///< words that a pair remembers
+    std::size_t contact_history = 0;     ///< words that a pair remembers
     bool all_in_reach = false;  ///< the distant list has all pairs that a bridge could join
 };
 
@@ -81,12 +81,12 @@ class PairList {
 
     /// Notes the displacement and affine strain of a step just made, and renews what they make
     /// invalid. Wraps the beads into the cell when the wide list is renewed.
-    void update(Beads& beads, Cell& cell, double affine_strain);
+    void update(Grains& grains, Cell& cell, double affine_strain);
     /// The same with the largest squared displacement since the narrow list was made, if known.
-    void update(Beads& beads, Cell& cell, double affine_strain, double largest_squared);
+    void update(Grains& grains, Cell& cell, double affine_strain, double largest_squared);
 
     /// Renews both lists now, keeping what contacts remember.
-    void rebuild(Beads& beads, Cell& cell);
+    void rebuild(Grains& grains, Cell& cell);
 
     Pairs& narrow() { return narrow_; }
     const Pairs& narrow() const { return narrow_; }
@@ -109,9 +109,9 @@ class PairList {
     }
 
   private:
-    void renumber(Beads& beads, const Cell& cell);
-    void select(Beads& beads, const Cell& cell);
-    void find_close_ones(const Beads& beads, const Cell& cell);
+    void renumber(Grains& grains, const Cell& cell);
+    void select(Grains& grains, const Cell& cell);
+    void find_close_ones(const Grains& grains, const Cell& cell);
 
     double wide_skin_;
     double reach_ = narrow_skin;  ///< gap within which the wide list must know all pairs
@@ -132,9 +132,9 @@ class PairList {
 /// All pairs of beads inside the cell whose surfaces are closer than `gap`. Bins are sheared with
 /// the lattice, so that the image offset needs no special case; small samples are searched whole.
 /// Done in `parts` side by side, which does not change the result.
-Neighbours find_pairs(const Beads& beads, const Cell& cell, double gap, int parts = 1);
+Neighbours find_pairs(const Grains& grains, const Cell& cell, double gap, int parts = 1);
 
 /// The same by looking at every pair of beads: slow, and the truth the other is tested against.
-Neighbours find_pairs_by_brute_force(const Beads& beads, const Cell& cell, double gap);
+Neighbours find_pairs_by_brute_force(const Grains& grains, const Cell& cell, double gap);
 
 }  // namespace pendular::dem

@@ -47,22 +47,22 @@ struct alignas(64) Stages {
 };
 
 /// Reads the relative angular velocities of the pairs from `begin` on.
-[[gnu::always_inline]] inline void gather_rolling(const Beads::Motion* motion, const Pairs& pairs,
+[[gnu::always_inline]] inline void gather_rolling(const Grains::Motion* motion, const Pairs& pairs,
                                                   std::size_t begin, XyzLanes& rolling) {
     const std::int32_t* first = pairs.first.data() + begin;
     const std::int32_t* second = pairs.second.data() + begin;
     for (std::size_t k = 0; k < lanes; k += 4) {
         Vector::Lanes w[4];
         for (std::size_t l = 0; l < 4; ++l) {
-            w[l] = motion[second[k + l]].spin.lanes - motion[first[k + l]].spin.lanes;
+            w[l] = motion[second[k + l]].angular_velocity.lanes - motion[first[k + l]].angular_velocity.lanes;
         }
         to_lanes(w, k, rolling);
     }
 }
 
-/// A batch as effects see it. `memory` points to what its pairs remember, word by word.
+/// A batch as effects see it. `contact_history` points to what its pairs remember, word by word.
 inline PairBatch batch_for_effects(Batch& b, Stages& s, const SizeLanes& sizes, double time_step,
-                                   double* const* memory) {
+                                   double* const* contact_history) {
     return {.size = lanes,
             .time_step = time_step,
             .nx = s.normal.x.data(),
@@ -74,9 +74,9 @@ inline PairBatch batch_for_effects(Batch& b, Stages& s, const SizeLanes& sizes, 
             .rolling_x = s.rolling.x.data(),
             .rolling_y = s.rolling.y.data(),
             .rolling_z = s.rolling.z.data(),
-            .turn_x = s.rotation_rate.x.data(),
-            .turn_y = s.rotation_rate.y.data(),
-            .turn_z = s.rotation_rate.z.data(),
+            .pair_rotation_x = s.rotation_rate.x.data(),
+            .pair_rotation_y = s.rotation_rate.y.data(),
+            .pair_rotation_z = s.rotation_rate.z.data(),
             .elastic = s.elastic.data(),
             .stiffness = s.stiffness.data(),
             .joined = s.joined.data(),
@@ -88,7 +88,7 @@ inline PairBatch batch_for_effects(Batch& b, Stages& s, const SizeLanes& sizes, 
             .tx = s.own_torque.x.data(),
             .ty = s.own_torque.y.data(),
             .tz = s.own_torque.z.data(),
-            .memory = memory};
+            .contact_history = contact_history};
 }
 
 }  // namespace pendular::dem

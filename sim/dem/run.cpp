@@ -57,7 +57,7 @@ void average_fields(const Series& series, std::size_t from, double rupture_dista
     const auto& p = result.parameters;
     for (std::size_t k = 0; k < field_count; ++k) {
         if (p.wetting || !fields[k].needs_bridges) {
-            const Bins1d bins = bins_of(fields[k].coordinate, p.beads, rupture_distance);
+            const Bins1d bins = bins_of(fields[k].coordinate, p.grains, rupture_distance);
             result.fields[k] = series.field(from, static_cast<Field>(k), bins);
         }
     }
@@ -175,10 +175,10 @@ ShearCell new_sample(const RunParameters& p, const GrainEffects& effects,
                             .damping = p.damping};
     const BridgeLaw bridges = p.wetting ? BridgeLaw(*p.wetting) : BridgeLaw();
     if (p.start == 0) {
-        return ShearCell(p.beads, material, p.inertial_number, p.seed, bridges, options.threads,
+        return ShearCell(p.grains, material, p.inertial_number, p.seed, bridges, options.threads,
                          effects);
     }
-    if (!options.start || options.start->beads.size() != static_cast<std::size_t>(p.beads)) {
+    if (!options.start || options.start->grains.size() != static_cast<std::size_t>(p.grains)) {
         throw std::invalid_argument("the state to start from has another number of beads");
     }
     return ShearCell(options.start->sample(), material, {.shear_rate = p.inertial_number}, bridges,
@@ -199,7 +199,7 @@ class Run {
           first_look_(blocks_in(first_look(parameters))),
           state_{.sample = new_sample(parameters, effects, options), .transient = first_look_} {}
 
-    RunResult carry_out() {
+    RunResult simulate_to_end() {
         if (options_.checkpoint) {
             if (const auto saved = options_.checkpoint->read(options_.description)) {
                 resume(*saved);
@@ -372,12 +372,12 @@ RunResult Run::result(bool steady) const {
 
 RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options) {
-    check(parameters, effects);
+    check_run_parameters(parameters, effects);
     if (options.threads < 1 || options.threads > most_threads) {
         throw std::invalid_argument(
             fmt::format("{} threads: a run takes 1 to {}", options.threads, most_threads));
     }
-    return Run(parameters, effects, options).carry_out();
+    return Run(parameters, effects, options).simulate_to_end();
 }
 
 }  // namespace pendular::dem

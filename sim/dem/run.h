@@ -47,7 +47,7 @@ struct RunResult {
         return fields[static_cast<std::size_t>(which)];
     }
     double particle_steps_per_second() const {
-        return static_cast<double>(steps) * parameters.beads / wall_seconds;
+        return static_cast<double>(steps) * parameters.grains / wall_seconds;
     }
 };
 
@@ -84,7 +84,7 @@ constexpr double localised_above = 0.05;
 
 /// Shears a random sample of monosized beads until its averages are known over `strain`, after a
 /// transient that is detected, not assumed. `effects` are those that `parameters` names.
-/// @throws std::invalid_argument for what `check` refuses, and for a start of another size
+/// @throws std::invalid_argument for what `check_run_parameters` refuses, and for a start of another size
 /// @throws SimulationError where the state stops being finite or never reaches its stress
 /// @throws Interrupted when a stop is requested
 /// @throws InputError for a checkpoint of another run or one that is no longer whole

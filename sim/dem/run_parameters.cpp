@@ -18,7 +18,7 @@ void demand(bool holds, const std::string& what) {
     }
 }
 
-void check(const Wetting& w, double rupture_distance, double edge) {
+void check_wetting(const Wetting& w, double rupture_distance, double edge) {
     demand(w.reduced_pressure >= 0.05 && w.reduced_pressure <= 1e6,
            fmt::format("reduced pressure {} is not between 0.05 and 1e6", w.reduced_pressure));
     demand(w.bridge_volume >= 1e-6,
@@ -32,7 +32,7 @@ void check(const Wetting& w, double rupture_distance, double edge) {
 
 }  // namespace
 
-void check(const RunParameters& p, const GrainEffects& effects) {
+void check_run_parameters(const RunParameters& p, const GrainEffects& effects) {
     demand(p.friction >= 0 && p.friction <= 2,
            fmt::format("friction {} is not between 0 and 2", p.friction));
     demand(p.inertial_number >= 1e-5 && p.inertial_number <= largest_inertial_number,
@@ -45,8 +45,8 @@ void check(const RunParameters& p, const GrainEffects& effects) {
     demand(p.damping >= 0 && p.damping <= 10,
            fmt::format("damping {} is not between 0 and 10", p.damping));
     demand(
-        p.beads >= ShearCell::fewest_beads && p.beads <= 10'000'000,
-        fmt::format("{} beads: a sample needs {} to 10000000", p.beads, ShearCell::fewest_beads));
+        p.grains >= ShearCell::fewest_grains && p.grains <= 10'000'000,
+        fmt::format("{} beads: a sample needs {} to 10000000", p.grains, ShearCell::fewest_grains));
     demand(
         p.strain >= 0.5 && p.strain <= 1e4,
         fmt::format(
@@ -61,8 +61,8 @@ void check(const RunParameters& p, const GrainEffects& effects) {
                fmt::format("precision of {}: it needs liquid bridges", name));
     }
     if (p.wetting) {
-        check(*p.wetting, effects.changed(BridgeLaw(*p.wetting)).rupture_distance,
-              ShearCell::edge(p.beads));
+        check_wetting(*p.wetting, effects.changed(BridgeLaw(*p.wetting)).rupture_distance,
+              ShearCell::edge(p.grains));
     }
     demand(p.start == 0 || effects.diameters(2, 1).empty(),
            "a run cannot start from the state of another where its beads are to be of other sizes");

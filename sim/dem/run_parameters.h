@@ -36,7 +36,7 @@ struct RunParameters {
     double poisson_ratio = 0.3;      ///< nu
     double damping = 0.98;           ///< zeta, fraction of critical
     std::optional<Wetting> wetting;  ///< liquid bridges; none: dry
-    int beads = 2000;
+    int grains = 2000;
     double strain = 10;  ///< averaged strain, after the transient
     std::uint64_t seed = 1;
     /// Fingerprint of the run from whose final state this one starts; 0: a random gas.
@@ -50,6 +50,6 @@ struct RunParameters {
 
 /// Refuses what cannot be simulated with these effects, before any work.
 /// @throws std::invalid_argument for parameters out of range, naming the parameter
-void check(const RunParameters& parameters, const GrainEffects& effects);
+void check_run_parameters(const RunParameters& parameters, const GrainEffects& effects);
 
 }  // namespace pendular::dem

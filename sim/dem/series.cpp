@@ -17,7 +17,7 @@ constexpr int steps_between_samples = 16, steps_between_accounts = 64;
 
 OpenBlock::OpenBlock(const ShearCell& sample) : begin_(sample.strain()) {
     const auto bins = [&](Coordinate coordinate) {
-        return bins_of(coordinate, static_cast<int>(sample.beads().size()),
+        return bins_of(coordinate, static_cast<int>(sample.grains().size()),
                        sample.bridges().rupture_distance)
             .count;
     };
@@ -44,7 +44,7 @@ void OpenBlock::step(ShearCell& sample) {
         add_dissipation(sample.energy(), volume, sample.strain() - strain);
     }
     if (sample.steps() % steps_between_samples == 0) {
-        motion_.add(sample.beads(), sample.cell().height);
+        motion_.add(sample.grains(), sample.cell().height);
     }
     if (sample.strain() - begin_ >= block_strain * (structures_ + 1) / structures_per_block) {
         add_structure(sample);
@@ -62,19 +62,19 @@ void OpenBlock::add_dissipation(const PairEnergy& lost, double volume, double st
 }
 
 void OpenBlock::add_structure(const ShearCell& sample) {
-    sums_.structure += structure_of(sample.beads(), sample.cell(), sample.pairs().narrow(),
+    sums_.structure += structure_of(sample.grains(), sample.cell(), sample.pairs().narrow(),
                                     sample.pairs().distant(), sample.material(), sample.bridges(),
                                     sample.effects());
-    motion_.add(sample.beads(), sample.cell().height);
+    motion_.add(sample.grains(), sample.cell().height);
     ++structures_;
 }
 
 void OpenBlock::add_fields(const ShearCell& sample) {
     FieldSums& sums = sums_.fields;
     const double height = sample.cell().height, rate = sample.shear_rate();
-    add_distributions(sample.beads(), sample.cell(), sample.pairs().narrow(),
+    add_distributions(sample.grains(), sample.cell(), sample.pairs().narrow(),
                       sample.pairs().distant(), sample.material(), sample.bridges(), sums);
-    add_solid_fraction(sample.beads(), sample.cell(),
+    add_solid_fraction(sample.grains(), sample.cell(),
                        sums[static_cast<std::size_t>(Field::solid_fraction)]);
     sums[static_cast<std::size_t>(Field::velocity)] = motion_.velocity(height, rate);
     sums[static_cast<std::size_t>(Field::granular_temperature)] = motion_.temperature(rate);

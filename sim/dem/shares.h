@@ -13,7 +13,7 @@ namespace pendular::dem {
 /// their first and lower bead, these can move once the pairs are done, while still in the cache.
 struct Section {
     using Range = std::pair<std::size_t, std::size_t>;
-    Range beads, near, distant;
+    Range grains, near, distant;
 };
 
 /// What one of several threads does of every step while the lists are valid. It sums the forces of
@@ -23,12 +23,12 @@ struct Share {
     std::vector<Section> sections;
     std::vector<std::int32_t> ghosts;  ///< beads of other shares that its pairs push, ascending
 
-    Section::Range beads() const {
-        return {sections.front().beads.first, sections.back().beads.second};
+    Section::Range grains() const {
+        return {sections.front().grains.first, sections.back().grains.second};
     }
 };
 
 /// Shares with as many near pairs each as whole batches allow.
-std::vector<Share> shares_of(const PairList& pairs, std::size_t beads, int parts);
+std::vector<Share> shares_of(const PairList& pairs, std::size_t grains, int parts);
 
 }  // namespace pendular::dem

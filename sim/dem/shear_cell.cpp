@@ -105,20 +105,20 @@ ShearCell::ShearCell(int count, const Material& material, double shear_rate, std
 
 ShearCell::ShearCell(Sample sample, const Material& material, const Flow& flow,
                      const BridgeLaw& bridges, int parts, const GrainEffects& effects)
-    : beads_(std::move(sample.beads)),
+    : grains_(std::move(sample.grains)),
       cell_(sample.cell),
       pairs_(effects.changed(bridges).rupture_distance, parts,
-             {effects.memory(), effects.bridges_without_contact()}),
+             {effects.contact_history(), effects.bridges_without_contact()}),
       material_(material),
       effects_(effects),
       bridges_(effects.changed(bridges)),
       flow_(flow),
       parts_(parts),
-      other_loads_(static_cast<std::size_t>(parts) - 1, std::vector<Beads::Load>(beads_.size())) {
-    bead_volume_ = beads_.volume();
+      other_net_forces_(static_cast<std::size_t>(parts) - 1, std::vector<Grains::ForceAndTorque>(grains_.size())) {
+    bead_volume_ = grains_.volume();
     recent_overlap_ = overlap_at(1.0, material_.modulus);
     follow_stiffest_contact();
-    pairs_.rebuild(beads_, cell_);
+    pairs_.rebuild(grains_, cell_);
 }
 
 double ShearCell::edge(int count) {
@@ -126,25 +126,25 @@ double ShearCell::edge(int count) {
 }
 
 Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diameters) {
-    if (count < ShearCell::fewest_beads) {
+    if (count < ShearCell::fewest_grains) {
         throw std::invalid_argument("a sample needs at least 64 beads");
     }
     // Tall enough that the sample is a cube once it flows.
-    Sample sample{Beads(static_cast<std::size_t>(count)), {}};
-    sample.beads.diameters = diameters;
+    Sample sample{Grains(static_cast<std::size_t>(count)), {}};
+    sample.grains.diameters = diameters;
     Cell& cell = sample.cell;
     const double base = ShearCell::edge(count);
-    cell = {base, sample.beads.volume() / initial_solid_fraction / (base * base), base, 0};
+    cell = {base, sample.grains.volume() / initial_solid_fraction / (base * base), base, 0};
     RandomPlacement placement({cell.length, cell.height, cell.width},
-                              sample.beads.largest_diameter());
+                              sample.grains.largest_diameter());
     std::mt19937_64 random(seed);
-    for (std::size_t i = 0; i < sample.beads.size(); ++i) {
+    for (std::size_t i = 0; i < sample.grains.size(); ++i) {
         std::array<double, 3> at;
         do {
             at = {cell.length * uniform(random), cell.height * uniform(random),
                   cell.width * uniform(random)};
-        } while (!placement.place(at, sample.beads.diameter(i)));
-        sample.beads.position(i) = {at[0], at[1], at[2]};
+        } while (!placement.place(at, sample.grains.diameter(i)));
+        sample.grains.position(i) = {at[0], at[1], at[2]};
     }
     return sample;
 }
@@ -155,20 +155,20 @@ double ShearCell::solid_fraction() const {
 
 void ShearCell::step(EnergyAccounting accounting) {
     if (shares_made_at_ != pairs_.renewals()) {
-        shares_ = shares_of(pairs_, beads_.size(), parts_);
+        shares_ = shares_of(pairs_, grains_.size(), parts_);
         shares_made_at_ = pairs_.renewals();
     }
     const PairLaws laws{cell_,      flow_,      material_, bridging_ ? bridges_ : BridgeLaw(),
                         time_step_, accounting, &effects_};
     MotionSums moved;
     if (parts_ == 1 && accounting == EnergyAccounting::off) {
-        measure(sum_forces(shares_.front(), beads_.load, laws, &moved));
+        measure(sum_forces(shares_.front(), grains_.net_force, laws, &moved));
     } else {
         measure(sum_forces(laws));
         if (accounting == EnergyAccounting::on) {
-            energy_.viscosity = viscous_loss(beads_, all_loads(), pairs_.narrow(), laws);
+            energy_.viscosity = viscous_loss(grains_, all_net_forces(), pairs_.narrow(), laws);
         }
-        moved = move_beads();
+        moved = move_grains();
     }
     check_state();
     motion_ = moved;
@@ -182,16 +182,16 @@ void ShearCell::step(EnergyAccounting accounting) {
     }
 }
 
-PairSums ShearCell::sum_forces(const Share& share, std::vector<Beads::Load>& loads,
+PairSums ShearCell::sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                                const PairLaws& laws, MotionSums* moved) {
     PairSums sums;
     for (const Section& section : share.sections) {
-        sums += pair_forces(beads_, pairs_.narrow(), section.near, laws, loads);
+        sums += pair_forces(grains_, pairs_.narrow(), section.near, laws, net_forces);
         if (laws.bridges.wet()) {
-            sums += distant_forces(beads_, pairs_.distant(), section.distant, laws, loads);
+            sums += distant_forces(grains_, pairs_.distant(), section.distant, laws, net_forces);
         }
         if (moved) {
-            *moved += advance(beads_, section.beads, loads, flow_, time_step_);
+            *moved += advance(grains_, section.grains, net_forces, flow_, time_step_);
         }
     }
     return sums;
@@ -201,10 +201,10 @@ PairSums ShearCell::sum_forces(const PairLaws& laws) {
     std::vector<PairSums> sums(static_cast<std::size_t>(parts_));
     in_parts(parts_, [&](int part) {
         const auto at = static_cast<std::size_t>(part);
-        sums[at] = sum_forces(shares_[at], loads_of(part), laws);
+        sums[at] = sum_forces(shares_[at], net_forces_of(part), laws);
     });
     if (parts_ > 1) {
-        in_parts(parts_, [&](int part) { collect_loads(part); });
+        in_parts(parts_, [&](int part) { collect_net_forces(part); });
     }
     for (std::size_t part = 1; part < sums.size(); ++part) {
         sums.front() += sums[part];
@@ -212,32 +212,32 @@ PairSums ShearCell::sum_forces(const PairLaws& laws) {
     return sums.front();
 }
 
-void ShearCell::collect_loads(int part) {
-    auto& mine = loads_of(part);
-    const auto [begin, end] = shares_[static_cast<std::size_t>(part)].beads();
+void ShearCell::collect_net_forces(int part) {
+    auto& mine = net_forces_of(part);
+    const auto [begin, end] = shares_[static_cast<std::size_t>(part)].grains();
     for (int other = 0; other < parts_; ++other) {
         const auto& ghosts = shares_[static_cast<std::size_t>(other)].ghosts;
-        auto& theirs = loads_of(other);
+        auto& theirs = net_forces_of(other);
         auto ghost = std::ranges::lower_bound(ghosts, static_cast<std::int32_t>(begin));
         for (; ghost != ghosts.end() && static_cast<std::size_t>(*ghost) < end; ++ghost) {
             const auto at = static_cast<std::size_t>(*ghost);
-            const Beads::Load load = std::exchange(theirs[at], {});
-            mine[at].force += load.force;
-            mine[at].torque += load.torque;
+            const Grains::ForceAndTorque net_force = std::exchange(theirs[at], {});
+            mine[at].force += net_force.force;
+            mine[at].torque += net_force.torque;
         }
     }
 }
 
-std::vector<Beads::Load>& ShearCell::loads_of(int part) {
-    return part == 0 ? beads_.load : other_loads_[static_cast<std::size_t>(part) - 1];
+std::vector<Grains::ForceAndTorque>& ShearCell::net_forces_of(int part) {
+    return part == 0 ? grains_.net_force : other_net_forces_[static_cast<std::size_t>(part) - 1];
 }
 
-std::vector<Beads::Load> ShearCell::all_loads() {
-    std::vector<Beads::Load> all = beads_.load;
+std::vector<Grains::ForceAndTorque> ShearCell::all_net_forces() {
+    std::vector<Grains::ForceAndTorque> all = grains_.net_force;
     for (int part = 1; part < parts_; ++part) {
-        const auto [begin, end] = shares_[static_cast<std::size_t>(part)].beads();
+        const auto [begin, end] = shares_[static_cast<std::size_t>(part)].grains();
         for (std::size_t i = begin; i < end; ++i) {
-            all[i] = loads_of(part)[i];
+            all[i] = net_forces_of(part)[i];
         }
     }
     return all;
@@ -277,12 +277,12 @@ void ShearCell::check_state() const {
     }
 }
 
-MotionSums ShearCell::move_beads() {
+MotionSums ShearCell::move_grains() {
     std::vector<MotionSums> sums(static_cast<std::size_t>(parts_));
     in_parts(parts_, [&](int part) {
         const auto at = static_cast<std::size_t>(part);
         for (const Section& section : shares_[at].sections) {
-            sums[at] += advance(beads_, section.beads, loads_of(part), flow_, time_step_);
+            sums[at] += advance(grains_, section.grains, net_forces_of(part), flow_, time_step_);
         }
     });
     for (std::size_t part = 1; part < sums.size(); ++part) {
@@ -299,7 +299,7 @@ void ShearCell::advance_cell() {
     cell_.height += dt * flow_.height_rate * cell_.height;
     cell_.width += dt * flow_.width_rate * cell_.width;
     strain_ += dt * flow_.shear_rate;
-    pairs_.update(beads_, cell_,
+    pairs_.update(grains_, cell_,
                   dt * (std::abs(flow_.shear_rate) + std::abs(flow_.length_rate) +
                         std::abs(flow_.height_rate) + std::abs(flow_.width_rate)),
                   motion_.largest_squared);
@@ -310,7 +310,7 @@ void ShearCell::follow_stiffest_contact() {
     double wanted = fraction_ / std::sqrt(stiffness) / std::max(1.0, material_.damping);
     if (effects_.changes_pairs()) {
         // Smaller beads are lighter; what an effect damps must not overshoot.
-        wanted *= std::pow(beads_.smallest_diameter(), 1.5);
+        wanted *= std::pow(grains_.smallest_diameter(), 1.5);
         const double rate = effects_.damping_rate(bridges_);
         wanted = rate > 0 ? std::min(wanted, damped_step / rate) : wanted;
     }

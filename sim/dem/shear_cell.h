@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <stop_token>
 
-#include "sim/dem/beads.h"
+#include "sim/dem/grains.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/grain_effects.h"
@@ -26,7 +26,7 @@ struct Stress {
 
 /// Beads in their cell.
 struct Sample {
-    Beads beads;
+    Grains grains;
     Cell cell;
 };
 
@@ -61,7 +61,7 @@ class ShearCell {
     /// Edge of the cube that so many beads fill once they flow [diameters].
     static double edge(int count);
 
-    static constexpr int fewest_beads = 64;
+    static constexpr int fewest_grains = 64;
     static constexpr double time_step_fraction = 0.2;
 
     /// One step of the leapfrog: forces at x(t) from v(t - dt/2), then velocities, then positions.
@@ -73,7 +73,7 @@ class ShearCell {
     /// @throws Interrupted when a stop is requested
     bool compress(const std::stop_token& stop = {});
 
-    const Beads& beads() const { return beads_; }
+    const Grains& grains() const { return grains_; }
     const Cell& cell() const { return cell_; }
     const PairList& pairs() const { return pairs_; }
     const Material& material() const { return material_; }
@@ -106,7 +106,7 @@ class ShearCell {
     /// The state of a sample made of the same beads, laws and parts.
     template <typename Archive>
     void serialize(Archive& archive) {
-        archive(beads_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
+        archive(grains_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
                 time_step_, strain_, largest_overlap_, recent_overlap_, steps_);
         shares_made_at_ = 0;  // of other lists
     }
@@ -116,18 +116,18 @@ class ShearCell {
     void check_state() const;
     PairSums sum_forces(const PairLaws& laws);
     /// Of one share; moves its beads too where asked to, each once its last pair is done.
-    PairSums sum_forces(const Share& share, std::vector<Beads::Load>& loads, const PairLaws& laws,
+    PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces, const PairLaws& laws,
                         MotionSums* moved = nullptr);
     /// Adds to the loads that a part has of its own beads what the others have of them.
-    void collect_loads(int part);
-    std::vector<Beads::Load>& loads_of(int part);
-    std::vector<Beads::Load> all_loads();
+    void collect_net_forces(int part);
+    std::vector<Grains::ForceAndTorque>& net_forces_of(int part);
+    std::vector<Grains::ForceAndTorque> all_net_forces();
     void measure(const PairSums& sums);
-    MotionSums move_beads();
+    MotionSums move_grains();
     void advance_cell();
     void follow_stiffest_contact();
 
-    Beads beads_;
+    Grains grains_;
     Cell cell_;
     PairList pairs_;
     Material material_;
@@ -137,7 +137,7 @@ class ShearCell {
     int parts_ = 1;
     std::vector<Share> shares_;
     std::size_t shares_made_at_ = 0;                     ///< renewals of the lists
-    std::vector<std::vector<Beads::Load>> other_loads_;  ///< of the parts after the first
+    std::vector<std::vector<Grains::ForceAndTorque>> other_net_forces_;  ///< of the parts after the first
     Stress stress_;
     PairEnergy energy_;
     MotionSums motion_;

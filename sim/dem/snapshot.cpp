@@ -35,24 +35,24 @@ void add_pairs(const ShearCell& sample, const Pairs& list, Snapshot& snapshot) {
         if (!touching && !bridge) {
             return;
         }
-        auto& first = snapshot.beads[static_cast<std::size_t>(list.first[k])];
-        auto& second = snapshot.beads[static_cast<std::size_t>(list.second[k])];
+        auto& first = snapshot.grains[static_cast<std::size_t>(list.first[k])];
+        auto& second = snapshot.grains[static_cast<std::size_t>(list.second[k])];
         first.contacts += touching;
         second.contacts += touching;
-        const double gap = gap_of(sample.beads(), list, k, separation);
-        const PairSizes sizes = sample.beads().sizes(static_cast<std::size_t>(list.first[k]),
+        const double gap = gap_of(sample.grains(), list, k, separation);
+        const PairSizes sizes = sample.grains().sizes(static_cast<std::size_t>(list.first[k]),
                                                      static_cast<std::size_t>(list.second[k]));
         snapshot.pairs.push_back(
             {.from = first.position,
              .to = first.position + separation,
-             .normal_force = contact_of(sample.beads(), list, k, sample.material().modulus).elastic,
+             .normal_force = contact_of(sample.grains(), list, k, sample.material().modulus).elastic,
              .bridge_force = bridge ? sample.effects().attraction(
                                           touching ? std::min(gap, 0.0) : gap, sizes.diameter,
                                           sample.material(), sample.bridges())
                                     : 0,
              .touching = touching});
     };
-    for_each_pair(sample.beads(), sample.cell(), list, visit);
+    for_each_pair(sample.grains(), sample.cell(), list, visit);
 }
 
 /// A <DataArray> of one line per item.
@@ -103,14 +103,14 @@ Snapshot snapshot_of(const ShearCell& sample, double strain) {
                .strain = strain,
                .cell = sample.cell()};
     s.cell.reduce_offset();
-    const Beads& beads = sample.beads();
-    for (std::size_t i = 0; i < beads.size(); ++i) {
-        const Vector place = s.cell.wrapped(beads.position(i));
-        s.beads.push_back({.id = beads.number[i] + 1,
-                           .radius = 0.5 * beads.diameter(i),
+    const Grains& grains = sample.grains();
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        const Vector place = s.cell.wrapped(grains.position(i));
+        s.grains.push_back({.id = grains.number[i] + 1,
+                           .radius = 0.5 * grains.diameter(i),
                            .position = place,
-                           .velocity = beads.velocity(i) + sample.flow()(place),
-                           .spin = beads.spin(i)});
+                           .velocity = grains.velocity(i) + sample.flow()(place),
+                           .angular_velocity = grains.angular_velocity(i)});
     }
     add_pairs(sample, sample.pairs().narrow(), s);
     add_pairs(sample, sample.pairs().distant(), s);
@@ -122,43 +122,43 @@ std::string dump_frame(const Snapshot& s) {
     std::string text = fmt::format(
         "ITEM: UNITS\n{}\nITEM: TIME\n{:.10g}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n"
         "ITEM: BOX BOUNDS xy xz yz pp pp pp\n",
-        units, s.time, s.step, s.beads.size());
+        units, s.time, s.step, s.grains.size());
     text +=
         fmt::format("{} {} {}\n0 {} 0\n0 {} 0\n", std::min(0.0, cell.offset),
                     cell.length + std::max(0.0, cell.offset), cell.offset, cell.height, cell.width);
     text +=
         "ITEM: ATOMS id type radius x y z vx vy vz angular_velocity_x angular_velocity_y "
         "angular_velocity_z coordination\n";
-    for (const auto& bead : s.beads) {
-        text += fmt::format("{} 1 {} {} {} {} {}\n", bead.id, bead.radius, text_of(bead.position),
-                            text_of(bead.velocity), text_of(bead.spin), bead.contacts);
+    for (const auto& grain : s.grains) {
+        text += fmt::format("{} 1 {} {} {} {} {}\n", grain.id, grain.radius, text_of(grain.position),
+                            text_of(grain.velocity), text_of(grain.angular_velocity), grain.contacts);
     }
     return text;
 }
 
-std::string beads_vtp(const Snapshot& s) {
+std::string grains_vtp(const Snapshot& s) {
     const auto of_beads = [&](const char* type, const char* name, int components,
                               const auto& text) {
-        return data_array(type, name, components, s.beads, text);
+        return data_array(type, name, components, s.grains, text);
     };
-    using Bead = Snapshot::Bead;
+    using Grain = Snapshot::Grain;
     return poly_data(
         s,
         fmt::format("NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" "
                     "NumberOfStrips=\"0\" NumberOfPolys=\"0\"",
-                    s.beads.size()),
+                    s.grains.size()),
         "<PointData>\n" +
-            of_beads("Int32", "id", 1, [](const Bead& b) { return fmt::format("{}", b.id); }) +
+            of_beads("Int32", "id", 1, [](const Grain& b) { return fmt::format("{}", b.id); }) +
             of_beads("Float64", "radius", 1,
-                     [](const Bead& b) { return fmt::format("{}", b.radius); }) +
-            of_beads("Float64", "velocity", 3, [](const Bead& b) { return text_of(b.velocity); }) +
+                     [](const Grain& b) { return fmt::format("{}", b.radius); }) +
+            of_beads("Float64", "velocity", 3, [](const Grain& b) { return text_of(b.velocity); }) +
             of_beads("Float64", "angular_velocity", 3,
-                     [](const Bead& b) { return text_of(b.spin); }) +
+                     [](const Grain& b) { return text_of(b.angular_velocity); }) +
             of_beads("Int32", "coordination", 1,
-                     [](const Bead& b) { return fmt::format("{}", b.contacts); }) +
+                     [](const Grain& b) { return fmt::format("{}", b.contacts); }) +
             "</PointData>\n<Points>\n" +
-            of_beads("Float64", "Points", 3, [](const Bead& b) { return text_of(b.position); }) +
-            "</Points>\n" + topology("Verts", s.beads.size(), 1));
+            of_beads("Float64", "Points", 3, [](const Grain& b) { return text_of(b.position); }) +
+            "</Points>\n" + topology("Verts", s.grains.size(), 1));
 }
 
 std::string pairs_vtp(const Snapshot& s) {
@@ -254,7 +254,7 @@ void Snapshots::resume(std::uint64_t step, double strain) {
 }
 
 void Snapshots::write(const Snapshot& snapshot) {
-    write_whole(folder_ / fmt::format("vtk/beads_{:05}.vtp", next_), beads_vtp(snapshot));
+    write_whole(folder_ / fmt::format("vtk/beads_{:05}.vtp", next_), grains_vtp(snapshot));
     write_whole(folder_ / fmt::format("vtk/pairs_{:05}.vtp", next_), pairs_vtp(snapshot));
     append(dump_frame(snapshot));
     frames_.push_back({next_, snapshot.strain});

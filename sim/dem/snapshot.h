@@ -20,17 +20,17 @@ struct DrawnPair {
 /// A state as others read it: every bead inside the cell, velocities with the imposed flow in them.
 /// Reduced units: bead diameter, mass and imposed normal stress are 1.
 struct Snapshot {
-    struct Bead {
+    struct Grain {
         std::int32_t id = 0;  ///< from 1 on, the same throughout a run
         double radius = 0.5;
-        Vector position, velocity, spin;
+        Vector position, velocity, angular_velocity;
         int contacts = 0;
     };
     std::uint64_t step = 0;
     double time = 0;    ///< [sqrt(m/(a s22))]
     double strain = 0;  ///< since the flow began
     Cell cell;          ///< its offset between -length/2 and length/2
-    std::vector<Bead> beads;
+    std::vector<Grain> grains;
     std::vector<DrawnPair> pairs;
 };
 Snapshot snapshot_of(const ShearCell& sample, double strain);
@@ -41,15 +41,15 @@ Snapshot snapshot_of(const ShearCell& sample, double strain);
 std::string dump_frame(const Snapshot& snapshot);
 
 /// ParaView XML PolyData: the beads as points with radius, velocity and contacts.
-std::string beads_vtp(const Snapshot& snapshot);
+std::string grains_vtp(const Snapshot& snapshot);
 /// ParaView XML PolyData: contacts and bridges as lines between centres with normal_force,
 /// bridge_force and touching (1 or 0). A line across a face of the cell leads to the image outside.
 std::string pairs_vtp(const Snapshot& snapshot);
 
-/// Writes a run's snapshots into a folder every so much strain, from strain 0 on: `beads.dump` with
+/// Writes a run's snapshots into a folder every so much strain, from strain 0 on: `grains.dump` with
 /// all frames, and for ParaView `snapshots.pvd` with `vtk/beads_NNNNN.vtp` and
 /// `vtk/pairs_NNNNN.vtp`, strain as time. Each file is there whole or not at all; the dump grows as
-/// `.beads.dump.part` and takes its name when the object goes, be the run done or stopped. A run
+/// `.grains.dump.part` and takes its name when the object goes, be the run done or stopped. A run
 /// resumed from a checkpoint goes on where it was; frames that were made after it are made again.
 class Snapshots {
   public:

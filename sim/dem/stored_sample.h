@@ -14,36 +14,36 @@ namespace pendular::dem {
 /// not stored: it stays empty.
 struct StoredSample {
     Cell cell;
-    std::vector<std::array<float, 9>> beads;  ///< position, peculiar velocity, angular velocity
+    std::vector<std::array<float, 9>> grains;  ///< position, peculiar velocity, angular velocity
 
     StoredSample() = default;
     explicit StoredSample(const ShearCell& sample) : cell(sample.cell()) {
-        if (!sample.beads().diameters.empty()) {
+        if (!sample.grains().diameters.empty()) {
             return;
         }
-        beads.reserve(sample.beads().size());
-        for (const auto& bead : sample.beads().motion) {
-            auto& to = beads.emplace_back();
+        grains.reserve(sample.grains().size());
+        for (const auto& grain : sample.grains().motion) {
+            auto& to = grains.emplace_back();
             for (std::size_t d = 0; d < 3; ++d) {
-                to[d] = static_cast<float>(bead.position[d]);
-                to[3 + d] = static_cast<float>(bead.velocity[d]);
-                to[6 + d] = static_cast<float>(bead.spin[d]);
+                to[d] = static_cast<float>(grain.position[d]);
+                to[3 + d] = static_cast<float>(grain.velocity[d]);
+                to[6 + d] = static_cast<float>(grain.angular_velocity[d]);
             }
         }
     }
 
     Sample sample() const {
-        Sample result{Beads(beads.size()), cell};
-        for (std::size_t i = 0; i < beads.size(); ++i) {
-            const auto& b = beads[i];
-            result.beads.motion[i] = {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}, {b[6], b[7], b[8]}};
+        Sample result{Grains(grains.size()), cell};
+        for (std::size_t i = 0; i < grains.size(); ++i) {
+            const auto& b = grains[i];
+            result.grains.motion[i] = {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}, {b[6], b[7], b[8]}};
         }
         return result;
     }
 
     template <typename Archive>
     void serialize(Archive& archive) {
-        archive(cell, beads);
+        archive(cell, grains);
     }
 };
 

@@ -91,7 +91,7 @@ class Network {
 
 }  // namespace
 
-Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
+Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant_pairs, const Material& material,
                        const BridgeLaw& bridges, const GrainEffects& effects) {
     Structure s;
@@ -108,25 +108,25 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
         if (!effects.changes_pairs()) {
             return bridges.relative_force(std::max(0.0, gap));
         }
-        const PairSizes sizes = beads.sizes(static_cast<std::size_t>(pairs.first[k]),
+        const PairSizes sizes = grains.sizes(static_cast<std::size_t>(pairs.first[k]),
                                             static_cast<std::size_t>(pairs.second[k]));
         return effects.attraction(gap, sizes.diameter, material, bridges) / bridges.pull_off_force;
     };
     const auto note_distant = [&](const Pairs& pairs, std::size_t k, const Vector& separation) {
         const Eigen::Vector3d r(separation[0], separation[1], separation[2]);
-        const double length = r.norm(), gap = std::max(0.0, gap_of(beads, pairs, k, separation));
+        const double length = r.norm(), gap = std::max(0.0, gap_of(grains, pairs, k, separation));
         const double force = attraction(pairs, k, gap);
         distant.add(r / length, force, length);
         s.distant_force_gap += force * gap;
         note_capillary(r / length, capillary_unit * force * length,
                        s.capillary_shear_stress_distant);
     };
-    for_each_pair(beads, cell, near, [&](std::size_t k, const Vector& separation) {
+    for_each_pair(grains, cell, near, [&](std::size_t k, const Vector& separation) {
         if (near.root[k] > 0) {
             const Eigen::Vector3d r(separation[0], separation[1], separation[2]);
             const double length = r.norm(), overlap = near.root[k] * near.root[k];
             const Eigen::Vector3d n = r / length;
-            contacts.add(n, contact_of(beads, near, k, material.modulus).elastic, length);
+            contacts.add(n, contact_of(grains, near, k, material.modulus).elastic, length);
             s.overlap += overlap;
             order.add(n[0], n[1], n[2]);
             const double force = bridges.wet() ? attraction(near, k, -overlap) : 0;
@@ -135,12 +135,12 @@ Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
             note_distant(near, k, separation);
         }
     });
-    for_each_pair(beads, cell, distant_pairs, [&](std::size_t k, const Vector& r) {
+    for_each_pair(grains, cell, distant_pairs, [&](std::size_t k, const Vector& r) {
         if (distant_pairs.bridge[k] > 0) {
             note_distant(distant_pairs, k, r);
         }
     });
-    const auto per_bead = 2 / static_cast<double>(beads.size());
+    const auto per_bead = 2 / static_cast<double>(grains.size());
     s.contact_coordination = per_bead * contacts.count();  // counted from both sides
     s.fabric_12_contact = contacts.fabric_12();            // eq:defF12
     s.overlap = contacts.mean(s.overlap);

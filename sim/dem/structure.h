@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "sim/dem/beads.h"
+#include "sim/dem/grains.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/contact_law.h"
@@ -44,7 +44,7 @@ struct Structure {
 /// The anisotropy of a quantity q(n) that depends on direction is (1/4 pi <q>) times the integral
 /// of q(n) n1 n2 over the sphere (Badetti et al., eq:deffl12), from a least-squares fit of
 /// spherical harmonics of order 0 and 2 to the q of all pairs.
-Structure structure_of(const Beads& beads, const Cell& cell, const Pairs& near,
+Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        const GrainEffects& effects = {});
 

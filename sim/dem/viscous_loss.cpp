@@ -7,12 +7,12 @@ namespace pendular::dem {
 namespace {
 
 /// Motion with the velocities halfway through the step that these loads make.
-[[gnu::always_inline]] inline std::vector<Beads::Motion> halfway_through(
-    const Beads& beads, const std::vector<Beads::Load>& loads, const PairLaws& laws) {
-    std::vector<Beads::Motion> halfway = beads.motion;
+[[gnu::always_inline]] inline std::vector<Grains::Motion> halfway_through(
+    const Grains& grains, const std::vector<Grains::ForceAndTorque>& net_forces, const PairLaws& laws) {
+    std::vector<Grains::Motion> halfway = grains.motion;
     for (std::size_t i = 0; i < halfway.size(); ++i) {
         const Vector acceleration =
-            1 / beads.mass(i) * loads[i].force - laws.flow(beads.motion[i].velocity);
+            1 / grains.mass(i) * net_forces[i].force - laws.flow(grains.motion[i].velocity);
         halfway[i].velocity += 0.5 * laws.time_step * acceleration;
     }
     return halfway;
@@ -21,9 +21,9 @@ namespace {
 }  // namespace
 
 PENDULAR_SIMD_CLONES
-double viscous_loss(const Beads& beads, const std::vector<Beads::Load>& loads, const Pairs& near,
+double viscous_loss(const Grains& grains, const std::vector<Grains::ForceAndTorque>& net_forces, const Pairs& near,
                     const PairLaws& laws) {
-    const std::vector<Beads::Motion> halfway = halfway_through(beads, loads, laws);
+    const std::vector<Grains::Motion> halfway = halfway_through(grains, net_forces, laws);
     const Shifts shifts = image_shifts(laws.cell);
     const Material material = laws.material;
     const Flow flow = laws.flow;
@@ -32,10 +32,10 @@ double viscous_loss(const Beads& beads, const std::vector<Beads::Load>& loads, c
     Batch before, mean;
     Lane loss{};
     for (std::size_t begin = 0; begin < near.size(); begin += lanes) {
-        if (!beads.diameters.empty()) {
-            gather_sizes(beads, near, begin, sizes);
+        if (!grains.diameters.empty()) {
+            gather_sizes(grains, near, begin, sizes);
         }
-        gather<Gathered::motion>(beads.motion.data(), near, begin, shifts, sizes, before);
+        gather<Gathered::motion>(grains.motion.data(), near, begin, shifts, sizes, before);
         gather<Gathered::motion>(halfway.data(), near, begin, shifts, sizes, mean);
         const double* __restrict root = near.root.data() + begin;  // 0 where there is no contact
         for (std::size_t k = 0; k < lanes; ++k) {

@@ -13,7 +13,7 @@ Effect bead_loss() {
                             .lower = 0,
                             .upper = 0.2,
                             .neutral = 0,
-                            .matters = 0.01,
+                            .smallest_of_interest = 0.01,
                             .meaning = "part of the weighed beads that is no longer in the cell"}},
             .change = ChangeInstrument{.show =
                                            [](CellState shown, const Values& v) {

@@ -13,7 +13,7 @@ Effect capillary_bridges() {
                             .lower = 0,
                             .upper = 0.5,
                             .neutral = 0,
-                            .matters = 1e-3,
+                            .smallest_of_interest = 1e-3,
                             .meaning = "surface tension of the liquid"}},
             .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
                 condition.liquid->surface_tension = v["surface_tension"];

@@ -23,7 +23,7 @@ Effect contact_angle() {
                             .lower = -89 * degree,
                             .upper = 89 * degree,
                             .neutral = 0,
-                            .matters = 10 * degree,
+                            .smallest_of_interest = 10 * degree,
                             .meaning = "added to the study's contact angle",
                             .amplitude = [](double angle) { return 1 - std::cos(angle); }}},
             .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {

@@ -30,7 +30,7 @@ Effect dry_adhesion() {
                             .lower = 0,
                             .upper = 1e-4,
                             .neutral = 0,
-                            .matters = 3e-6,
+                            .smallest_of_interest = 3e-6,
                             .meaning = "pull-off force of two equal beads"}},
             .change = dem::ChangePairs{.add = pull},
             .touches = Touches::dry,

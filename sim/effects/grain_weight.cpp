@@ -16,7 +16,7 @@ Effect grain_weight() {
                                            shown.normal_force -= v["on"] * shown.weight() / 2;
                                            return shown;
                                        },
-                                   .where = ChangeInstrument::Where::beads},
+                                   .where = ChangeInstrument::Where::grains},
         .acts_through = {"1/normal_stress", "bead_volume"},
         .references = {"Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
                        "macroscopic cohesion and effective stress (2018)",

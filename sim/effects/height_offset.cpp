@@ -14,7 +14,7 @@ Effect height_offset() {
                         .lower = -2e-3,
                         .upper = 2e-3,
                         .neutral = 0,
-                        .matters = 20e-6,
+                        .smallest_of_interest = 20e-6,
                         .meaning = "shown height of an empty gap"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {

@@ -16,14 +16,14 @@ Effect lid_slip() {
                         .lower = 0,
                         .upper = 0.9,
                         .neutral = 0,
-                        .matters = 0.05,
+                        .smallest_of_interest = 0.05,
                         .meaning = "part of the lid's velocity that is slip"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            shown.angular_velocity /= 1 - v["fraction"];
                                            return shown;
                                        },
-                                   .where = ChangeInstrument::Where::beads},
+                                   .where = ChangeInstrument::Where::grains},
         .acts_through = {"inertial_number"},
         .directly = "the velocity of the beads at the lid, seen through the wall",
         .references = {

@@ -24,7 +24,7 @@ Effect liquid_loss() {
                         .lower = 0,
                         .upper = 1,
                         .neutral = 0,
-                        .matters = 1e-5,
+                        .smallest_of_interest = 1e-5,
                         .meaning = "part of the liquid lost per time"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {

@@ -13,7 +13,7 @@ Effect normal_force_offset() {
                             .lower = -10,
                             .upper = 10,
                             .neutral = 0,
-                            .matters = 0.05,
+                            .smallest_of_interest = 0.05,
                             .meaning = "reading of the load cell without load"}},
             .change = ChangeInstrument{.show =
                                            [](CellState shown, const Values& v) {

@@ -30,7 +30,7 @@ Effect polydispersity() {
                             .lower = 0,
                             .upper = 0.3,
                             .neutral = 0,
-                            .matters = 0.1,
+                            .smallest_of_interest = 0.1,
                             .meaning = "standard deviation of the diameters over their mean",
                             .amplitude = [](double deviation) { return deviation * deviation; }}},
             .change = dem::ChangeSample{.diameters = spread},

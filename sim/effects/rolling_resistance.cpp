@@ -14,9 +14,9 @@ void roll(const dem::PairBatch& batch, const dem::PairContext& context) {
     for (std::size_t k = 0; k < batch.size; ++k) {
         const double nx = batch.nx[k], ny = batch.ny[k], nz = batch.nz[k];
         const double arm = batch.diameter[k] / 2;
-        double mx = batch.memory[0][k], my = batch.memory[1][k], mz = batch.memory[2][k];
+        double mx = batch.contact_history[0][k], my = batch.contact_history[1][k], mz = batch.contact_history[2][k];
         const double dt = batch.time_step;
-        const double ox = batch.turn_x[k], oy = batch.turn_y[k], oz = batch.turn_z[k];
+        const double ox = batch.pair_rotation_x[k], oy = batch.pair_rotation_y[k], oz = batch.pair_rotation_z[k];
         const double px = mx + dt * (oy * mz - oz * my), py = my + dt * (oz * mx - ox * mz),
                      pz = mz + dt * (ox * my - oy * mx);
         const double rx = batch.rolling_x[k], ry = batch.rolling_y[k], rz = batch.rolling_z[k];
@@ -29,7 +29,7 @@ void roll(const dem::PairBatch& batch, const dem::PairContext& context) {
         const double squared = mx * mx + my * my + mz * mz;
         const double allowed = dem::coulomb_factor(squared, limit);
         mx *= allowed, my *= allowed, mz *= allowed;
-        batch.memory[0][k] = mx, batch.memory[1][k] = my, batch.memory[2][k] = mz;
+        batch.contact_history[0][k] = mx, batch.contact_history[1][k] = my, batch.contact_history[2][k] = mz;
         batch.tx[k] += mx, batch.ty[k] += my, batch.tz[k] += mz;
     }
 }
@@ -37,7 +37,7 @@ void roll(const dem::PairBatch& batch, const dem::PairContext& context) {
 /// What of a coefficient flow feels: contacts slide rather than roll once that takes less, so that
 /// it saturates with the coefficient over the friction. The factor is that of the greatest
 /// likelihood for the runs of the atlas, both of stress ratio and of solid fraction.
-double felt(double coefficient, double friction) {
+double effective_amplitude(double coefficient, double friction) {
     constexpr double sliding = 3;
     return friction > 0 ? -friction / sliding * std::expm1(-sliding * coefficient / friction) : 0;
 }
@@ -55,10 +55,10 @@ Effect rolling_resistance() {
                             .lower = 0,
                             .upper = 0.5,
                             .neutral = 0,
-                            .matters = 0.02,
+                            .smallest_of_interest = 0.02,
                             .meaning = "largest rolling torque over (a/2) F_N",
-                            .felt = felt}},
-            .change = dem::ChangePairs{.memory = 3, .add = roll},
+                            .effective_amplitude = effective_amplitude}},
+            .change = dem::ChangePairs{.contact_history = 3, .add = roll},
             .touches = Touches::all,
             .acts_through = {"stress_ratio", "solid_fraction"},
             .references = {"Iwashita, Oda, J. Eng. Mech. 124 (1998) 285",

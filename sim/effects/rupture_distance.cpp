@@ -13,7 +13,7 @@ Effect rupture_distance() {
                             .lower = 0.2,
                             .upper = 2,
                             .neutral = 1,
-                            .matters = 0.2,
+                            .smallest_of_interest = 0.2,
                             .meaning = "factor on the rupture distance"}},
             .change = dem::ChangePairs{.bridge_law =
                                            [](dem::BridgeLaw law, const Values& v) {

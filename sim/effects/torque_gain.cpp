@@ -12,7 +12,7 @@ Effect torque_gain() {
                             .lower = 0.5,
                             .upper = 2,
                             .neutral = 1,
-                            .matters = 0.02,
+                            .smallest_of_interest = 0.02,
                             .meaning = "shown over true torque"}},
             .change = ChangeInstrument{.show =
                                            [](CellState shown, const Values& v) {

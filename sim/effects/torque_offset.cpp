@@ -13,7 +13,7 @@ Effect torque_offset() {
                         .lower = -0.1,
                         .upper = 0.1,
                         .neutral = 0,
-                        .matters = 1e-4,
+                        .smallest_of_interest = 1e-4,
                         .meaning = "drag torque"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {

@@ -50,7 +50,7 @@ Effect viscous_bridges() {
                         .lower = 0,
                         .upper = 0.5,
                         .neutral = 0,
-                        .matters = 0.02,
+                        .smallest_of_interest = 0.02,
                         .meaning = "viscosity of the liquid"}},
         .change = dem::ChangePairs{.add = lubrication,
                                    .damping_rate =

@@ -58,7 +58,7 @@ Effect wall_friction() {
                             .lower = 0,
                             .upper = 1,
                             .neutral = 0,
-                            .matters = 0.05,
+                            .smallest_of_interest = 0.05,
                             .meaning = "friction coefficient between beads and side walls"}},
             .change = ChangeInstrument{.show =
                                            [](CellState shown, const Values& v) {
@@ -68,7 +68,7 @@ Effect wall_friction() {
                                                shown.normal_force *= std::exp(thin);
                                                return shown;
                                            },
-                                       .where = ChangeInstrument::Where::beads},
+                                       .where = ChangeInstrument::Where::grains},
             .acts_through = {"height"},
             .directly = "beads glued to a sled on the material of the walls",
             .references = {

@@ -12,7 +12,7 @@ Effect wet_friction() {
                             .lower = -0.5,
                             .upper = 0.5,
                             .neutral = 0,
-                            .matters = 0.01,
+                            .smallest_of_interest = 0.01,
                             .meaning = "friction coefficient of wet beads less that of dry ones"}},
             .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
                 condition.friction_difference += v["difference"];

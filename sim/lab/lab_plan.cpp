@@ -79,8 +79,8 @@ void check_runs(const LabPlan& plan) {
             for (const Condition& asked : recording.conditions) {
                 const EffectiveCondition condition = imposed_condition(plan, asked);
                 const double volume = first_bridge_volume(condition.liquid_content);
-                check(run_at(plan, condition, volume));
-                if (!condition.dry()) check(pilot_at(plan, condition, volume));
+                check_run(run_at(plan, condition, volume));
+                if (!condition.dry()) check_run(pilot_at(plan, condition, volume));
             }
         }
     } catch (const std::invalid_argument& error) {
@@ -104,7 +104,7 @@ bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
         const Condition asked{.normal_stress = 1000, .liquid_content = content};
         const auto run = [&](const std::vector<ActiveEffect>& effects) {
             const EffectiveCondition condition = changed_condition(asked, effects, plan.liquid);
-            return described(run_at(plan, condition, 1e-3));
+            return run_description(run_at(plan, condition, 1e-3));
         };
         return !touched || run({active}) == run({});
     });
@@ -227,7 +227,7 @@ dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& conditi
                            .stiffness_number = plan.fidelity.stiffness_number,
                            .poisson_ratio = plan.grains.poisson_ratio,
                            .wetting = {},
-                           .beads = static_cast<int>(std::lround(size_ratio * plan.fidelity.beads)),
+                           .grains = static_cast<int>(std::lround(size_ratio * plan.fidelity.grains)),
                            .strain = plan.fidelity.strain,
                            .effects = run_effects(plan, condition)};
     if (!condition.dry()) {
@@ -242,12 +242,12 @@ dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& conditi
 dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condition,
                             double bridge_volume) {
     dem::RunParameters run = run_at(plan, condition, bridge_volume);
-    run.beads = static_cast<int>(std::lround(pilot_share_of_beads * plan.fidelity.beads));
+    run.grains = static_cast<int>(std::lround(pilot_share_of_beads * plan.fidelity.grains));
     run.strain = pilot_strain;
     return run;
 }
 
-void check(const LabPlan& plan) {
+void check_plan(const LabPlan& plan) {
     if (plan.dry_normal_stresses.empty() || plan.inertial_numbers.empty()) {
         throw InputError("nothing to measure: name normal stresses and inertial numbers");
     }

@@ -15,7 +15,7 @@ namespace pendular {
 /// What a virtual laboratory measures, with which instrument, and the truth it hides; SI units.
 struct LabPlan {
     double friction = 0.09;
-    Grains grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
+    GrainProperties grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
     Liquid liquid = {.surface_tension = 20.6e-3};
     AnnularCell cell = {.inner_radius = 21e-3, .outer_radius = 45e-3, .bead_volume = 60e-3 / 1050};
     std::vector<double> dry_normal_stresses = {300, 1000, 3000};
@@ -58,7 +58,7 @@ CellState shown_at_set_points(const LabPlan& plan, const Condition& asked, const
 
 /// Refuses, before any work, what cannot be simulated, recorded or told apart.
 /// @throws InputError saying what is wrong and what to do
-void check(const LabPlan& plan);
+void check_plan(const LabPlan& plan);
 
 /// Condition of every step of one recording, in the order measured, without their times.
 std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content);

@@ -25,7 +25,7 @@ class Runs {
     /// Carries out runs with fresh seeds, and again, with others, those that `complaint` finds
     /// unusable.
     template <typename Complaint>
-    std::vector<dem::RunResult> carry_out(std::vector<dem::RunParameters> runs,
+    std::vector<dem::RunResult> simulate_all(std::vector<dem::RunParameters> runs,
                                           const Complaint& complaint) {
         std::vector<dem::RunResult> results(runs.size());
         std::vector<std::size_t> which(runs.size());
@@ -122,7 +122,7 @@ class WetConditions {
     /// Whatever a run and its liquid content depend on.
     std::string key_of(const EffectiveCondition& condition) const {
         return fmt::format("{} {}", condition.liquid_content,
-                           described(run_at(plan_, condition, 0)));
+                           run_description(run_at(plan_, condition, 0)));
     }
     void add(const EffectiveCondition& condition) {
         if (places_.emplace(key_of(condition), conditions_.size()).second) {
@@ -155,7 +155,7 @@ std::vector<double> find_bridge_volumes(const LabPlan& plan,
         }
         result.pilots += pilots.size();
         std::vector<double> found;
-        for (const auto& run : runs.carry_out(pilots, failed_or_crystallised)) {
+        for (const auto& run : runs.simulate_all(pilots, failed_or_crystallised)) {
             found.push_back(run[dem::Observable::liquid_content].value);
         }
         return found;
@@ -205,7 +205,7 @@ double typical_error(const LabResult& result, dem::Observable which) {
 }
 
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers, const AnnouncePhase& announce) {
-    check(plan);
+    check_plan(plan);
     const AnnouncePhase tell = announce ? announce : [](const std::string&) {};
     LabResult result{.plan = plan, .recordings = planned_recordings(plan)};
     Runs runs(plan, workers);
@@ -221,7 +221,7 @@ LabResult simulate_lab(const LabPlan& plan, const Workers& workers, const Announ
         }
     }
     tell("recordings");
-    const auto done = runs.carry_out(wanted, unusable);
+    const auto done = runs.simulate_all(wanted, unusable);
     auto next = done.begin();
     for (LabRecording& recording : result.recordings) {
         for (LabStep& step : recording.steps) {

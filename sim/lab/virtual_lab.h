@@ -41,7 +41,7 @@ using AnnouncePhase = std::function<void(const std::string&)>;
 /// the fidelity's. Bridge volumes that give the liquid contents are found by short runs first.
 /// A run that fails, crystallises or is not steady is replaced by one of another seed, three times
 /// at most.
-/// @throws InputError as `check`
+/// @throws InputError as `check_plan`
 /// @throws dem::SimulationError where a step has no usable run
 /// @throws dem::Interrupted when a stop is requested
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers,

@@ -74,7 +74,7 @@ struct Level {
 };
 
 /// What an instrument without effects shows.
-CellState as_it_is(const TrueState& state, const AnnularCell& cell, const Grains& grains) {
+CellState as_it_is(const TrueState& state, const AnnularCell& cell, const GrainProperties& grains) {
     const Condition& c = state.condition;
     const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
     CellState shown;
@@ -90,7 +90,7 @@ double spacing_of_rows(const Instrument& instrument, double shear_rate) {
     return step_strain / instrument.rows / shear_rate;
 }
 
-Level level_of(const TrueState& state, const AnnularCell& cell, const Grains& grains,
+Level level_of(const TrueState& state, const AnnularCell& cell, const GrainProperties& grains,
                const Instrument& instrument, InstrumentNoise& random) {
     const Condition& c = state.condition;
     const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
@@ -136,7 +136,7 @@ void append_step(Recording& recording, const Level& level, const Instrument& ins
 
 }  // namespace
 
-double time_steps(std::vector<Condition>& steps, const Grains& grains, const Instrument& instrument,
+double time_steps(std::vector<Condition>& steps, const GrainProperties& grains, const Instrument& instrument,
                   double now) {
     const int rows = instrument.rows;
     double start = 0, last = 0;
@@ -151,7 +151,7 @@ double time_steps(std::vector<Condition>& steps, const Grains& grains, const Ins
     return last;
 }
 
-Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell, const Grains& grains,
+Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell, const GrainProperties& grains,
                  const Instrument& instrument, std::uint64_t seed) {
     InstrumentNoise random(seed);
     InstrumentNoise drifting(seed + 1);  // apart, so that recordings without drift stay as they are

@@ -38,7 +38,7 @@ struct Instrument {
 
 /// Gives each step of a recording the mean time of its steady part [s], for a recording that begins
 /// at `now`; returns the time of its last row since then [s].
-double time_steps(std::vector<Condition>& steps, const Grains& grains, const Instrument& instrument,
+double time_steps(std::vector<Condition>& steps, const GrainProperties& grains, const Instrument& instrument,
                   double now);
 
 /// The recording an annular cell shows of steady states, one step each, a start-up first.
@@ -52,7 +52,7 @@ double time_steps(std::vector<Condition>& steps, const Grains& grains, const Ins
 /// A step lasts a strain of 20. The torque overshoots by 30 % and the sample dilates by 2 %, both
 /// decaying as exp(-strain/0.15): 4 % of them are left at a strain of 0.5.
 /// @param seed of the instrument's random numbers
-Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell, const Grains& grains,
+Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell, const GrainProperties& grains,
                  const Instrument& instrument, std::uint64_t seed);
 
 /// A recording as a CSV file in the units of rheometers, seven digits each, which `read_recording`

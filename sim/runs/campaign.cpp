@@ -232,7 +232,7 @@ dem::RunParameters run_at(const Point& point) {
 /// Of what determines a run but its seed.
 std::uint64_t own_fingerprint(dem::RunParameters run) {
     run.seed = 0;
-    return fingerprint(described(run));
+    return fingerprint(run_description(run));
 }
 
 class Reader {
@@ -257,13 +257,13 @@ class Reader {
   private:
     void add(const StudyTable& table, const dem::RunParameters& run) {
         try {
-            check(run);
+            check_run(run);
         } catch (const std::invalid_argument& error) {
             throw InputError(table.position(), fmt::format("asks for a run that cannot be "
                                                            "simulated: {}",
                                                            error.what()));
         }
-        if (there_.insert(described(run)).second) {
+        if (there_.insert(run_description(run)).second) {
             runs_.push_back(run);
         }
         if (runs_.size() > most_runs) {

@@ -18,7 +18,7 @@ namespace pendular {
 double expected_cost(const dem::RunParameters& run) {
     // Steps per strain: 1/(I dt) with dt proportional to kappa^(-1/2); about 1.2 of strain is
     // transient.
-    return run.beads * (run.strain + 1.2) / run.inertial_number * std::sqrt(run.stiffness_number);
+    return run.grains * (run.strain + 1.2) / run.inertial_number * std::sqrt(run.stiffness_number);
 }
 
 std::optional<double> expected_seconds(const std::vector<dem::RunParameters>& runs,
@@ -63,7 +63,7 @@ std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& ru
     return order;
 }
 
-dem::RunResult carry_out(const dem::RunParameters& run, const dem::RunOptions& options) {
+dem::RunResult run_one(const dem::RunParameters& run, const dem::RunOptions& options) {
     try {
         return simulate(run, options);
     } catch (const dem::SimulationError& error) {
@@ -91,7 +91,7 @@ class Ensemble {
         }
     }
 
-    std::vector<dem::RunResult> carry_out() {
+    std::vector<dem::RunResult> run_all_members() {
         {
             const std::stop_callback forward(workers_.stop, [this] { stop_.request_stop(); });
             std::vector<std::jthread> threads;
@@ -130,7 +130,7 @@ class Ensemble {
             }
             const std::size_t k = order_[turn];
             try {
-                results_[k] = pendular::carry_out(
+                results_[k] = pendular::run_one(
                     runs_[k],
                     {.stop = stop_.get_token(), .progress = [&](double strain, double expected) {
                          note(k, std::min(0.999, strain / expected));
@@ -191,7 +191,7 @@ class Ensemble {
 
 std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers) {
-    return runs.empty() ? std::vector<dem::RunResult>{} : Ensemble(runs, workers).carry_out();
+    return runs.empty() ? std::vector<dem::RunResult>{} : Ensemble(runs, workers).run_all_members();
 }
 
 }  // namespace pendular

@@ -39,7 +39,7 @@ std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers);
 
 /// One run; where its simulation fails, RunResult::failure is set and nothing else.
-dem::RunResult carry_out(const dem::RunParameters& run, const dem::RunOptions& options);
+dem::RunResult run_one(const dem::RunParameters& run, const dem::RunOptions& options);
 
 /// Places of the runs, the costliest first: so the last ones to end are short.
 std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& runs);

@@ -9,7 +9,7 @@ namespace pendular {
 /// How large, stiff, slow and long the simulations of a study are.
 struct Fidelity {
     std::string name;
-    int beads = 0;
+    int grains = 0;
     double stiffness_number = 0;        ///< kappa [1]
     double lowest_inertial_number = 0;  ///< I [1]; slower readings are extrapolated from here up
     double strain = 0;                  ///< averaged strain of one run [1]

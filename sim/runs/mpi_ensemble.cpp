@@ -155,7 +155,7 @@ void MpiProcesses::work(const std::stop_token& stop) const {
             return;
         }
         const dem::RunParameters parameters = unpacked(message.bytes).parameters;
-        send(message.from, Tag::result, packed(carry_out(parameters, {.stop = stop})));
+        send(message.from, Tag::result, packed(run_one(parameters, {.stop = stop})));
     }
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include "data/form.h"
+#include "data/formula_variant.h"
 #include "data/quantities/number.h"
 #include "sim/catalogue/effect.h"
 
@@ -17,7 +17,7 @@ namespace pendular {
 namespace {
 
 /// @throws std::invalid_argument
-void check(const Effect& effect, const std::vector<double>& values, bool wet) {
+void check_effect(const Effect& effect, const std::vector<double>& values, bool wet) {
     if (!effect.of_grains()) {
         throw std::invalid_argument(
             fmt::format("{} is no effect on grains: a single run cannot have it", effect.name));
@@ -57,7 +57,7 @@ dem::GrainEffects grain_effects(const std::vector<EffectValues>& effects, bool w
     std::vector<dem::GrainEffect> on;
     for (const EffectValues& active : effects) {
         const Effect& effect = built_in_effect(active.effect);
-        check(effect, active.values, wet);
+        check_effect(effect, active.values, wet);
         if (active.values != effect.neutral()) {
             on.push_back(resolved(effect, active.values));
         }
@@ -99,11 +99,11 @@ std::vector<EffectValues> effects_from(const std::string& text) {
     return effects;
 }
 
-void check(const dem::RunParameters& run) {
-    dem::check(run, grain_effects(run.effects, run.wetting.has_value()));
+void check_run(const dem::RunParameters& run) {
+    dem::check_run_parameters(run, grain_effects(run.effects, run.wetting.has_value()));
 }
 
-std::string described(const dem::RunParameters& p, int threads) {
+std::string run_description(const dem::RunParameters& p, int threads) {
     std::string text = fmt::format(
         "friction = {}\ninertial number = {}\nstiffness number = {}\nPoisson ratio = {}\n"
         "damping = {}\n",
@@ -120,7 +120,7 @@ std::string described(const dem::RunParameters& p, int threads) {
     if (!p.effects.empty()) {
         text += fmt::format("effects = {}\n", effects_text(p.effects));
     }
-    text += fmt::format("beads = {}\nstrain = {}\nseed = {}\nthreads = {}\n", p.beads, p.strain,
+    text += fmt::format("beads = {}\nstrain = {}\nseed = {}\nthreads = {}\n", p.grains, p.strain,
                         p.seed, threads);
     return p.start == 0 ? text : text + fmt::format("start = {:x}\n", p.start);
 }
@@ -134,7 +134,7 @@ std::uint64_t fingerprint(std::string_view text) {
 }
 
 dem::RunResult simulate(const dem::RunParameters& run, dem::RunOptions options) {
-    options.description = described(run, options.threads);
+    options.description = run_description(run, options.threads);
     return dem::run(run, grain_effects(run.effects, run.wetting.has_value()), options);
 }
 

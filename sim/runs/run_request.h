@@ -24,13 +24,13 @@ std::vector<EffectValues> effects_from(const std::string& text);
 
 /// Refuses a run that cannot be simulated, effects included, before any work.
 /// @throws std::invalid_argument naming the parameter that is out of range
-void check(const dem::RunParameters& run);
+void check_run(const dem::RunParameters& run);
 
 /// What determines a run, a line "name = value" each, numbers as short as tells them apart. Its
 /// threads are part of it: rounding differs.
-std::string described(const dem::RunParameters& run, int threads = 1);
+std::string run_description(const dem::RunParameters& run, int threads = 1);
 
-/// FNV-1a of a text; of `described` it tells runs apart.
+/// FNV-1a of a text; of `run_description` it tells runs apart.
 std::uint64_t fingerprint(std::string_view text);
 
 /// Carries a run out with the effects that it names: dem::run, and its errors.

@@ -12,7 +12,7 @@ namespace pendular {
 /// Beads, liquid and stress that a single run in reduced units stands for, where an effect has
 /// parameters in SI units.
 struct RunScale {
-    Grains grains{.diameter = 500e-6, .density = 1050};
+    GrainProperties grains{.diameter = 500e-6, .density = 1050};
     Liquid liquid{.surface_tension = 20.6e-3};
     double normal_stress = 1000;  ///< [Pa] of dry beads
 

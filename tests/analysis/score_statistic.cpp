@@ -63,7 +63,7 @@ TEST_F(ScoreStatistic, EqualsTheDropOfARefit) {
     const ScoreTest test = score_test(fitted(), {.change = change}, false);
     const Refit without(base, measured), with(beside(base, change), measured);
     EXPECT_NEAR(test.statistic, without.chi2 - with.chi2, rounding);
-    EXPECT_EQ(test.predicted_drop, test.statistic);
+    EXPECT_EQ(test.predicted_reduction, test.statistic);
     ASSERT_EQ(test.estimate.size(), 1);
     EXPECT_NEAR(test.estimate(0), with.parameters(2), rounding);
     EXPECT_NEAR(test.standard_error, std::sqrt(with.covariance(2, 2)), rounding);
@@ -87,7 +87,7 @@ TEST_F(ScoreStatistic, IsOfWhatTheParametersCannotImitate) {
     EXPECT_NEAR(mixed.statistic, plain.statistic, rounding);
     EXPECT_NEAR(mixed.estimate(0), plain.estimate(0), rounding);
     EXPECT_NEAR(mixed.standard_error, plain.standard_error, rounding);
-    EXPECT_GT(std::abs(mixed.absorbed - plain.absorbed), 0.01);
+    EXPECT_GT(std::abs(mixed.share_imitated - plain.share_imitated), 0.01);
 }
 
 TEST_F(ScoreStatistic, ScalesWithTheUnitOfTheAmplitude) {
@@ -102,7 +102,7 @@ TEST_F(ScoreStatistic, OfAnImitatedChangeIsNotSeen) {
     const ScoreTest test =
         score_test(fitted(), {.change = base * Eigen::Vector2d(0.7, -1.3)}, false);
     EXPECT_FALSE(test.seen());
-    EXPECT_EQ(test.absorbed, 1);
+    EXPECT_EQ(test.share_imitated, 1);
     EXPECT_EQ(test.p(), 1);
     EXPECT_TRUE(std::isinf(test.detectable(0.8, 0.05)));
 }
@@ -120,7 +120,7 @@ TEST(ScoreStatisticInThePlane, IsThatOfTheComponentAcrossTheParameter) {
     EXPECT_NEAR(test.statistic, r2 * r2, 1e-14);
     EXPECT_NEAR(test.estimate(0), r2 / std::sin(a), 1e-14);
     EXPECT_NEAR(test.standard_error, 1 / std::sin(a), 1e-14);
-    EXPECT_NEAR(test.absorbed, std::cos(a) * std::cos(a), 1e-14);
+    EXPECT_NEAR(test.share_imitated, std::cos(a) * std::cos(a), 1e-14);
     ASSERT_TRUE(test.seen());
     EXPECT_NEAR(std::abs(test.basis(1, 0)), 1, 1e-14);
 }
@@ -149,10 +149,10 @@ TEST_F(ScoreStatistic, OfASwitchPredictsWhatTurningItOnBrings) {
     less.value -= change;
     const double drop = Refit(base, measured).chi2 - Refit(base, less).chi2;
     const ScoreTest test = score_test(fitted(), {.change = change, .one_sided = true}, true);
-    EXPECT_NEAR(test.predicted_drop, drop, rounding);
+    EXPECT_NEAR(test.predicted_reduction, drop, rounding);
     // One that explains nothing makes the fit worse: 2 U - v is negative.
     const ScoreTest wrong = score_test(fitted(), {.change = -change, .one_sided = true}, true);
-    EXPECT_LT(wrong.predicted_drop, 0);
+    EXPECT_LT(wrong.predicted_reduction, 0);
     EXPECT_EQ(wrong.statistic, 0);
 }
 
@@ -235,7 +235,7 @@ TEST(ScoreStatisticWithErrors, HasTheStatedCorrections) {
     EXPECT_NEAR(test.statistic, 1.3 * 1.3 / 5, 1e-13);
     EXPECT_NEAR(test.standard_error, std::sqrt(5 + estimate * estimate * 1.9) / 4.25, 1e-13);
     const ScoreTest turned_on = score_test(residuals, signature, true);
-    EXPECT_NEAR(turned_on.predicted_drop, 2 * 1.3 - 4.25, 1e-13);
+    EXPECT_NEAR(turned_on.predicted_reduction, 2 * 1.3 - 4.25, 1e-13);
     // Power counts v_c alone: noncentrality A^2 v_c^2/v.
     const double away = 2 * 4.25 / std::sqrt(5), z = quantile(normal(), 0.975);
     EXPECT_NEAR(test.power(2, 0.05), cdf(normal(), away - z) + cdf(normal(), -away - z), 1e-9);

@@ -58,8 +58,8 @@ class StudyChanges : public testing::Test {
     TemporaryFolder folder_;
 };
 
-Rung rung(double chi2, int dof, double stress, double left_out) {
-    Rung r;
+LadderStep ladder_step(double chi2, int dof, double stress, double left_out) {
+    LadderStep r;
     r.parameters = {{"friction", "1", 0.100, 0.002}};
     r.chi2 = chi2;
     r.dof = dof;
@@ -67,13 +67,13 @@ Rung rung(double chi2, int dof, double stress, double left_out) {
     r.left_out_percent = {{left_out, 0.31}};
     return r;
 }
-Rung with_torque(Rung r) {
+LadderStep with_torque(LadderStep r) {
     r.effects = {"torque-offset"};
     r.parameters = {{"friction", "1", 0.090, 0.003},
                     {"torque-offset.torque", "N m", 1.04e-3, 3.1e-5}};
     return r;
 }
-std::string advice(Action change, const Rung& before, const Rung& after) {
+std::string advice(Action change, const LadderStep& before, const LadderStep& after) {
     const StudyChange planned{change, "torque-offset", Study{}, "", ""};
     std::string text;
     for (const auto& line : advice_on(planned, before, after, "beads")) {
@@ -86,8 +86,8 @@ std::string advice(Action change, const Rung& before, const Rung& after) {
 Fitted after_fit() {
     Calibration c = planted::calibration(planted::readings());
     Comparison comparison = compare(c);
-    Rung r = with_torque(rung_of(c, comparison, std::nullopt));
-    return {.calibration = std::move(c), .comparison = std::move(comparison), .rung = std::move(r)};
+    LadderStep r = with_torque(ladder_step_of(c, comparison, std::nullopt));
+    return {.calibration = std::move(c), .comparison = std::move(comparison), .ladder_step = std::move(r)};
 }
 
 TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {
@@ -134,7 +134,7 @@ TEST_F(StudyChanges, AreCarriedOutWhole) {
     const StudyChange change = plan(Action::add, "torque-offset");
     const fs::path out = folder_.path() / "out";
     Ladder ladder;
-    carry_out(change, rung(400, 41, 4, 4.3), after_fit(), ladder, out);
+    apply_change(change, ladder_step(400, 41, 4, 4.3), after_fit(), ladder, out);
     EXPECT_EQ(content_of(file()), change.new_text);
     EXPECT_THAT(content_of(file()), HasSubstr("effects = [\"torque-offset\"]  # none yet"));
     EXPECT_TRUE(nlohmann::json::parse(content_of(out / "fit.json")).contains("parameters"));
@@ -151,7 +151,7 @@ TEST_F(StudyChanges, LeaveAStudyThatWasEditedMeanwhile) {
     folder_.write("study.toml", edited);
     Ladder ladder;
     const std::string message = input_error([&] {
-        carry_out(change, rung(400, 41, 4, 4.3), after_fit(), ladder, folder_.path() / "out");
+        apply_change(change, ladder_step(400, 41, 4, 4.3), after_fit(), ladder, folder_.path() / "out");
     });
     EXPECT_THAT(message, HasSubstr("nothing was written"));
     EXPECT_EQ(content_of(file()), edited);
@@ -164,14 +164,14 @@ TEST_F(StudyChanges, LeaveTheStudyWhereResultsCannotBeWritten) {
     const StudyChange change = plan(Action::add, "torque-offset");
     Ladder ladder;
     EXPECT_ANY_THROW(
-        carry_out(change, rung(400, 41, 4, 4.3), after_fit(), ladder, "/proc/nowhere"));
+        apply_change(change, ladder_step(400, 41, 4, 4.3), after_fit(), ladder, "/proc/nowhere"));
     EXPECT_EQ(content_of(file()), before);
 }
 
 TEST_F(StudyChanges, AreToldInOneLineWithTheErrorBeforeAndAfter) {
     study(cell);
     const StudyChange change = plan(Action::add, "torque-offset");
-    const Rung before = rung(401.8, 41, 4.12, 4.31), after = with_torque(rung(44, 40, 1, 1.1));
+    const LadderStep before = ladder_step(401.8, 41, 4.12, 4.31), after = with_torque(ladder_step(44, 40, 1, 1.1));
     EXPECT_EQ(verdict_of(change, before, after),
               "torque-offset added: chi2/dof 9.8 -> 1.1, RMS error of shear stress 4.12 % -> 1 %, "
               "of solid fraction 0.3 % -> 0.3 %; left-out conditions 4.31 % -> 1.1 % and 0.31 % -> "
@@ -194,9 +194,9 @@ TEST_F(StudyChanges, AreToldInOneLineWithTheErrorBeforeAndAfter) {
 }
 
 TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
-    const Rung before = rung(50, 41, 4, 4.3);
+    const LadderStep before = ladder_step(50, 41, 4, 4.3);
     const auto added = [&](double chi2, double left_out) {
-        return advice(Action::add, before, with_torque(rung(chi2, 40, 3, left_out)));
+        return advice(Action::add, before, with_torque(ladder_step(chi2, 40, 3, left_out)));
     };
     EXPECT_THAT(added(51, 4.3), AllOf(HasSubstr("did not fall: chi2 50 -> 51"),
                                       HasSubstr("'pendular drop beads torque-offset'")));
@@ -207,12 +207,12 @@ TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
 }
 
 TEST(StudyChangeAdvice, SaysWhetherADroppedEffectIsMissed) {
-    const Rung before = with_torque(rung(44, 40, 1, 1.1));
-    EXPECT_THAT(advice(Action::drop, before, rung(402, 41, 4, 4.3)),
+    const LadderStep before = with_torque(ladder_step(44, 40, 1, 1.1));
+    EXPECT_THAT(advice(Action::drop, before, ladder_step(402, 41, 4, 4.3)),
                 HasSubstr("'pendular add beads torque-offset' puts it back"));
-    EXPECT_THAT(advice(Action::drop, before, rung(46, 41, 1, 1.1)),
+    EXPECT_THAT(advice(Action::drop, before, ladder_step(46, 41, 1, 1.1)),
                 HasSubstr("rose by no more than chance"));
-    EXPECT_THAT(advice(Action::drop, before, rung(43, 41, 1, 1.1)),
+    EXPECT_THAT(advice(Action::drop, before, ladder_step(43, 41, 1, 1.1)),
                 HasSubstr("did not rise without torque-offset"));
 }
 

@@ -43,7 +43,7 @@ std::map<std::string, std::vector<pendular::RunCell>> content_of_store(const fs:
     std::map<std::string, std::vector<pendular::RunCell>> content;
     const RunStore store(file, true);
     for (const StoredRun& listed : store.select()) {
-        auto& cells = content[pendular::described(listed.run.parameters)];
+        auto& cells = content[pendular::run_description(listed.run.parameters)];
         for (const auto& column : pendular::run_columns()) {
             if (column.name != "wall_seconds") {
                 cells.push_back(column.get(listed.run));
@@ -51,7 +51,7 @@ std::map<std::string, std::vector<pendular::RunCell>> content_of_store(const fs:
         }
         const StoredRun whole = store.get(listed.id);
         cells.emplace_back(static_cast<double>(whole.run.trace.back().solid_fraction));
-        cells.emplace_back(static_cast<double>(whole.run.final_state.beads.back()[0]));
+        cells.emplace_back(static_cast<double>(whole.run.final_state.grains.back()[0]));
     }
     return content;
 }

@@ -101,7 +101,7 @@ class Line : public KnownFlow {
   public:
     explicit Line(const std::string& parameter) : KnownFlow({{.name = parameter, .upper = 1}}) {}
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
-                       Ask /*what*/) const override {
+                       PredictionPart /*what*/) const override {
         const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
         Prediction result{Eigen::VectorXd::Constant(n, 0.6), Eigen::MatrixXd::Zero(n, 1),
                           Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
@@ -156,7 +156,7 @@ TEST(DirectMeasurement, CountsInAComparison) {
     c.parameters = line->parameters();
     c.fit.parameters = Eigen::VectorXd::Constant(1, 0.3);
     c.prediction = line->predict(
-        c.fit.parameters, {c.readings[0].condition, c.readings[1].condition}, Ask::covariance);
+        c.fit.parameters, {c.readings[0].condition, c.readings[1].condition}, PredictionPart::covariance);
     const Comparison comparison = compare(c);
     // 31 for 30, 0.34(2) for 0.3, 2.3(1) for 2.
     EXPECT_NEAR(comparison.total.chi2, 1 + 4 + 9, 1e-9);

@@ -27,7 +27,7 @@ class Polynomial : public KnownFlow {
   public:
     explicit Polynomial(std::size_t terms) : KnownFlow(coefficients(terms)) {}
     Prediction predict(const Eigen::VectorXd& p, const std::vector<Condition>& conditions,
-                       Ask /*what*/) const override {
+                       PredictionPart /*what*/) const override {
         const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
         Eigen::MatrixXd a(n, p.size());
         for (Eigen::Index i = 0; i < n; ++i) {
@@ -69,9 +69,9 @@ Calibration fitted_to(const Polynomial& model, const std::vector<Reading>& readi
     return c;
 }
 
-Rung rung(const std::string& change, const std::string& effect, double chi2, double stress,
+LadderStep ladder_step(const std::string& change, const std::string& effect, double chi2, double stress,
           double fraction) {
-    Rung r{.change = change, .effect = effect};
+    LadderStep r{.change = change, .effect = effect};
     r.effects = effect.empty() ? std::vector<std::string>{} : std::vector<std::string>{effect};
     r.parameters = {{"friction", "1", 0.09, 0.004}, {"torque-offset.torque", "N m", 1e-3, 1e-4}};
     r.chi2 = chi2;
@@ -150,7 +150,7 @@ TEST(Ladder, IsReadBackAsItWasWritten) {
     const auto file = folder.path() / "out" / "ladder.json";
     EXPECT_TRUE(read_ladder(file).empty());
     Ladder ladder;
-    climb(ladder, rung("start", "", 400, 4.1, 0.3), rung("add", "torque-offset", 44, 1, 0.28));
+    climb(ladder, ladder_step("start", "", 400, 4.1, 0.3), ladder_step("add", "torque-offset", 44, 1, 0.28));
     ladder[0].left_out_percent.reset();
     ladder[0].parameters[0].standard_error = std::nan("");
     write_ladder(file, ladder);
@@ -172,19 +172,19 @@ TEST(Ladder, IsReadBackAsItWasWritten) {
 }
 
 TEST(Ladder, BeginsAnewWhereTheStudyWasChangedOtherwise) {
-    const auto after_with = [](const Rung& before) {
+    const auto after_with = [](const LadderStep& before) {
         Ladder ladder;
-        climb(ladder, rung("start", "", 400, 4, 0.3), rung("add", "torque-offset", 44, 1, 0.3));
-        climb(ladder, before, rung("drop", "torque-offset", 401, 4, 0.3));
+        climb(ladder, ladder_step("start", "", 400, 4, 0.3), ladder_step("add", "torque-offset", 44, 1, 0.3));
+        climb(ladder, before, ladder_step("drop", "torque-offset", 401, 4, 0.3));
         return ladder;
     };
-    const Rung same = rung("start", "torque-offset", 44.5, 1, 0.3);  // after fresh runs
+    const LadderStep same = ladder_step("start", "torque-offset", 44.5, 1, 0.3);  // after fresh runs
     EXPECT_EQ(after_with(same).size(), 3u);
-    Rung others = same, more = same, worse = same;
+    LadderStep others = same, more = same, worse = same;
     others.effects.push_back("lid-slip");
     more.dof = 60;
     worse.chi2 = 80;
-    for (const Rung& before : {others, more, worse}) {
+    for (const LadderStep& before : {others, more, worse}) {
         const Ladder ladder = after_with(before);
         ASSERT_EQ(ladder.size(), 4u);
         EXPECT_EQ(ladder[2].change, "start");
@@ -196,7 +196,7 @@ TEST(Ladder, RefusesAFileThatIsCutOrSomethingElse) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "ladder.json";
     Ladder ladder;
-    climb(ladder, rung("start", "", 400, 4, 0.3), rung("add", "torque-offset", 44, 1, 0.3));
+    climb(ladder, ladder_step("start", "", 400, 4, 0.3), ladder_step("add", "torque-offset", 44, 1, 0.3));
     write_ladder(file, ladder);
     const std::string whole = content_of(file);
     auto strange = nlohmann::json::parse(whole);
@@ -213,7 +213,7 @@ TEST(Ladder, RefusesAFileThatIsCutOrSomethingElse) {
 }
 
 TEST(Ladder, KnowsAFallByChance) {
-    Rung before = rung("start", "", 50, 1, 1), after = before;
+    LadderStep before = ladder_step("start", "", 50, 1, 1), after = before;
     after.dof = before.dof - 1;
     after.chi2 = 47;  // 5 % of chi2 with one degree of freedom lie above 3.84
     EXPECT_TRUE(fell_by_chance(before, after));
@@ -225,14 +225,14 @@ TEST(Ladder, KnowsAFallByChance) {
 
 TEST(LadderFigure, ShowsEveryRung) {
     const TemporaryFolder folder;
-    Ladder ladder = {rung("start", "", 3900, 14.1, 1.9),
-                     rung("add", "torque-offset", 480, 4.6, 0.62),
-                     rung("add", "capillary-shear-stress", 300, 3.6, 0.60),
-                     rung("add", "normal-force-offset", 75, 1.6, 0.41),
-                     rung("start", "", 130, 1.7, 0.5),
-                     rung("add", "polydispersity", 72, 1.6, 0.35),
-                     rung("add", "lid-slip", 60, 1.55, 0.31),
-                     rung("drop", "torque-offset", 41, 1.5, 0.28)};
+    Ladder ladder = {ladder_step("start", "", 3900, 14.1, 1.9),
+                     ladder_step("add", "torque-offset", 480, 4.6, 0.62),
+                     ladder_step("add", "capillary-shear-stress", 300, 3.6, 0.60),
+                     ladder_step("add", "normal-force-offset", 75, 1.6, 0.41),
+                     ladder_step("start", "", 130, 1.7, 0.5),
+                     ladder_step("add", "polydispersity", 72, 1.6, 0.35),
+                     ladder_step("add", "lid-slip", 60, 1.55, 0.31),
+                     ladder_step("drop", "torque-offset", 41, 1.5, 0.28)};
     const Figure figure = ladder_figure(ladder);
     for (const PanelPlace& place : page_of(figure).panels) {
         EXPECT_TRUE(place.log_y);

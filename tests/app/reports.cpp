@@ -154,7 +154,7 @@ TEST(Json, GivesARunBackAsItWas) {
     auto run = simulate({.friction = 0.2,
                          .inertial_number = 0.05,
                          .stiffness_number = 300,
-                         .beads = 100,
+                         .grains = 100,
                          .strain = 1,
                          .seed = 5,
                          .precision = {{dem::Observable::solid_fraction, 1e-9}}});
@@ -283,7 +283,7 @@ TEST(FitFile, HoldsWetReadingsAndCohesionLines) {
         Study other = planted::study();
         if (change == 0) other.liquid->surface_tension *= 1.1;
         if (change == 1) other.model.base = "rumpf";
-        if (change == 2) other.model.bridge_force = Form::as_printed;
+        if (change == 2) other.model.bridge_force = FormulaVariant::as_printed;
         EXPECT_THROW(read_calibration(file, other, c.readings), InputError) << change;
     }
 }

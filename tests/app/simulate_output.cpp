@@ -26,7 +26,7 @@ RunParameters small_run() {
     return {.friction = 0.2,
             .inertial_number = 0.05,
             .stiffness_number = 300,
-            .beads = 150,
+            .grains = 150,
             .strain = 2,
             .seed = 3};
 }
@@ -147,11 +147,11 @@ TEST(Profiles, CutSpheresAtTheFacesOfTheBins) {
     // One bead centred on the face at x2 = 0 of a cell of 4 x 4 x 4: half of it in the first bin,
     // half across the periodic face in the last. Another at 1.7 in bins of height 1: of a sphere of
     // diameter 1, the cap above its centre plus 0.3, depth 0.2, has pi d^2 (1/2 - d/3).
-    Beads beads(2);
-    beads.position(0) = {1, 0, 1};
-    beads.position(1) = {3, 1.7, 3};
+    Grains grains(2);
+    grains.position(0) = {1, 0, 1};
+    grains.position(1) = {3, 1.7, 3};
     BinnedSums sums(4);
-    add_solid_fraction(beads, {4, 4, 4, 0}, sums);
+    add_solid_fraction(grains, {4, 4, 4, 0}, sums);
     const double bead = std::numbers::pi / 6, cap = std::numbers::pi * 0.2 * 0.2 * (0.5 - 0.2 / 3);
     const double expected[] = {bead / 2, bead - cap, cap, bead / 2};
     for (std::size_t k = 0; k < 4; ++k) {
@@ -164,12 +164,12 @@ TEST(Profiles, OfMotionAreThoseOfThePlantedOne) {
     // Two beads in the lower bin, peculiar velocities +-d about (b, 0, 0): its mean is b, its
     // temperature d^2 in direction 2 alone, d^2/3 per component, all over (rate)^2.
     const double height = 2, rate = 0.1, b = 0.03, d = 0.06;
-    Beads beads(3);
-    beads.position(0) = {0, 0.2, 0}, beads.velocity(0) = {b, d, 0};
-    beads.position(1) = {0, 0.6 + height, 0}, beads.velocity(1) = {b, -d, 0};
-    beads.position(2) = {0, 1.5, 0};
+    Grains grains(3);
+    grains.position(0) = {0, 0.2, 0}, grains.velocity(0) = {b, d, 0};
+    grains.position(1) = {0, 0.6 + height, 0}, grains.velocity(1) = {b, -d, 0};
+    grains.position(2) = {0, 1.5, 0};
     MotionProfile profile(2);
-    profile.add(beads, height);
+    profile.add(grains, height);
     const BinnedSums v = profile.velocity(height, rate), t = profile.temperature(rate);
     EXPECT_NEAR(v.sum[0] / v.weight[0], 0.25 + b / (rate * height), 1e-14);
     EXPECT_NEAR(v.sum[1] / v.weight[1], 0.75, 1e-14);

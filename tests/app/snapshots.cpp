@@ -60,7 +60,7 @@ struct ReadFrame {
     double time = 0;
     long step = 0;
     Cell cell;
-    std::map<int, Vector> position, velocity, spin;
+    std::map<int, Vector> position, velocity, angular_velocity;
     std::map<int, int> coordination;
 };
 
@@ -102,7 +102,7 @@ ReadFrame read_frame(std::istream& text) {
         EXPECT_EQ(radius, 0.5);
         frame.position[id] = {v[0], v[1], v[2]};
         frame.velocity[id] = {v[3], v[4], v[5]};
-        frame.spin[id] = {v[6], v[7], v[8]};
+        frame.angular_velocity[id] = {v[6], v[7], v[8]};
     }
     std::getline(text, line);
     return frame;
@@ -122,7 +122,7 @@ RunParameters small_run() {
     return {.friction = 0.2,
             .inertial_number = 0.05,
             .stiffness_number = 300,
-            .beads = 100,
+            .grains = 100,
             .strain = 0.5,
             .seed = 3};
 }
@@ -137,21 +137,21 @@ TEST(Dump, HoldsTheStateInATiltedCell) {
         EXPECT_NEAR(frame.cell.length, sample.cell().length, 1e-12);
         EXPECT_NEAR(frame.cell.height, sample.cell().height, 1e-12);
         EXPECT_EQ(frame.cell.offset < 0, to_the_left);
-        ASSERT_EQ(frame.position.size(), sample.beads().size());
-        for (std::size_t i = 0; i < sample.beads().size(); ++i) {
-            const int id = sample.beads().number[i] + 1;
+        ASSERT_EQ(frame.position.size(), sample.grains().size());
+        for (std::size_t i = 0; i < sample.grains().size(); ++i) {
+            const int id = sample.grains().number[i] + 1;
             const Vector& place = frame.position.at(id);
-            EXPECT_TRUE(same_place(frame.cell, place, sample.beads().position(i)));
+            EXPECT_TRUE(same_place(frame.cell, place, sample.grains().position(i)));
             const Vector at = frame.cell.fractions(place);
             for (std::size_t d = 0; d < 3; ++d) {
                 EXPECT_GE(at[d], -1e-9);
                 EXPECT_LE(at[d], 1 + 1e-9);
             }
-            const Vector v = sample.beads().velocity(i);
+            const Vector v = sample.grains().velocity(i);
             EXPECT_NEAR(frame.velocity.at(id)[0], v[0] + 0.1 * place[1], 1e-8);
             EXPECT_NEAR(frame.velocity.at(id)[1], v[1] + sample.flow().height_rate * place[1],
                         1e-8);
-            EXPECT_NEAR(frame.spin.at(id)[2], sample.beads().spin(i)[2], 1e-8);
+            EXPECT_NEAR(frame.angular_velocity.at(id)[2], sample.grains().angular_velocity(i)[2], 1e-8);
         }
     }
 }
@@ -176,15 +176,15 @@ TEST(Vtp, DrawsContactsAndBridgesToTheImagesAcrossTheFaces) {
     ASSERT_EQ(points.size(), 6 * touching.size());
     EXPECT_EQ(std::ranges::count(touching, 1.0), static_cast<long>(contacts));
     std::size_t across = 0;
-    const auto is_a_bead = [&](const Vector& place) {
-        return std::ranges::any_of(sample.beads().motion, [&](const Beads::Motion& bead) {
+    const auto is_a_grain = [&](const Vector& place) {
+        return std::ranges::any_of(sample.grains().motion, [&](const Grains::Motion& bead) {
             return same_place(snapshot.cell, place, bead.position);
         });
     };
     for (std::size_t k = 0; k < touching.size(); ++k) {
         const double* p = points.data() + 6 * k;
         const Vector from{p[0], p[1], p[2]}, to{p[3], p[4], p[5]};
-        EXPECT_TRUE(is_a_bead(from) && is_a_bead(to));
+        EXPECT_TRUE(is_a_grain(from) && is_a_grain(to));
         const double length = std::sqrt(dot(to - from, to - from));
         EXPECT_EQ(force[k] > 0, touching[k] == 1);
         EXPECT_TRUE(touching[k] == 1 ? length < 1.01 : length > 0.99);  // moved one step since
@@ -200,15 +200,15 @@ TEST(Vtp, DrawsContactsAndBridgesToTheImagesAcrossTheFaces) {
 
 TEST(Vtp, HoldsEveryBead) {
     const ShearCell sample = tilted_sample(false);
-    const std::string vtp = beads_vtp(snapshot_of(sample, 0.4));
+    const std::string vtp = grains_vtp(snapshot_of(sample, 0.4));
     const auto points = data_array(vtp, "Points"), id = data_array(vtp, "id"),
                coordination = data_array(vtp, "coordination");
-    ASSERT_EQ(points.size(), 3 * sample.beads().size());
+    ASSERT_EQ(points.size(), 3 * sample.grains().size());
     double contacts = 0;
     for (std::size_t i = 0; i < id.size(); ++i) {
-        EXPECT_EQ(id[i], sample.beads().number[i] + 1);
+        EXPECT_EQ(id[i], sample.grains().number[i] + 1);
         EXPECT_TRUE(same_place(sample.cell(), {points[3 * i], points[3 * i + 1], points[3 * i + 2]},
-                               sample.beads().position(i)));
+                               sample.grains().position(i)));
         contacts += coordination[i];
     }
     double expected = 0;

@@ -115,8 +115,8 @@ TEST_F(UserText, InTheNameOfAFolderIsNotExecuted) {
 TEST_F(UserText, InALadderIsShownAsItIs) {
     for (const std::string& name : hostile) {
         Ladder ladder(2);
-        for (Rung& rung : ladder) {
-            rung.chi2 = 5, rung.dof = 4, rung.rms_percent = {3, 2};
+        for (LadderStep& ladder_step : ladder) {
+            ladder_step.chi2 = 5, ladder_step.dof = 4, ladder_step.rms_percent = {3, 2};
         }
         ladder[1].change = "add";
         ladder[1].effect = name;

@@ -59,7 +59,7 @@ std::map<std::string, std::string> files_with_truth(const LabResult& result) {
 std::string refusal(const std::function<void(LabPlan&)>& change) {
     LabPlan plan = small_plan();
     change(plan);
-    return input_error([&] { check(plan); });
+    return input_error([&] { check_plan(plan); });
 }
 
 TEST(VirtualLab, IsReadBackAsItWasSimulated) {
@@ -96,7 +96,7 @@ TEST(VirtualLab, GivesEachStepARunOfItsOwn) {
             const auto& p = step.run.parameters;
             seeds.insert(p.seed);
             ++runs;
-            EXPECT_EQ(p.beads, 195);  // 1.5 x the fidelity's
+            EXPECT_EQ(p.grains, 195);  // 1.5 x the fidelity's
             EXPECT_EQ(p.stiffness_number, tiny.stiffness_number);
             EXPECT_EQ(p.strain, tiny.strain);
             EXPECT_EQ(p.friction, 0.31);
@@ -131,7 +131,7 @@ TEST(VirtualLab, SharesNoRunWithACalibrationOfTheSameSeed) {
         for (const LabRecording& recording : quiet_lab().recordings) {
             for (const LabStep& step : recording.steps) {
                 EXPECT_NE(step.run.parameters.seed, fitted.parameters.seed);
-                EXPECT_NE(step.run.parameters.beads, fitted.parameters.beads);
+                EXPECT_NE(step.run.parameters.grains, fitted.parameters.grains);
             }
         }
     }
@@ -224,7 +224,7 @@ TEST(VirtualLab, RefusesWhatItCannotDoBeforeSimulating) {
     EXPECT_THAT(refusal([](LabPlan& p) { p.instrument.noise = -1; }), HasSubstr("--noise -1"));
     EXPECT_THAT(refusal([](LabPlan& p) { p.instrument.rows = 50; }), HasSubstr("--rows 50"));
     EXPECT_THAT(refusal([](LabPlan& p) { p.cell.bead_volume = 1e-6; }), HasSubstr("more beads"));
-    EXPECT_NO_THROW(check(small_plan()));
+    EXPECT_NO_THROW(check_plan(small_plan()));
 }
 
 TEST(VirtualLab, GivesUpOnAConditionThatOnlyCrystallises) {
@@ -305,13 +305,13 @@ TEST(LabWithEffects, ShowsTheTrueStateAtTheSetPointsAskedFor) {
     EXPECT_NEAR(reading.condition.inertial_number, 0.2, 1e-6);
     // By hand, from the simulated solid fraction and stress ratio: what the instrument shows.
     const AnnularCell& cell = found.lab.plan.cell;
-    const double beads = 0.9 * cell.bead_volume;
-    const double gap = beads / (cell.area() * step.run[dem::Observable::solid_fraction].value);
+    const double grains = 0.9 * cell.bead_volume;
+    const double gap = grains / (cell.area() * step.run[dem::Observable::solid_fraction].value);
     const double k = 0.2 * 0.937 * gap / 0.024;
-    const double force = 1000 * cell.area() / std::exp(k) + beads * 1050 * 9.80665 / 2;
+    const double force = 1000 * cell.area() / std::exp(k) + grains * 1050 * 9.80665 / 2;
     const double torque_at_middle =
         step.run[dem::Observable::stress_ratio].value * torque(force / cell.area(), cell);
-    const double lighter = force - beads * 1050 * 9.80665 / 2;
+    const double lighter = force - grains * 1050 * 9.80665 / 2;
     const double at_lid =
         torque_at_middle + k * lighter * (0.021 * 0.021 + 0.045 * 0.045) / (0.021 + 0.045);
     EXPECT_NEAR(reading.value(0) / shear_stress(at_lid, cell), 1, 1e-6);
@@ -378,7 +378,7 @@ TEST(LabWithEffects, GivesWetBeadsWhatTouchesThem) {
                 wet.wetting->reduced_pressure / 2, 1e-12);
     EXPECT_FALSE(run("capillary-bridges", 0, true).wetting);
     for (const char* name : {"contact-angle", "capillary-bridges"}) {
-        EXPECT_EQ(described(run(name, 0.3, false)), described(dry)) << name;
+        EXPECT_EQ(run_description(run(name, 0.3, false)), run_description(dry)) << name;
     }
 }
 
@@ -394,7 +394,7 @@ TEST(LabWithEffects, IsTheSameBitForBitAtNeutral) {
 
 TEST(LabWithEffects, RefusesWhatItCannotHave) {
     const auto refused = [](const ActiveEffect& effect, bool wet) {
-        return input_error([&] { check(plan_with({effect}, wet)); });
+        return input_error([&] { check_plan(plan_with({effect}, wet)); });
     };
     EXPECT_THAT(refused(active("wet-friction", 0.1), false), HasSubstr("no wet recordings"));
     EXPECT_THAT(refused(active("capillary-shear-stress", 1), true), HasSubstr("cannot have it"));
@@ -403,7 +403,7 @@ TEST(LabWithEffects, RefusesWhatItCannotHave) {
     EXPECT_THAT(refused(active("wet-friction", -0.5), true), HasSubstr("friction -0.19"));
     // The laboratory's contact angle is 0 and cannot become smaller.
     EXPECT_THAT(refused(active("contact-angle", -0.1), true), HasSubstr("changes nothing"));
-    EXPECT_NO_THROW(check(plan_with({active("capillary-bridges", 20.6e-3)}, true)));
+    EXPECT_NO_THROW(check_plan(plan_with({active("capillary-bridges", 20.6e-3)}, true)));
 }
 
 /// Liquid contents of samples whose coordination is Z = z (V0/a^3)^slope, and how many were asked.

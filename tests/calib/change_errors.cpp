@@ -21,7 +21,7 @@ class Uncertain : public Known<FlowPredictor> {
 
     Prediction predict_flow(const Eigen::VectorXd& parameters,
                             const std::vector<EffectiveCondition>& conditions,
-                            Ask /*what*/) const override {
+                            PredictionPart /*what*/) const override {
         const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
         Prediction result{Eigen::VectorXd(n), Eigen::MatrixXd(n, 1), {}, {}};
         Eigen::MatrixXd by_factor(n, 2);
@@ -66,8 +66,8 @@ TEST_P(ErrorsOfChanges, AreThoseOfTheModelInside) {
         for (const int side : {0, 1}) {
             inside->factors.setZero();
             inside->factors(k) = side == 0 ? -size : size;
-            base[side] = plain.predict(at, conditions, Ask::values).value;
-            change[side] = with_it.predict(at_too, conditions, Ask::values).value - base[side];
+            base[side] = plain.predict(at, conditions, PredictionPart::values).value;
+            change[side] = with_it.predict(at_too, conditions, PredictionPart::values).value - base[side];
         }
         change_by_factor.col(k) = (change[1] - change[0]) / (2 * size);
         plain_by_factor.col(k) = (base[1] - base[0]) / (2 * size);

@@ -14,9 +14,9 @@ using namespace pendular;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const Grains beads{.diameter = 500e-6, .density = 1050};
+const GrainProperties grains{.diameter = 500e-6, .density = 1050};
 const Liquid oil{.surface_tension = 20.6e-3};
-const double unit = pull_off_force(beads, oil) / (beads.diameter * beads.diameter);  // F0/a^2 [Pa]
+const double unit = pull_off_force(grains, oil) / (grains.diameter * grains.diameter);  // F0/a^2 [Pa]
 
 /// A wet reading at a reduced pressure, its stress ratio with a standard error.
 Reading reading(double pressure, double ratio, double error = 0.003, double content = 0.03,
@@ -48,7 +48,7 @@ struct Lines {
 };
 Lines measured(const std::vector<Reading>& readings, const CohesionOptions& options = {}) {
     Lines result;
-    result.lines = cohesion_lines(readings, beads, oil, options, result.notes);
+    result.lines = cohesion_lines(readings, grains, oil, options, result.notes);
     return result;
 }
 /// Lines through predicted stress ratios with this covariance.
@@ -67,7 +67,7 @@ Lines simulated(const std::vector<Reading>& readings, const Eigen::VectorXd& rat
             prediction.covariance(2 * i, 2 * j) = covariance(i, j) * stress(i) * stress(j);
     }
     Lines result;
-    result.lines = cohesion_lines(readings, prediction, beads, oil, {}, result.notes);
+    result.lines = cohesion_lines(readings, prediction, grains, oil, {}, result.notes);
     return result;
 }
 

@@ -48,7 +48,7 @@ const std::vector<dem::RunResult>& tiny_runs() {
                     wanted.push_back({.friction = friction,
                                       .inertial_number = inertial_number,
                                       .stiffness_number = 500,
-                                      .beads = 150,
+                                      .grains = 150,
                                       .strain = 4,
                                       .seed = seed});
                 }
@@ -74,15 +74,15 @@ Measurements measured_at(const std::vector<Condition>& conditions, const Predict
 
 EmulatedSimulation emulated_from(const Study& study, const Fidelity& fidelity,
                                  const std::vector<dem::RunResult>& runs,
-                                 const EmulatorScales& scales = {}) {
-    return {study, fidelity, Emulator(runs, scales)};
+                                 const EmulatorHyperparameters& hyperparameters = {}) {
+    return {study, fidelity, Emulator(runs, hyperparameters)};
 }
 
 TEST(EmulatedSimulation, HasDerivativesOfItsOwnPredictions) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.003), dry_at(300, 0),
                                                wet_at(300, 0.003, 0.03), wet_at(600, 0.01, 0.007)};
     const EmulatedSimulation model =
-        emulated_from(wet_study(), fidelity_named("quick"), shipped_runs(), shipped_scales());
+        emulated_from(wet_study(), fidelity_named("quick"), shipped_runs(), shipped_hyperparameters());
     constexpr double step = 1e-4;
     for (const double friction : {0.05, 0.2}) {
         const Prediction here = model.predict(at(friction), conditions);
@@ -111,7 +111,7 @@ TEST(EmulatedSimulation, SaysTheSameToManyThreads) {
                                                wet_at(600, 0.01, 0.007)};
     const auto model = [] {
         return emulated_from(wet_study(), fidelity_named("quick"), shipped_runs(),
-                             shipped_scales());
+                             shipped_hyperparameters());
     };
     const Prediction alone = model().predict(at(0.2), conditions);
     const EmulatedSimulation shared = model();
@@ -135,7 +135,7 @@ TEST(EmulatedSimulation, SaysTheSameToManyThreads) {
 TEST(RunPlanner, OrdersNothingWhereItMayNot) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.003), wet_at(5, 0.003, 0.03)};
     RunPlanner planner(wet_study(), conditions, tiny, 1, {},
-                       {shipped_runs(), shipped_scales(), false});
+                       {shipped_runs(), shipped_hyperparameters(), false});
     const std::size_t before = planner.simulation()->emulator().runs().size();
     planner.improve(0.2, without_effects(conditions), 5),
         planner.improve(0.2, without_effects(conditions), 5);
@@ -146,9 +146,9 @@ TEST(RunPlanner, OrdersNothingWhereItMayNot) {
 
 TEST(EmulatedSimulation, SaysWhereItKnowsLessThanTheReadings) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.003), dry_at(300, 0.03)};
-    const KnownRuns known{shipped_runs(), shipped_scales(), false};
+    const KnownRuns known{shipped_runs(), shipped_hyperparameters(), false};
     const EmulatedSimulation model =
-        emulated_from(wet_study(), fidelity_named("quick"), known.runs, known.scales);
+        emulated_from(wet_study(), fidelity_named("quick"), known.runs, known.hyperparameters);
     Measurements measurements = measured_at(conditions, model, 0.2);
     CalibrationRequest request{.fidelity = fidelity_named("quick"), .known = known};
     request.options.fewest_rounds = request.options.most_rounds = 1;
@@ -200,13 +200,13 @@ TEST(RunPlanner, IsConfirmedByRunsThatAgreeAndNotByOthers) {
 TEST(KnownRuns, AreThoseThatCanServe) {
     auto runs = shipped_runs();
     const std::size_t all = runs.size();
-    runs[0].parameters.beads = 100;
+    runs[0].parameters.grains = 100;
     runs[1].parameters.poisson_ratio = 0.05;
     runs[2].crystallised = true;
     const Fidelity quick = fidelity_named("quick");
     EXPECT_EQ(runs_serving(wet_study(), quick, runs).size(), all - 3);
     Study printed = wet_study();
-    printed.model.bridge_force = Form::as_printed;
+    printed.model.bridge_force = FormulaVariant::as_printed;
     for (const auto& run : runs_serving(printed, quick, runs)) {
         EXPECT_FALSE(run.parameters.wetting);
     }
@@ -217,9 +217,9 @@ TEST(EmulatedCalibration, FindsAPlantedFrictionAtOnceAndCanBeReadBack) {
     const std::vector<Condition> conditions = {dry_at(300, 0.003), dry_at(1000, 0.003),
                                                dry_at(1000, 0.03), wet_at(300, 0.003, 0.03),
                                                wet_at(1000, 0.003, 0.03)};
-    const KnownRuns known{shipped_runs(), shipped_scales(), false};
+    const KnownRuns known{shipped_runs(), shipped_hyperparameters(), false};
     const Fidelity quick = fidelity_named("quick");
-    const EmulatedSimulation truth = emulated_from(study, quick, known.runs, known.scales);
+    const EmulatedSimulation truth = emulated_from(study, quick, known.runs, known.hyperparameters);
     CalibrationRequest request{.fidelity = quick, .known = known};
     request.options.fewest_rounds = request.options.most_rounds = 1;
     const Calibration c = calibrate_study(study, measured_at(conditions, truth, 0.17), request, {});

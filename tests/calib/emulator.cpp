@@ -9,8 +9,8 @@
 
 #include "calib/emulator/emulated_state.h"
 #include "calib/emulator/emulated_structure.h"
-#include "calib/emulator/emulator_scales.h"
-#include "calib/emulator/learn_scales.h"
+#include "calib/emulator/emulator_hyperparameters.h"
+#include "calib/emulator/fit_hyperparameters.h"
 #include "tests/support/data_support.h"
 #include "tests/support/emulator_support.h"
 
@@ -20,7 +20,7 @@ using dem::Observable;
 using testing::HasSubstr;
 
 const Emulator& shipped() {
-    static const Emulator emulator(shipped_runs(), shipped_scales());
+    static const Emulator emulator(shipped_runs(), shipped_hyperparameters());
     return emulator;
 }
 
@@ -49,8 +49,8 @@ TEST(Emulator, LearnsNothingOfPlainBeadsFromRunsWithEffects) {
     with_odd_one.back().parameters.effects = {{"rolling-resistance", {0.2}}};
     with_odd_one.back().means[static_cast<std::size_t>(Observable::stress_ratio)].value = 5;
     const Query query{{0.12, 0.01}, Observable::stress_ratio};
-    EXPECT_EQ(Emulator(plain, shipped_scales()).mean({query}),
-              Emulator(with_odd_one, shipped_scales()).mean({query}));
+    EXPECT_EQ(Emulator(plain, shipped_hyperparameters()).mean({query}),
+              Emulator(with_odd_one, shipped_hyperparameters()).mean({query}));
 }
 
 /// An effect whose change is twice its amplitude times friction, learned from 20 runs.
@@ -64,7 +64,7 @@ TEST(Emulator, AddsTheChangeThatRunsWithAnEffectShow) {
             2 * amplitude * run.parameters.friction;
         runs.push_back(run);
     }
-    const Emulator emulator(runs, shipped_scales());
+    const Emulator emulator(runs, shipped_hyperparameters());
     for (const double friction : {0.1, 0.3, 0.5}) {
         for (const double amplitude : {0.0, 0.1, 0.2}) {
             const FlowState plain{friction, 0.01};
@@ -97,11 +97,11 @@ TEST(Emulator, ForetellsRollingResistanceAtOtherFrictions) {
         (rolling && (known.size() + others.size()) % 3 == 0 ? others : known).push_back(run);
     }
     ASSERT_GT(others.size(), 20u);
-    const Emulator emulator(known, shipped_scales());
+    const Emulator emulator(known, shipped_hyperparameters());
     double squares = 0;
     for (const auto& run : others) {
         const double said =
-            emulator.mean({{emulated::state_of(run.parameters), Observable::stress_ratio}})(0);
+            emulator.mean({{emulated::flow_state_of(run.parameters), Observable::stress_ratio}})(0);
         squares += std::pow(said - run[Observable::stress_ratio].value, 2);
     }
     EXPECT_LT(std::sqrt(squares / static_cast<double>(others.size())), 0.009);
@@ -110,7 +110,7 @@ TEST(Emulator, ForetellsRollingResistanceAtOtherFrictions) {
 /// Relative change of the stress ratio by a switch that only wet beads feel, at friction 0.09 and
 /// inertial number 0.03.
 double wet_change(const std::string& effect, double reduced_pressure, double bridge_volume) {
-    static const Emulator emulator(all_shipped_runs(), shipped_scales());
+    static const Emulator emulator(all_shipped_runs(), shipped_hyperparameters());
     const FlowState plain{0.09, 0.03, 1 / reduced_pressure, bridge_volume};
     FlowState with_it = plain;
     with_it.effects = {{effect, {1}}};
@@ -131,7 +131,7 @@ TEST(Emulator, LetsEffectsOnWetBeadsFadeWithCapillarity) {
 }
 
 TEST(Emulator, NamesAnEffectThatNoRunHas) {
-    const Emulator emulator(invented_runs(60, 1), shipped_scales());
+    const Emulator emulator(invented_runs(60, 1), shipped_hyperparameters());
     FlowState state{0.1, 0.01};
     state.effects = {{"rolling-resistance", {0.1}}};
     try {
@@ -149,26 +149,26 @@ TEST(Kernel, HasTheGradientOfItsLikelihood) {
     Observations known;
     known.values.resize(60, 1);
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        known.at.push_back(coordinates(emulated::state_of(runs[k].parameters), 0.1, 0.5));
+        known.at.push_back(coordinates(emulated::flow_state_of(runs[k].parameters), 0.1, 0.5));
         known.values(static_cast<Eigen::Index>(k), 0) = runs[k][Observable::stress_ratio].value;
         known.noise.push_back(Eigen::MatrixXd::Constant(1, 1, 4e-6));
     }
-    const Scales at{0.05, 0.8, 0.3, 0.07, 1.2, 0.4, 1.5, 2.5, 1.3, 2e-3};
-    std::array<double, Scales::count> gradient{}, none{};
-    scales_cost(Domain::all_flow, known, 0.5, at, gradient.data());
-    for (std::size_t k = 0; k < Scales::count; ++k) {
+    const Hyperparameters at{0.05, 0.8, 0.3, 0.07, 1.2, 0.4, 1.5, 2.5, 1.3, 2e-3};
+    std::array<double, Hyperparameters::count> gradient{}, none{};
+    hyperparameter_cost(Domain::all_flow, known, 0.5, at, gradient.data());
+    for (std::size_t k = 0; k < Hyperparameters::count; ++k) {
         constexpr double step = 1e-4;
         const auto cost = [&](double by) {
-            auto scales = at.as_array();
-            scales[k] *= std::exp(by);
-            return scales_cost(Domain::all_flow, known, 0.5, Scales::from_array(scales), nullptr);
+            auto hyperparameters = at.as_array();
+            hyperparameters[k] *= std::exp(by);
+            return hyperparameter_cost(Domain::all_flow, known, 0.5, Hyperparameters::from_array(hyperparameters), nullptr);
         };
         const double difference = (cost(step) - cost(-step)) / (2 * step);
-        EXPECT_NEAR(gradient[k], difference, 1e-3 * (1 + std::abs(difference))) << Scales::names[k];
+        EXPECT_NEAR(gradient[k], difference, 1e-3 * (1 + std::abs(difference))) << Hyperparameters::names[k];
     }
     // And the learned scales are where it vanishes.
-    const Scales best = learn_scales(Domain::all_flow, known, 0.5);
-    scales_cost(Domain::all_flow, known, 0.5, best, none.data());
+    const Hyperparameters best = fit_hyperparameters(Domain::all_flow, known, 0.5);
+    hyperparameter_cost(Domain::all_flow, known, 0.5, best, none.data());
     EXPECT_THAT(none, testing::Each(testing::DoubleNear(0, 0.1)));
 }
 
@@ -177,7 +177,7 @@ TEST(Emulator, FindsALawFromNoisyRuns) {
     double ratio2 = 0, solid2 = 0;
     const auto fresh = invented_runs(200, 77);
     for (const auto& run : fresh) {
-        const FlowState state = emulated::state_of(run.parameters);
+        const FlowState state = emulated::flow_state_of(run.parameters);
         const std::vector<Query> both = {{state, Observable::stress_ratio},
                                          {state, Observable::solid_fraction}};
         const Eigen::VectorXd mean = emulator.mean(both);
@@ -333,28 +333,28 @@ TEST(Emulator, BringsRunsOfAnyStiffnessTogether) {
                 (solid_at(0.3 + step) - solid_at(0.3 - step)) / (2 * step), 1e-5);
 }
 
-TEST(EmulatorScales, AreThoseThatTheAtlasTeaches) {
+TEST(EmulatorHyperparameters, AreThoseThatTheAtlasTeaches) {
     const auto runs = shipped_runs();
-    const auto shipped_ones = shipped_scales();
+    const auto shipped_ones = shipped_hyperparameters();
     EXPECT_EQ(shipped_ones.size(), emulated::observables().size());
-    const Scales learned = PlainEmulator::learn(runs, Observable::stress_ratio);
+    const Hyperparameters learned = PlainEmulator::learn(runs, Observable::stress_ratio);
     const auto a = learned.as_array(), b = shipped_ones.at(Observable::stress_ratio).as_array();
-    for (std::size_t k = 0; k < Scales::count; ++k) {
-        EXPECT_NEAR(std::log(a[k] / b[k]), 0, 0.1) << Scales::names[k];
+    for (std::size_t k = 0; k < Hyperparameters::count; ++k) {
+        EXPECT_NEAR(std::log(a[k] / b[k]), 0, 0.1) << Hyperparameters::names[k];
     }
 }
 
-TEST(EmulatorScales, AreReadBackAndCheckedCellByCell) {
+TEST(EmulatorHyperparameters, AreReadBackAndCheckedCellByCell) {
     const TemporaryFolder folder;
-    const EmulatorScales scales = {{Observable::stress_ratio, {.dry_x = 0.7, .noise = 1.5}}};
-    write_scales(folder.path() / "scales.csv", scales);
-    EXPECT_EQ(read_scales(folder.path() / "scales.csv").at(Observable::stress_ratio).dry_x, 0.7);
+    const EmulatorHyperparameters hyperparameters = {{Observable::stress_ratio, {.dry_x = 0.7, .noise = 1.5}}};
+    write_hyperparameters(folder.path() / "scales.csv", hyperparameters);
+    EXPECT_EQ(read_hyperparameters(folder.path() / "scales.csv").at(Observable::stress_ratio).dry_x, 0.7);
     std::string header = "observable";
-    for (const auto name : Scales::names) {
+    for (const auto name : Hyperparameters::names) {
         header += "," + std::string(name);
     }
     const auto refusal = [&](const std::string& text) {
-        return input_error([&] { read_scales(folder.write("bad.csv", text)); });
+        return input_error([&] { read_hyperparameters(folder.write("bad.csv", text)); });
     };
     EXPECT_THAT(refusal(header + "\nstress_ratio,1,1,1,1,-1,1,1,1,1,1\n"),
                 HasSubstr("bad.csv:2:22"));

@@ -34,10 +34,10 @@ class Linear : public Model {
         }
     }
     const std::vector<Parameter>& parameters() const override { return names; }
-    Prediction predict(const Eigen::VectorXd& p, Ask /*what*/) const override {
+    Prediction predict(const Eigen::VectorXd& p, PredictionPart /*what*/) const override {
         return {matrix * p + offset, matrix, noise, noise};
     }
-    Supported supported() const override {
+    ParameterBounds bounds() const override {
         const auto n = static_cast<Eigen::Index>(names.size());
         return {Eigen::VectorXd::Constant(n, -100), Eigen::VectorXd::Constant(n, 100)};
     }
@@ -139,7 +139,7 @@ class NoisyModel : public LearningModel, public Model {
 
     const Model& model() const override { return *this; }
     const std::vector<Parameter>& parameters() const override { return names_; }
-    Prediction predict(const Eigen::VectorXd& p, Ask /*what*/) const override {
+    Prediction predict(const Eigen::VectorXd& p, PredictionPart /*what*/) const override {
         const Eigen::Matrix3d inverse = (design().transpose() * design()).inverse();
         const Eigen::RowVector3d row(1, p(0), p(0) * p(0)), slope(0, 1, 2 * p(0));
         Prediction prediction{
@@ -165,7 +165,7 @@ class NoisyModel : public LearningModel, public Model {
             y_[1].push_back(1 - x + noise_ * normal_(random_));
         }
     }
-    Supported supported() const override {
+    ParameterBounds bounds() const override {
         return {Eigen::VectorXd::Constant(1, *std::ranges::min_element(x_)),
                 Eigen::VectorXd::Constant(1, *std::ranges::max_element(x_))};
     }

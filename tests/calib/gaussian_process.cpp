@@ -10,14 +10,14 @@
 
 namespace pendular::calib_gaussian_process_test {
 
-using Asked = GaussianProcess::Asked;
+using Requested = GaussianProcess::Requested;
 
 constexpr double amplitude = 0.3, length = 0.7;
 
 /// A squared exponential alone: without polynomial, and moved along x only.
-Kernel plain_kernel(double noise = 1, double between = 0) {
+Kernel plain_kernel(double noise = 1, double between_run_scatter = 0) {
     return {Domain::bridges,
-            {.wet_amplitude = amplitude, .wet_x = length, .noise = noise, .between = between},
+            {.wet_amplitude = amplitude, .wet_x = length, .noise = noise, .between_run_scatter = between_run_scatter},
             0};
 }
 
@@ -36,10 +36,10 @@ Observations seen(const std::vector<double>& x, const std::vector<double>& y,
     return known;
 }
 
-Asked value_at(double x) {
+Requested value_at(double x) {
     return {0, {{.x = x}}};
 }
-Asked slope_at(double x) {
+Requested slope_at(double x) {
     return {0, {{.x = x}, 0}};
 }
 
@@ -77,10 +77,10 @@ TEST(GaussianProcess, WeighsTwoNoisyValues) {
 
 TEST(GaussianProcess, WidensTheStatedNoise) {
     // By the factor on variances, and by the variance between runs.
-    constexpr double stated = 0.05, factor = 1.5, between = 0.2;
-    const GaussianProcess widened({plain_kernel(factor, between)}, seen({0}, {1}, {stated}));
+    constexpr double stated = 0.05, factor = 1.5, between_run_scatter = 0.2;
+    const GaussianProcess widened({plain_kernel(factor, between_run_scatter)}, seen({0}, {1}, {stated}));
     const GaussianProcess plain({plain_kernel()},
-                                seen({0}, {1}, {factor * stated + between * between}));
+                                seen({0}, {1}, {factor * stated + between_run_scatter * between_run_scatter}));
     EXPECT_NEAR(widened.mean({value_at(0.3)})(0), plain.mean({value_at(0.3)})(0), 1e-15);
     EXPECT_NEAR(widened.covariance({slope_at(0.3)})(0, 0), plain.covariance({slope_at(0.3)})(0, 0),
                 1e-15);
@@ -113,7 +113,7 @@ TEST(GaussianProcess, JoinsQuantitiesThroughTheNoiseOfARun) {
     //     M = [A1^2 + f1 n11, sqrt(f1 f2) n12; sqrt(f1 f2) n12, A2^2 + f2 n22]
     // the means are k_i(x) [M^-1 y]_i and their covariance is k_ii - k_i k_j [M^-1]_ij.
     constexpr double f1 = 1.3, f2 = 0.6, x = 0.4;
-    const Scales narrow{.wet_amplitude = 0.5, .wet_x = 0.4, .noise = f2, .between = 0};
+    const Hyperparameters narrow{.wet_amplitude = 0.5, .wet_x = 0.4, .noise = f2, .between_run_scatter = 0};
     Observations known{.at = {{.x = 0}}, .values = Eigen::RowVector2d(1, -2), .noise = {}};
     known.noise.emplace_back(Eigen::Matrix2d{{0.04, -0.02}, {-0.02, 0.03}});
     const GaussianProcess process({plain_kernel(f1), Kernel(Domain::bridges, narrow, 0)}, known);
@@ -124,9 +124,9 @@ TEST(GaussianProcess, JoinsQuantitiesThroughTheNoiseOfARun) {
     const Eigen::Vector2d weights = inverse * Eigen::Vector2d(1, -2);
     const Eigen::Vector2d k(covariance_at(x), 0.25 * std::exp(-x * x / (2 * 0.16)));
     const Eigen::Vector2d prior(amplitude * amplitude, 0.25);
-    const std::vector<Asked> asked = {{0, {{.x = x}}}, {1, {{.x = x}}}};
-    const Eigen::VectorXd mean = process.mean(asked);
-    const Eigen::MatrixXd covariance = process.covariance(asked);
+    const std::vector<Requested> requested = {{0, {{.x = x}}}, {1, {{.x = x}}}};
+    const Eigen::VectorXd mean = process.mean(requested);
+    const Eigen::MatrixXd covariance = process.covariance(requested);
     for (Eigen::Index i = 0; i < 2; ++i) {
         EXPECT_NEAR(mean(i), k(i) * weights(i), 1e-14);
         for (Eigen::Index j = 0; j < 2; ++j) {
@@ -155,7 +155,7 @@ std::vector<Coordinates> dry_places(std::size_t count, std::uint64_t seed) {
 
 /// A polynomial of dry flow whose coefficients are 0 +- 5, and nothing else.
 const Kernel polynomial{
-    Domain::all_flow, {.dry_amplitude = 0, .wet_amplitude = 0, .between = 0}, 1};
+    Domain::all_flow, {.dry_amplitude = 0, .wet_amplitude = 0, .between_run_scatter = 0}, 1};
 
 Observations with_noise(const std::vector<Coordinates>& at, const Eigen::VectorXd& values,
                         double variance) {
@@ -164,11 +164,11 @@ Observations with_noise(const std::vector<Coordinates>& at, const Eigen::VectorX
             .noise = {at.size(), Eigen::MatrixXd::Constant(1, 1, variance)}};
 }
 
-std::vector<Asked> all_values(const std::vector<Coordinates>& at) {
-    std::vector<Asked> asked;
+std::vector<Requested> all_values(const std::vector<Coordinates>& at) {
+    std::vector<Requested> requested;
     for (const Coordinates& place : at)
-        asked.push_back({0, {place}});
-    return asked;
+        requested.push_back({0, {place}});
+    return requested;
 }
 
 TEST(GaussianProcess, IsBayesianRegressionOnItsPolynomial) {
@@ -218,8 +218,8 @@ class JointPosterior : public testing::Test {
             known.values(k, 1) = std::cos(place.x + 3 * place.q) - place.u;
             known.noise.emplace_back(Eigen::Matrix2d{{0.01, -0.004}, {-0.004, 0.006}});
         }
-        return {{Kernel(Domain::all_flow, uneven_scales(), 0.2),
-                 Kernel(Domain::contacts, uneven_scales(), 0.1)},
+        return {{Kernel(Domain::all_flow, uneven_hyperparameters(), 0.2),
+                 Kernel(Domain::contacts, uneven_hyperparameters(), 0.1)},
                 known};
     }
     const GaussianProcess posterior = process();
@@ -247,7 +247,7 @@ TEST_F(JointPosterior, HasTheMeanOfADerivative) {
 TEST_F(JointPosterior, HasTheCovarianceOfDerivativesWithAnything) {
     // A derivative is the limit of a difference, so its covariance with anything is the difference
     // of the covariances, of the other quantity too.
-    std::vector<Asked> others;
+    std::vector<Requested> others;
     for (const Eigen::Index quantity : {0, 1}) {
         for (int derivative = Functional::value; derivative < coordinate_count; ++derivative) {
             others.push_back({quantity, {places[1], derivative}});
@@ -256,11 +256,11 @@ TEST_F(JointPosterior, HasTheCovarianceOfDerivativesWithAnything) {
     const auto count = std::ssize(others);
     for (const Eigen::Index quantity : {0, 1}) {
         for (int by = 0; by < coordinate_count; ++by) {
-            std::vector<Asked> asked = others;
-            asked.push_back({quantity, {places[0], by}});
-            asked.push_back({quantity, {moved(places[0], by, step)}});
-            asked.push_back({quantity, {moved(places[0], by, -step)}});
-            const Eigen::MatrixXd covariance = posterior.covariance(asked);
+            std::vector<Requested> requested = others;
+            requested.push_back({quantity, {places[0], by}});
+            requested.push_back({quantity, {moved(places[0], by, step)}});
+            requested.push_back({quantity, {moved(places[0], by, -step)}});
+            const Eigen::MatrixXd covariance = posterior.covariance(requested);
             EXPECT_LT((covariance.col(count) -
                        (covariance.col(count + 1) - covariance.col(count + 2)) / (2 * step))
                           .head(count)
@@ -273,28 +273,28 @@ TEST_F(JointPosterior, HasTheCovarianceOfDerivativesWithAnything) {
 }
 
 TEST_F(JointPosterior, DoesNotDependOnWhatElseIsAsked) {
-    const std::vector<Asked> asked = {{0, {places[0]}}, {1, {places[0], 2}}, {0, {places[0], 1}}};
-    const Eigen::VectorXd together = posterior.mean(asked);
-    const Eigen::MatrixXd covariance = posterior.covariance(asked);
+    const std::vector<Requested> requested = {{0, {places[0]}}, {1, {places[0], 2}}, {0, {places[0], 1}}};
+    const Eigen::VectorXd together = posterior.mean(requested);
+    const Eigen::MatrixXd covariance = posterior.covariance(requested);
     EXPECT_LT((covariance - covariance.transpose()).norm(), 1e-15);
-    for (std::size_t k = 0; k < asked.size(); ++k) {
+    for (std::size_t k = 0; k < requested.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        EXPECT_EQ(posterior.mean({asked[k]})(0), together(i));
-        EXPECT_NEAR(posterior.covariance({asked[k]})(0, 0), covariance(i, i), 1e-15);
+        EXPECT_EQ(posterior.mean({requested[k]})(0), together(i));
+        EXPECT_NEAR(posterior.covariance({requested[k]})(0, 0), covariance(i, i), 1e-15);
     }
 }
 
 TEST_F(JointPosterior, IsNoSurerThanItsKnowledgeAllows) {
     // A covariance: no combination of values and derivatives has a negative variance.
-    std::vector<Asked> asked;
+    std::vector<Requested> requested;
     for (const Coordinates& at : places) {
         for (const Eigen::Index quantity : {0, 1}) {
             for (int derivative = Functional::value; derivative < coordinate_count; ++derivative)
-                asked.push_back({quantity, {at, derivative}});
+                requested.push_back({quantity, {at, derivative}});
         }
     }
     const Eigen::VectorXd values =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(posterior.covariance(asked)).eigenvalues();
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(posterior.covariance(requested)).eigenvalues();
     EXPECT_GT(values.minCoeff(), -1e-13 * values.maxCoeff());
 }
 

@@ -25,12 +25,12 @@ double pressure_scale(double u) {
     return std::log(1 + u / 0.1);
 }
 
-double dry_process(const Scales& s, const Coordinates& a, const Coordinates& b) {
+double dry_process(const Hyperparameters& s, const Coordinates& a, const Coordinates& b) {
     return s.dry_amplitude * s.dry_amplitude * bell(a.x - b.x, s.dry_x) * bell(a.q - b.q, s.dry_q);
 }
 
 /// Of g_wet alone, without the factors that make it vanish where dry.
-double wet_process(const Scales& s, const Coordinates& a, const Coordinates& b) {
+double wet_process(const Hyperparameters& s, const Coordinates& a, const Coordinates& b) {
     return s.wet_amplitude * s.wet_amplitude * bell(a.x - b.x, s.wet_x) * bell(a.q - b.q, s.wet_q) *
            bell(pressure_scale(a.u) - pressure_scale(b.u), s.wet_u) * bell(a.v - b.v, s.wet_v);
 }
@@ -48,7 +48,7 @@ double wet_polynomial(const Coordinates& a, const Coordinates& b) {
 
 /// The covariance of values as the formula of `Kernel` states it. Where capillarity is linear in
 /// 1/P*, every term of its polynomial has the factor u; contacts have the step to 1 instead.
-double stated(Domain domain, const Scales& s, double coefficient_variance, const Coordinates& a,
+double stated(Domain domain, const Hyperparameters& s, double coefficient_variance, const Coordinates& a,
               const Coordinates& b) {
     if (domain == Domain::bridges) {
         return coefficient_variance * wet_polynomial(a, b) + wet_process(s, a, b);
@@ -61,7 +61,7 @@ double stated(Domain domain, const Scales& s, double coefficient_variance, const
 class EachKernel : public testing::TestWithParam<Domain> {
   protected:
     /// Coefficients of the polynomial are about 5 units: variance 1.
-    const Kernel kernel{GetParam(), uneven_scales(), 0.2};
+    const Kernel kernel{GetParam(), uneven_hyperparameters(), 0.2};
 };
 
 INSTANTIATE_TEST_SUITE_P(Kernel, EachKernel,
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Kernel, EachKernel,
 
 TEST_P(EachKernel, IsTheStatedCovariance) {
     // The same sum in another order: 20 terms of size 1, rounded at 1e-16.
-    const Kernel larger(GetParam(), uneven_scales(), 3);
+    const Kernel larger(GetParam(), uneven_hyperparameters(), 3);
     EXPECT_DOUBLE_EQ(larger.coefficient_variance(), 225);
     std::vector<Coordinates> places = scattered_places(6, 1);
     places.push_back(one_place);
@@ -78,7 +78,7 @@ TEST_P(EachKernel, IsTheStatedCovariance) {
     places.push_back({.x = 0.1, .q = 0.2, .u = 0, .v = 0});
     for (const Coordinates& a : places) {
         for (const Coordinates& b : places) {
-            const double expected = stated(GetParam(), uneven_scales(), 225, a, b);
+            const double expected = stated(GetParam(), uneven_hyperparameters(), 225, a, b);
             EXPECT_NEAR(larger(larger.prepare(Functional{a}), larger.prepare(Functional{b})),
                         expected, 1e-13 * (1 + std::abs(expected)));
         }
@@ -161,16 +161,16 @@ TEST_P(EachKernel, DifferentiatesTracesByItsScales) {
         }
     }
     const auto half_trace = [&](std::size_t which, double off) {
-        auto scales = uneven_scales().as_array();
-        scales[which] *= std::exp(off);
+        auto hyperparameters = uneven_hyperparameters().as_array();
+        hyperparameters[which] *= std::exp(off);
         // A unit of 0 leaves out the polynomial, which does not depend on the scales.
-        const Kernel changed(GetParam(), Scales::from_array(scales), 0);
+        const Kernel changed(GetParam(), Hyperparameters::from_array(hyperparameters), 0);
         return 0.5 * (weights * changed.matrix(changed.prepare(places))).trace();
     };
     const auto traces = kernel.half_traces(kernel.prepare(places), weights);
     for (std::size_t k = 0; k < traces.size(); ++k) {
         EXPECT_NEAR(traces[k], (half_trace(k, step) - half_trace(k, -step)) / (2 * step), 1e-7)
-            << Scales::names[k];
+            << Hyperparameters::names[k];
     }
 }
 
@@ -194,7 +194,7 @@ TEST(Kernel, HasTheStatedVarianceOfItsSlopes) {
     // At one place the exponents vanish, and so do products of a value with a slope of g. What is
     // left of d/da d/db A^2 exp(-(a - b)^2/(2 l^2)) is A^2/l^2. For u the wet process is
     // u B g(s), s = ln(1 + u/0.1), ds/du = 1/(0.1 + u): variance B^2 (1 + (u ds/du)^2/l^2).
-    const Scales s = uneven_scales();
+    const Hyperparameters s = uneven_hyperparameters();
     const Kernel kernel(Domain::all_flow, s, 0);  // no polynomial
     const double a2 = s.dry_amplitude * s.dry_amplitude, b2 = s.wet_amplitude * s.wet_amplitude;
     const double u = one_place.u, u2 = u * u;
@@ -214,7 +214,7 @@ TEST(Kernel, HasTheStatedVarianceOfItsSlopes) {
 
 TEST(Kernel, HasTheStatedSlopesAlongFriction) {
     // With d = xa - xb: dk/dxa = -d/l^2 k, dk/dxb = d/l^2 k, d2k/dxa dxb = (1/l^2 - d^2/l^4) k.
-    const Scales s = uneven_scales();
+    const Hyperparameters s = uneven_hyperparameters();
     const Kernel kernel(Domain::all_flow, s, 0);
     const Coordinates a{.x = 0.9, .q = 0.1}, b{.x = 0.2, .q = 0.3};  // dry
     const double k = dry_process(s, a, b), l2 = s.dry_x * s.dry_x, d = a.x - b.x;
@@ -227,13 +227,13 @@ TEST(Kernel, HasTheStatedSlopesAlongFriction) {
 }
 
 TEST(Kernel, KnowsNoLiquidInDryFlow) {
-    Scales wetter = uneven_scales();
+    Hyperparameters wetter = uneven_hyperparameters();
     wetter.wet_amplitude *= 10;
     wetter.wet_x /= 3;
     Coordinates dry = one_place;
     dry.u = 0;
     for (const Domain domain : {Domain::all_flow, Domain::contacts}) {
-        const Kernel kernel(domain, uneven_scales(), 0.2), other(domain, wetter, 0.2);
+        const Kernel kernel(domain, uneven_hyperparameters(), 0.2), other(domain, wetter, 0.2);
         for (const Coordinates& b : {dry, other_place}) {
             const double expected =
                 kernel(kernel.prepare(Functional{dry}), kernel.prepare(Functional{b}));
@@ -250,7 +250,7 @@ TEST(Kernel, KnowsNoLiquidInDryFlow) {
 TEST(Kernel, LetsCapillarityVanishWithTheReciprocalPressure) {
     // The variance of what the liquid adds to a value is u^2 [B^2 + c (1 + x^2 + q^2 + u^2 + v^2)].
     // Contacts keep it without the factor u^2 until the flow is dry.
-    const Scales s = uneven_scales();
+    const Hyperparameters s = uneven_hyperparameters();
     const double b2 = s.wet_amplitude * s.wet_amplitude;
     Coordinates dry = one_place;
     dry.u = 0;
@@ -267,14 +267,14 @@ TEST(Kernel, LetsCapillarityVanishWithTheReciprocalPressure) {
     }
 }
 
-TEST(Scales, AreReadBackFromTheirArray) {
+TEST(Hyperparameters, AreReadBackFromTheirArray) {
     // In the order of their names.
-    const std::array<double, Scales::count> numbers = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
-    const Scales scales = Scales::from_array(numbers);
-    EXPECT_EQ(scales.as_array(), numbers);
-    EXPECT_EQ(scales.dry_q, 3);
-    EXPECT_EQ(scales.wet_v, 8);
-    EXPECT_EQ(scales.between, 10);
+    const std::array<double, Hyperparameters::count> numbers = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    const Hyperparameters hyperparameters = Hyperparameters::from_array(numbers);
+    EXPECT_EQ(hyperparameters.as_array(), numbers);
+    EXPECT_EQ(hyperparameters.dry_q, 3);
+    EXPECT_EQ(hyperparameters.wet_v, 8);
+    EXPECT_EQ(hyperparameters.between_run_scatter, 10);
 }
 
 }  // namespace pendular::calib_kernel_test

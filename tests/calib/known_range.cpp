@@ -16,7 +16,7 @@ namespace pendular::calib_known_range_test {
 using testing::HasSubstr;
 
 const Emulator& shipped() {
-    static const Emulator emulator(shipped_runs(), shipped_scales());
+    static const Emulator emulator(shipped_runs(), shipped_hyperparameters());
     return emulator;
 }
 
@@ -26,8 +26,8 @@ TEST(KnownRange, SupportsTheStatesOfAllRunsKnownAndUnseen) {
     for (const char* file : {"/sim/atlas/atlas.csv", "/tests/data/unseen/runs.csv"}) {
         for (const StoredRun& stored : read_runs(std::string(PENDULAR_SOURCE_DIR) + file)) {
             if (stored.run.parameters.effects.empty() && stored.run.failure.empty()) {
-                EXPECT_EQ(known.why_unsupported(emulated::state_of(stored.run.parameters)), "")
-                    << described(stored.run.parameters);
+                EXPECT_EQ(known.why_unsupported(emulated::flow_state_of(stored.run.parameters)), "")
+                    << run_description(stored.run.parameters);
                 ++states;
             }
         }
@@ -68,7 +68,7 @@ TEST(KnownRange, IsConvexNotABox) {
         }
     }
     ASSERT_GT(runs.size(), 50u);
-    const Emulator emulator(runs, shipped_scales());
+    const Emulator emulator(runs, shipped_hyperparameters());
     const KnownRange known(emulator);
     const FlowState corner{0.05, 0.08};
     EXPECT_EQ(emulator.beyond(corner), "");
@@ -88,20 +88,20 @@ TEST(KnownRange, RefusesWhereTheEmulatorIsUnsureBetweenRuns) {
             runs.push_back(run);
         }
     }
-    EmulatorScales scales = shipped_scales();
-    for (auto& [which, of] : scales) {
+    EmulatorHyperparameters hyperparameters = shipped_hyperparameters();
+    for (auto& [which, of] : hyperparameters) {
         of.dry_x = 0.3, of.dry_amplitude = 0.1;
     }
-    const Emulator emulator(runs, scales);
+    const Emulator emulator(runs, hyperparameters);
     const KnownRange known(emulator);
     // Between them something is refused for its standard error, and what is answered instead is
     // not.
     int unsure = 0;
     for (const double friction : {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45}) {
-        const FlowState between{friction, 0.01};
-        const std::string why = known.why_unsupported(between);
+        const FlowState between_run_scatter{friction, 0.01};
+        const std::string why = known.why_unsupported(between_run_scatter);
         unsure += why.find("standard error") != std::string::npos;
-        EXPECT_EQ(known.why_unsupported(known.nearest_supported(between)), "") << friction;
+        EXPECT_EQ(known.why_unsupported(known.nearest_supported(between_run_scatter)), "") << friction;
     }
     EXPECT_GT(unsure, 0);
 }

@@ -63,7 +63,7 @@ TEST(InertialNumbers, LeaveSomethingToExtrapolateFrom) {
 TEST(RunPlanner, PredictsFromADesignOfItsOwnWhatTheSolverDoes) {
     // The prediction at a friction where it made no run agrees with fresh runs of other seeds.
     const std::vector<Condition> conditions = {condition(1000, 0.03)};
-    RunPlanner planner(raw_study(), conditions, tiny, 1, {}, {{}, shipped_scales()});
+    RunPlanner planner(raw_study(), conditions, tiny, 1, {}, {{}, shipped_hyperparameters()});
     planner.improve(0.2, without_effects(conditions), 1),
         planner.improve(0.2, without_effects(conditions), 1);
     const Prediction predicted = planner.simulation()->predict(at(0.22), conditions);
@@ -73,7 +73,7 @@ TEST(RunPlanner, PredictsFromADesignOfItsOwnWhatTheSolverDoes) {
         const auto run = simulate({.friction = 0.22,
                                    .inertial_number = 0.03,
                                    .stiffness_number = 300,
-                                   .beads = 150,
+                                   .grains = 150,
                                    .strain = 2,
                                    .seed = seed});
         ratio += run[dem::Observable::stress_ratio].value / runs;
@@ -88,7 +88,7 @@ TEST(RunPlanner, PredictsFromADesignOfItsOwnWhatTheSolverDoes) {
 TEST(EmulatedSimulation, CorrectsTheSolidFractionToTheStudysStiffness) {
     const std::vector<Condition> conditions = {condition(1000, 0.03)};
     const auto predicted = [&](const Study& study) {
-        const RunPlanner planner(study, conditions, tiny, 1, {}, {{}, shipped_scales()});
+        const RunPlanner planner(study, conditions, tiny, 1, {}, {{}, shipped_hyperparameters()});
         return planner.simulation()->predict(at(0.2), conditions);
     };
     const Prediction soft = predicted(raw_study()), hard = predicted(stiff_study());
@@ -141,7 +141,7 @@ TEST(CalibrateStudy, FindsAPlantedFrictionThroughTheSolver) {
         const auto run = simulate({.friction = truth,
                                    .inertial_number = 0.03,
                                    .stiffness_number = 300,
-                                   .beads = 200,
+                                   .grains = 200,
                                    .strain = 4,
                                    .seed = seed});
         ratio += run[dem::Observable::stress_ratio].value / 6;

@@ -108,13 +108,13 @@ TEST(WetSettings, CoverThePressuresContentsAndInertialNumbers) {
 
 TEST(RunPlanner, PredictsWetReadingsFromADesignOfItsOwnAsTheSolverDoes) {
     const Condition wet = condition(2.5, 0.03);
-    RunPlanner planner(wet_study(), {wet}, tiny, 1, {.threads = 2}, {{}, shipped_scales()});
+    RunPlanner planner(wet_study(), {wet}, tiny, 1, {.threads = 2}, {{}, shipped_hyperparameters()});
     planner.improve(0.2, {wet}, 1), planner.improve(0.2, {wet}, 1);
     const EmulatedSimulation& model = *planner.simulation();
     const Prediction predicted = model.predict(at(0.22), {wet});
 
     // Fresh runs with other seeds, at the volume that the prediction says holds the liquid.
-    const double volume = model.state_of(0.22, wet).bridge_volume;
+    const double volume = model.flow_state_at(0.22, wet).bridge_volume;
     double ratio = 0, fraction = 0, content = 0;
     const int runs = 6;
     for (std::uint64_t seed = 500; seed < 500 + runs; ++seed) {
@@ -122,7 +122,7 @@ TEST(RunPlanner, PredictsWetReadingsFromADesignOfItsOwnAsTheSolverDoes) {
                                    .inertial_number = 0.05,
                                    .stiffness_number = 300,
                                    .wetting = dem::Wetting{2.5, volume},
-                                   .beads = 150,
+                                   .grains = 150,
                                    .strain = 2,
                                    .seed = seed});
         ratio += run[dem::Observable::stress_ratio].value / runs;
@@ -143,7 +143,7 @@ TEST(RunPlanner, PredictsWetReadingsFromADesignOfItsOwnAsTheSolverDoes) {
 
 std::shared_ptr<const EmulatedSimulation> planned(const Study& study,
                                                   const std::vector<Condition>& conditions) {
-    RunPlanner planner(study, conditions, tiny, 1, {.threads = 2}, {{}, shipped_scales()});
+    RunPlanner planner(study, conditions, tiny, 1, {.threads = 2}, {{}, shipped_hyperparameters()});
     planner.improve(0.2, without_effects(conditions), 1);
     return planner.simulation();
 }
@@ -233,7 +233,7 @@ class LinearFlow : public KnownFlow {
     Eigen::MatrixXd noise;
 
     Prediction predict(const Eigen::VectorXd& p, const std::vector<Condition>& conditions,
-                       Ask /*what*/) const override {
+                       PredictionPart /*what*/) const override {
         std::vector<Eigen::Index> rows;
         for (const auto& condition : conditions) {
             // The inertial number names the row.

@@ -199,7 +199,7 @@ DataSet data_set(const std::string& name) {
     return set;
 }
 
-Prediction FormulaModel::predict(const Eigen::VectorXd& parameters, pendular::Ask /*what*/) const {
+Prediction FormulaModel::predict(const Eigen::VectorXd& parameters, pendular::PredictionPart /*what*/) const {
     ++evaluations;
     const auto n = set_.x.rows(), count = parameters.size();
     Jet b[Jet::DIMENSION];
@@ -216,9 +216,9 @@ Prediction FormulaModel::predict(const Eigen::VectorXd& parameters, pendular::As
     return prediction;
 }
 
-Supported FormulaModel::supported() const {
+ParameterBounds FormulaModel::bounds() const {
     const auto count = static_cast<Eigen::Index>(set_.parameters.size());
-    Supported range{Eigen::VectorXd(count), Eigen::VectorXd(count)};
+    ParameterBounds range{Eigen::VectorXd(count), Eigen::VectorXd(count)};
     for (Eigen::Index k = 0; k < count; ++k) {
         range.lower(k) = set_.parameters[static_cast<std::size_t>(k)].lower;
         range.upper(k) = set_.parameters[static_cast<std::size_t>(k)].upper;

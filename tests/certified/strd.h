@@ -51,8 +51,8 @@ class FormulaModel : public pendular::Model {
 
     const std::vector<pendular::Parameter>& parameters() const override { return set_.parameters; }
     pendular::Prediction predict(const Eigen::VectorXd& parameters,
-                                 pendular::Ask what) const override;
-    pendular::Supported supported() const override;
+                                 pendular::PredictionPart what) const override;
+    pendular::ParameterBounds bounds() const override;
 
     mutable int evaluations = 0;
 

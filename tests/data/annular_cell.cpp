@@ -26,7 +26,7 @@ TEST(AnnularCell, IntegratesAUniformShearStressToItsTorque) {
 
 TEST(AnnularCell, DoublesTheShearStressInThePrintedForm) {
     AnnularCell printed = cell;
-    printed.torque_formula = Form::as_printed;
+    printed.torque_formula = FormulaVariant::as_printed;
     EXPECT_DOUBLE_EQ(shear_stress(0.01, printed), 2 * shear_stress(0.01, cell));
 }
 
@@ -38,7 +38,7 @@ TEST(AnnularCell, ConvertsForceHeightAndSpeed) {
 }
 
 TEST(AnnularCell, ShowsWhatItsConversionsReadBack) {
-    for (const Form form : {Form::derived, Form::as_printed}) {
+    for (const FormulaVariant form : {FormulaVariant::derived, FormulaVariant::as_printed}) {
         AnnularCell either = cell;
         either.torque_formula = form;
         EXPECT_NEAR(shear_stress(torque(250, either), either), 250, 1e-10);
@@ -64,8 +64,8 @@ TEST(AnnularCell, PropagatesCovarianceByTheConversionsDerivatives) {
     EXPECT_GT(found(0, 1), 0);  // a higher gap is a lower solid fraction
 }
 
-TEST(Grains, GiveMassInertialAndStiffnessNumber) {
-    const Grains grains{.diameter = 500e-6, .density = 1050, .youngs_modulus = 3.3e9};
+TEST(GrainProperties, GiveMassInertialAndStiffnessNumber) {
+    const GrainProperties grains{.diameter = 500e-6, .density = 1050, .youngs_modulus = 3.3e9};
     EXPECT_NEAR(grains.mass(), 1050 * std::numbers::pi * std::pow(500e-6, 3) / 6, 1e-18);
     // The other convention, rate a sqrt(rho/s22), is sqrt(6/pi) = 1.382 times larger.
     const double other = 2 * 500e-6 * std::sqrt(1050 / 1000.0);
@@ -74,11 +74,11 @@ TEST(Grains, GiveMassInertialAndStiffnessNumber) {
     // Polystyrene at 0.3 and 3 kPa: 53,000 and 11,000.
     EXPECT_NEAR(*stiffness_number(300, grains), 53000, 1000);
     EXPECT_NEAR(*stiffness_number(3000, grains), 11000, 500);
-    EXPECT_EQ(stiffness_number(300, Grains{}), std::nullopt);
+    EXPECT_EQ(stiffness_number(300, GrainProperties{}), std::nullopt);
 }
 
-TEST(Grains, GivePullOffForceAndReducedPressure) {
-    const Grains grains{.diameter = 500e-6, .density = 1050};
+TEST(GrainProperties, GivePullOffForceAndReducedPressure) {
+    const GrainProperties grains{.diameter = 500e-6, .density = 1050};
     constexpr double degree = std::numbers::pi / 180;
     // The source's system, polystyrene and silicone oil at a contact angle of 2 to 5 degrees: P* =
     // 1 is 0.129 kPa as printed, three digits.
@@ -92,7 +92,7 @@ TEST(Grains, GivePullOffForceAndReducedPressure) {
     EXPECT_NEAR(pull_off_force(grains, wetting), 32.36e-6, 0.005e-6);
     EXPECT_NEAR(pull_off_force(grains, reluctant) / pull_off_force(grains, wetting), 0.5, 1e-12);
     // P* = a s22/(pi Gamma): beads half as large under twice the stress are as cohesive.
-    const Grains small{.diameter = 250e-6, .density = 1050};
+    const GrainProperties small{.diameter = 250e-6, .density = 1050};
     EXPECT_NEAR(reduced_pressure(600, small, wetting), reduced_pressure(300, grains, wetting),
                 1e-12);
     // 0.3 kPa is the source's lowest fitted P* of 2.3.

@@ -44,7 +44,7 @@ struct Outcome {
     Contradictions found;
 };
 
-Outcome compared(Recording& recording, const ImportChoice& choice = {}) {
+Outcome compared(Recording& recording, const ImportSettings& choice = {}) {
     Outcome outcome;
     outcome.found = take_out_contradictions(recording, cell, choice, outcome.said);
     return outcome;

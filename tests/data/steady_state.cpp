@@ -9,7 +9,7 @@ namespace pendular::data_steady_state_test {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const Grains grains{.diameter = 500e-6, .density = 1050};
+const GrainProperties grains{.diameter = 500e-6, .density = 1050};
 // 10 g in the cell: M g/A = 20 Pa, 2 % of the 1 kPa that 5 N make.
 const AnnularCell cell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 0.01 / 1050};
 

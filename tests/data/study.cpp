@@ -75,7 +75,7 @@ bridge_force = "as_printed"
     EXPECT_DOUBLE_EQ(study.cell->inner_radius, 21e-3);
     EXPECT_DOUBLE_EQ(study.cell->outer_radius, 45e-3);
     EXPECT_DOUBLE_EQ(study.cell->bead_volume, 0.06 / 1050);
-    EXPECT_EQ(study.cell->torque_formula, Form::as_printed);
+    EXPECT_EQ(study.cell->torque_formula, FormulaVariant::as_printed);
     ASSERT_EQ(study.sources.size(), 2u);
     EXPECT_EQ(study.sources[0].kind, Source::Kind::recording);
     EXPECT_EQ(*study.sources[0].liquid_content, 0);
@@ -87,7 +87,7 @@ bridge_force = "as_printed"
     EXPECT_DOUBLE_EQ(*study.sources[1].liquid_content, 0.03);
     EXPECT_EQ(study.model.base, "rumpf");
     EXPECT_EQ(study.model.fit_to, "all");
-    EXPECT_EQ(study.model.bridge_force, Form::as_printed);
+    EXPECT_EQ(study.model.bridge_force, FormulaVariant::as_printed);
 }
 
 TEST_F(ReadStudy, HasTheDocumentedDefaults) {
@@ -98,7 +98,7 @@ TEST_F(ReadStudy, HasTheDocumentedDefaults) {
     EXPECT_EQ(study.model.base, "dem");
     EXPECT_EQ(study.model.calibrate, std::vector<std::string>{"friction"});
     EXPECT_EQ(study.model.fit_to, "dry");
-    EXPECT_EQ(study.model.bridge_force, Form::derived);
+    EXPECT_EQ(study.model.bridge_force, FormulaVariant::derived);
 }
 
 TEST_F(ReadStudy, TakesTheFileItselfToo) {

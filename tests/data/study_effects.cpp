@@ -77,7 +77,7 @@ TEST_F(StudyEffects, AreWrittenWithBoundsInSi) {
     EXPECT_DOUBLE_EQ(effect.lower, -0.05);
     EXPECT_DOUBLE_EQ(effect.upper, 0.05);
     EXPECT_EQ(effect.neutral, 0);
-    EXPECT_DOUBLE_EQ(effect.matters, 0.01);  // a tenth of the range
+    EXPECT_DOUBLE_EQ(effect.smallest_of_interest, 0.01);  // a tenth of the range
     EXPECT_EQ(effect.summary, "");
     ASSERT_EQ(effect.formulas.size(), 1u);
     EXPECT_EQ(effect.formulas[0].target, "torque");
@@ -104,7 +104,7 @@ solid_fraction = "solid_fraction * x / 1000"
     EXPECT_EQ(effect.unit, "Pa");
     EXPECT_DOUBLE_EQ(effect.upper, 2000);
     EXPECT_DOUBLE_EQ(effect.neutral, 1000);
-    EXPECT_DOUBLE_EQ(effect.matters, 100);
+    EXPECT_DOUBLE_EQ(effect.smallest_of_interest, 100);
     EXPECT_EQ(effect.summary, "softer when pressed");
     EXPECT_EQ(effect.formulas.size(), 2u);
     EXPECT_FALSE(effect.of_instrument());

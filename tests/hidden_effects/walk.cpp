@@ -49,8 +49,8 @@ bool nothing_missing(const nlohmann::json& diagnosis) {
            diagnosis.at("verdict") == "inconclusive";
 }
 
-double left_out(const nlohmann::json& rung) {
-    return rung.at("left_out_percent").at("shear_stress");
+double left_out(const nlohmann::json& ladder_step) {
+    return ladder_step.at("left_out_percent").at("shear_stress");
 }
 
 class HiddenEffects : public testing::TestWithParam<const char*> {};

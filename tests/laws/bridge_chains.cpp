@@ -14,7 +14,7 @@ namespace bridge_chains_test {
 using namespace pendular;
 using namespace pendular::dem;
 
-constexpr int beads = 5;
+constexpr int grains = 5;
 constexpr double modulus = 3e4;
 
 class Chain {
@@ -41,13 +41,13 @@ class Chain {
 
   private:
     static Sample row() {
-        Sample sample{Beads(beads), {beads * 0.999, 6, 6, 0}};
-        for (std::size_t i = 0; i < beads; ++i) {
-            sample.beads.position(i) = {0.999 * (static_cast<double>(i) + 0.5), 3, 3};
+        Sample sample{Grains(grains), {grains * 0.999, 6, 6, 0}};
+        for (std::size_t i = 0; i < grains; ++i) {
+            sample.grains.position(i) = {0.999 * (static_cast<double>(i) + 0.5), 3, 3};
         }
         return sample;
     }
-    double gap() const { return cell_.cell().length / beads - 1; }
+    double gap() const { return cell_.cell().length / grains - 1; }
     ShearCell cell_;
 };
 
@@ -64,7 +64,7 @@ double bridge_force(double gap, double volume) {
     return 1 - gap / std::sqrt(gap * gap + 4 * volume / std::numbers::pi);
 }
 
-TEST(WetBeads, ArePulledApartByThePullOffForceAndNoLess) {
+TEST(WetGrains, ArePulledApartByThePullOffForceAndNoLess) {
     // A gap of 1e-6 takes 1e-6 sqrt(pi/(4 V0)) of the force away, 4e-5 at the smallest volume.
     for (const double volume : {5e-4, 8e-3}) {
         for (const double pressure : {0.5, 2.0}) {
@@ -74,10 +74,10 @@ TEST(WetBeads, ArePulledApartByThePullOffForceAndNoLess) {
     }
 }
 
-TEST(WetBeads, HoldPiTimesDiameterAndSurfaceTensionInNewtons) {
+TEST(WetGrains, HoldPiTimesDiameterAndSurfaceTensionInNewtons) {
     // Between two spheres of radius R, Derjaguin: 2 pi R Gamma cos(theta), which is pi a, not half
     // of it. Forces are in units of a^2 s22.
-    const Grains grains{.diameter = 500e-6, .density = 1050};
+    const GrainProperties grains{.diameter = 500e-6, .density = 1050};
     const Liquid liquid{.surface_tension = 20.6e-3, .contact_angle = 0.3};
     const double stress = 300;
     const double pressure = reduced_pressure(stress, grains, liquid);
@@ -88,7 +88,7 @@ TEST(WetBeads, HoldPiTimesDiameterAndSurfaceTensionInNewtons) {
     EXPECT_NEAR(pull_off_force(grains, liquid), expected, 1e-12 * expected);
 }
 
-TEST(WetBeads, LoseTheirBridgesAtRuptureAndFormThemAgainInContactOnly) {
+TEST(WetGrains, LoseTheirBridgesAtRuptureAndFormThemAgainInContactOnly) {
     const Wetting wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};
     const double rupture = std::cbrt(4e-3);
     // Fast, since bridges of equal length are in unstable balance: rounding grows as exp(5 t).

@@ -19,11 +19,11 @@ constexpr int cells = 3;  ///< cubic cells per direction, of four beads each
 Sample crystal(const std::array<double, 3>& edge) {
     constexpr double within[4][3] = {
         {0.25, 0.25, 0.25}, {0.75, 0.75, 0.25}, {0.75, 0.25, 0.75}, {0.25, 0.75, 0.75}};
-    Sample sample{Beads(4 * cells * cells * cells),
+    Sample sample{Grains(4 * cells * cells * cells),
                   {cells * edge[0], cells * edge[1], cells * edge[2], 0}};
-    for (std::size_t i = 0; i < sample.beads.size(); ++i) {
+    for (std::size_t i = 0; i < sample.grains.size(); ++i) {
         const std::size_t cell = i / 4;
-        sample.beads.position(i) = {
+        sample.grains.position(i) = {
             edge[0] * (static_cast<double>(cell % cells) + within[i % 4][0]),
             edge[1] * (static_cast<double>(cell / cells % cells) + within[i % 4][1]),
             edge[2] * (static_cast<double>(cell / cells / cells) + within[i % 4][2])};

@@ -64,11 +64,11 @@ TEST_P(EffectRegistry, IsNeutralWithinItsBounds) {
 
 TEST_P(EffectRegistry, HasASizeThatMattersWithinItsBounds) {
     for (const EffectParameter& p : effect().parameters) {
-        EXPECT_GT(p.matters, 0) << p.name;
-        EXPECT_LE(p.neutral + p.matters, p.upper) << p.name;
+        EXPECT_GT(p.smallest_of_interest, 0) << p.name;
+        EXPECT_LE(p.neutral + p.smallest_of_interest, p.upper) << p.name;
         // An effect of one sign has its lower bound at neutral.
         if (p.lower < p.neutral) {
-            EXPECT_LE(p.lower, p.neutral - p.matters) << p.name;
+            EXPECT_LE(p.lower, p.neutral - p.smallest_of_interest) << p.name;
         }
     }
 }
@@ -77,17 +77,17 @@ TEST_P(EffectRegistry, HasAnAmplitudeThatVanishesAtNeutralAndGrows) {
     for (const EffectParameter& p : effect().parameters) {
         if (!p.amplitude) continue;
         EXPECT_EQ(p.amplitude(p.neutral), 0) << p.name;
-        EXPECT_GT(p.amplitude(p.neutral + p.matters), 0) << p.name;
+        EXPECT_GT(p.amplitude(p.neutral + p.smallest_of_interest), 0) << p.name;
     }
 }
 
 TEST_P(EffectRegistry, IsFeltFromNeutralOnAndMostAtItsUpperBound) {
     for (const EffectParameter& p : effect().parameters) {
-        if (!p.felt) continue;
+        if (!p.effective_amplitude) continue;
         for (const double friction : {0.02, 0.1, 0.5}) {
-            EXPECT_EQ(p.felt(p.neutral, friction), 0) << p.name;
-            EXPECT_GT(p.felt(p.neutral + p.matters, friction), 0) << p.name;
-            EXPECT_GE(p.felt(p.upper, friction), p.felt((p.neutral + p.upper) / 2, friction));
+            EXPECT_EQ(p.effective_amplitude(p.neutral, friction), 0) << p.name;
+            EXPECT_GT(p.effective_amplitude(p.neutral + p.smallest_of_interest, friction), 0) << p.name;
+            EXPECT_GE(p.effective_amplitude(p.upper, friction), p.effective_amplitude((p.neutral + p.upper) / 2, friction));
         }
     }
 }

@@ -28,8 +28,8 @@ const Sample& flowing() {
         while (cell.strain() < 0.7) {
             cell.step();
         }
-        Sample result{cell.beads(), cell.cell()};
-        std::iota(result.beads.number.begin(), result.beads.number.end(), 0);
+        Sample result{cell.grains(), cell.cell()};
+        std::iota(result.grains.number.begin(), result.grains.number.end(), 0);
         return result;
     }();
     return sample;
@@ -49,20 +49,20 @@ ShearCell sheared(const Sample& sample, bool wet, int steps = 200, double rate =
 
 /// What a bead does, by the number it was called at first.
 struct State {
-    std::vector<Vector> velocity, spin, force, torque;
+    std::vector<Vector> velocity, angular_velocity, force, torque;
 
     explicit State(const ShearCell& cell) {
-        const Beads& beads = cell.beads();
-        for (auto* all : {&velocity, &spin, &force, &torque}) {
-            all->resize(beads.size());
+        const Grains& grains = cell.grains();
+        for (auto* all : {&velocity, &angular_velocity, &force, &torque}) {
+            all->resize(grains.size());
         }
-        for (std::size_t i = 0; i < beads.size(); ++i) {
-            const auto n = static_cast<std::size_t>(beads.number[i]);
-            velocity[n] = beads.velocity(i), spin[n] = beads.spin(i);
-            force[n] = beads.force(i), torque[n] = beads.torque(i);
+        for (std::size_t i = 0; i < grains.size(); ++i) {
+            const auto n = static_cast<std::size_t>(grains.number[i]);
+            velocity[n] = grains.velocity(i), angular_velocity[n] = grains.angular_velocity(i);
+            force[n] = grains.force(i), torque[n] = grains.torque(i);
         }
     }
-    static constexpr std::vector<Vector> State::*members[] = {&State::velocity, &State::spin,
+    static constexpr std::vector<Vector> State::*members[] = {&State::velocity, &State::angular_velocity,
                                                               &State::force, &State::torque};
 };
 
@@ -95,8 +95,8 @@ class Frames : public testing::TestWithParam<bool> {
 
 TEST_P(Frames, AShiftedSampleMovesAlike) {
     Sample shifted = flowing();
-    for (auto& bead : shifted.beads.motion) {
-        bead.position += Vector(0.37, 1.21, -2.03);
+    for (auto& grain : shifted.grains.motion) {
+        grain.position += Vector(0.37, 1.21, -2.03);
     }
     EXPECT_LT(difference(here, State(sheared(shifted, wet))), 1e-9);
 }
@@ -104,10 +104,10 @@ TEST_P(Frames, AShiftedSampleMovesAlike) {
 TEST_P(Frames, ImagesOfItsBeadsMoveAlike) {
     Sample written = flowing();
     const Cell& cell = written.cell;
-    for (std::size_t i = 0; i < written.beads.size(); ++i) {
+    for (std::size_t i = 0; i < written.grains.size(); ++i) {
         const Image image{static_cast<int>(i % 3) - 1, static_cast<int>(i / 3 % 3) - 1,
                           static_cast<int>(i / 9 % 3) - 1};
-        written.beads.position(i) += image.shift(cell);
+        written.grains.position(i) += image.shift(cell);
     }
     EXPECT_LT(difference(here, State(sheared(written, wet))), 1e-9);
 }
@@ -125,8 +125,8 @@ TEST_P(Frames, ASampleTurnedHalfRoundMovesAlike) {
     const Vector turn(-1, 1, -1);
     Sample turned = flowing();
     turned.cell.offset = -turned.cell.offset;
-    for (auto& bead : turned.beads.motion) {
-        bead = {turn * bead.position, turn * bead.velocity, turn * bead.spin};
+    for (auto& grain : turned.grains.motion) {
+        grain = {turn * grain.position, turn * grain.velocity, turn * grain.angular_velocity};
     }
     const ShearCell there = sheared(turned, wet, 200, -shear_rate);
     EXPECT_LT(difference(here, State(there), turn), 1e-9);
@@ -136,13 +136,13 @@ TEST_P(Frames, ASampleTurnedHalfRoundMovesAlike) {
 TEST_P(Frames, ASampleInTheMirrorMovesAlike) {
     // z -> -z leaves the shear as it is; spins, axial, keep their z and turn their x and y.
     Sample mirrored = flowing();
-    for (auto& bead : mirrored.beads.motion) {
-        bead.position = Vector(1, 1, -1) * bead.position;
-        bead.velocity = Vector(1, 1, -1) * bead.velocity;
-        bead.spin = Vector(-1, -1, 1) * bead.spin;
+    for (auto& grain : mirrored.grains.motion) {
+        grain.position = Vector(1, 1, -1) * grain.position;
+        grain.velocity = Vector(1, 1, -1) * grain.velocity;
+        grain.angular_velocity = Vector(-1, -1, 1) * grain.angular_velocity;
     }
     State there(sheared(mirrored, wet));
-    for (auto* axial : {&there.spin, &there.torque}) {
+    for (auto* axial : {&there.angular_velocity, &there.torque}) {
         for (Vector& v : *axial) {
             v = -v;
         }
@@ -156,8 +156,8 @@ TEST_P(Frames, BeadsByOtherNumbersMoveAlike) {
     std::iota(name.begin(), name.end(), 0);
     std::mt19937_64 random(31);
     std::ranges::shuffle(name, random);
-    for (std::size_t i = 0; i < permuted.beads.size(); ++i) {
-        permuted.beads.motion[static_cast<std::size_t>(name[i])] = flowing().beads.motion[i];
+    for (std::size_t i = 0; i < permuted.grains.size(); ++i) {
+        permuted.grains.motion[static_cast<std::size_t>(name[i])] = flowing().grains.motion[i];
     }
     EXPECT_LT(difference(here, State(sheared(permuted, wet)), {1, 1, 1}, name), 1e-9);
 }
@@ -192,7 +192,7 @@ TEST(Repetition, GivesTheSameBitsForTheSameSeedAndNumberOfParts) {
 
 TEST(Repetition, OfAnotherSeedIsAnotherSample) {
     const Sample a = random_gas(count, 1), b = random_gas(count, 2);
-    EXPECT_NE(a.beads.position(0), b.beads.position(0));
+    EXPECT_NE(a.grains.position(0), b.grains.position(0));
 }
 
 TEST(Momentum, IsKeptByWetSamplesWhateverTheirParts) {
@@ -200,9 +200,9 @@ TEST(Momentum, IsKeptByWetSamplesWhateverTheirParts) {
     const auto expect_none = [](const ShearCell& cell) {
         Vector sum;
         double largest = 0;
-        for (const auto& bead : cell.beads().motion) {
-            sum += bead.velocity;
-            largest = std::max(largest, std::abs(bead.velocity[0]));
+        for (const auto& grain : cell.grains().motion) {
+            sum += grain.velocity;
+            largest = std::max(largest, std::abs(grain.velocity[0]));
         }
         ASSERT_GT(largest, 0.1);
         for (std::size_t d = 0; d < 3; ++d) {

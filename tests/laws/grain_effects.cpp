@@ -21,12 +21,12 @@ constexpr Material material{.modulus = 31622.8, .friction = 0.3};  // stiffness 
 const Wetting wetting{.reduced_pressure = 1, .bridge_volume = 4e-3};
 
 /// What a bead feels.
-using Loads = std::vector<Beads::Load>;
+using Loads = std::vector<Grains::ForceAndTorque>;
 
 /// Beads at random in a sheared cell, some of them overlapping, some joined by bridges, with
 /// velocities, remembered forces and, where an effect has them, remembered words.
 struct State {
-    Beads beads;
+    Grains grains;
     Cell cell{7, 6, 8, 2.5};
     Flow flow{0.01, -0.002};
     GrainEffects effects;
@@ -34,46 +34,46 @@ struct State {
     Pairs pairs;
 
     explicit State(const std::vector<EffectValues>& on, bool wet, unsigned seed = 1)
-        : beads(400),
+        : grains(400),
           effects(grain_effects(on, wet)),
           bridges(wet ? effects.changed(BridgeLaw(wetting)) : BridgeLaw()) {
-        beads.diameters = effects.diameters(beads.size(), seed);
+        grains.diameters = effects.diameters(grains.size(), seed);
         std::mt19937_64 random(seed);
         std::mt19937_64 of_memory(seed + 1);  // the rest is the same with and without
         std::uniform_real_distribution<double> at(0, 1), velocity(-0.1, 0.1);
-        for (std::size_t i = 0; i < beads.size(); ++i) {
-            beads.position(i) = {cell.length * at(random), cell.height * at(random),
+        for (std::size_t i = 0; i < grains.size(); ++i) {
+            grains.position(i) = {cell.length * at(random), cell.height * at(random),
                                  cell.width * at(random)};
-            beads.velocity(i) = {velocity(random), velocity(random), velocity(random)};
-            beads.spin(i) = {velocity(random), velocity(random), velocity(random)};
+            grains.velocity(i) = {velocity(random), velocity(random), velocity(random)};
+            grains.angular_velocity(i) = {velocity(random), velocity(random), velocity(random)};
         }
-        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 0.3), effects.memory());
+        pairs = Pairs(find_pairs_by_brute_force(grains, cell, 0.3), effects.contact_history());
         pairs.fill_up(PairList::batch);
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             pairs.sx[k] = velocity(random), pairs.sy[k] = velocity(random);
             pairs.sz[k] = velocity(random);
             pairs.root[k] = 0.1;
             pairs.bridge[k] = wet && at(random) < 0.5 ? 1 : 0;
-            for (auto& word : pairs.memory) {
+            for (auto& word : pairs.contact_history) {
                 word[k] = velocity(of_memory);
             }
         }
     }
     PairSums forces(EnergyAccounting accounting = EnergyAccounting::off) {
         const PairLaws laws{cell, flow, material, bridges, 1e-3, accounting, &effects};
-        beads.load.assign(beads.size(), {});
-        return pair_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
+        grains.net_force.assign(grains.size(), {});
+        return pair_forces(grains, pairs, {0, pairs.size()}, laws, grains.net_force);
     }
     /// The same forces by the loop for these needs.
     PairSums forces(EnergyAccounting accounting, PairNeeds needs) {
         const PairLaws laws{cell, flow, material, bridges, 1e-3, accounting, &effects};
-        beads.load.assign(beads.size(), {});
-        return pair_forces(beads, pairs, {0, pairs.size()}, laws, needs, beads.load);
+        grains.net_force.assign(grains.size(), {});
+        return pair_forces(grains, pairs, {0, pairs.size()}, laws, needs, grains.net_force);
     }
 };
 
 bool same(const Loads& a, const Loads& b) {
-    return std::ranges::equal(a, b, [](const Beads::Load& x, const Beads::Load& y) {
+    return std::ranges::equal(a, b, [](const Grains::ForceAndTorque& x, const Grains::ForceAndTorque& y) {
         return x.force == y.force && x.torque == y.torque;
     });
 }
@@ -83,7 +83,7 @@ std::vector<EffectValues> on(const Effect& effect) {
     EffectValues values{effect.name, effect.neutral()};
     for (std::size_t k = 0; k < values.values.size(); ++k) {
         const EffectParameter& p = effect.parameters[k];
-        values.values[k] = p.is_switch() ? 1 : p.neutral + p.matters;
+        values.values[k] = p.is_switch() ? 1 : p.neutral + p.smallest_of_interest;
     }
     return {in_run_units(values, 1000, {.diameter = 500e-6, .density = 1050})};
 }
@@ -122,14 +122,14 @@ TEST(ForceLoop, GivesTheSameBitsWhereASampleLacksWhatTheLoopIsMadeFor) {
                  {std::pair(true, false), {false, true}, {true, true}}) {
                 State state({}, is_wet);
                 if (sizes) {
-                    state.beads.diameters.assign(state.beads.size(), 1.0);
+                    state.grains.diameters.assign(state.grains.size(), 1.0);
                 }
                 const PairSums b =
                     state.forces(accounting, {.sizes = sizes,
                                               .bridges = is_wet,
                                               .accounting = accounting == EnergyAccounting::on,
                                               .effects = effects});
-                EXPECT_TRUE(same(plain.beads.load, state.beads.load));
+                EXPECT_TRUE(same(plain.grains.net_force, state.grains.net_force));
                 EXPECT_EQ(plain.pairs.sx, state.pairs.sx);
                 EXPECT_EQ(plain.pairs.bridge, state.pairs.bridge);
                 EXPECT_EQ(a.virial_12, b.virial_12);
@@ -149,7 +149,7 @@ TEST_P(OfEveryGrainEffect, VanishesAtItsNeutralValue) {
     const GrainEffects neutral = grain_effects({{effect.name, effect.neutral()}}, wet(effect));
     EXPECT_FALSE(neutral.changes_pairs());
     EXPECT_TRUE(neutral.diameters(100, 1).empty());
-    EXPECT_EQ(neutral.memory(), 0u);
+    EXPECT_EQ(neutral.contact_history(), 0u);
     // A hair off neutral its stages run and change next to nothing. (Switches have nothing
     // between.)
     if (effect.is_switch()) {
@@ -160,9 +160,9 @@ TEST_P(OfEveryGrainEffect, VanishesAtItsNeutralValue) {
     State off({}, wet(effect)), nearly({hair}, wet(effect));
     off.forces(), nearly.forces();
     double largest = 0, apart = 0;
-    for (std::size_t i = 0; i < off.beads.size(); ++i) {
-        largest = std::max(largest, std::abs(off.beads.force(i)[0]));
-        apart = std::max(apart, std::abs(off.beads.force(i)[0] - nearly.beads.force(i)[0]));
+    for (std::size_t i = 0; i < off.grains.size(); ++i) {
+        largest = std::max(largest, std::abs(off.grains.force(i)[0]));
+        apart = std::max(apart, std::abs(off.grains.force(i)[0] - nearly.grains.force(i)[0]));
     }
     EXPECT_LT(apart, 1e-8 * largest);
 }
@@ -172,7 +172,7 @@ TEST_P(OfEveryGrainEffect, ChangesSomethingAtTheSizeThatMatters) {
     // Dry ones act where there is no bridge.
     State off({}, wet(effect)), active(on(effect), wet(effect));
     off.forces(), active.forces();
-    EXPECT_FALSE(same(off.beads.load, active.beads.load));
+    EXPECT_FALSE(same(off.grains.net_force, active.grains.net_force));
 }
 
 TEST_P(OfEveryGrainEffect, HasForcesThatAreEqualAndOpposite) {
@@ -180,7 +180,7 @@ TEST_P(OfEveryGrainEffect, HasForcesThatAreEqualAndOpposite) {
     state.forces();
     Vector sum;
     double scale = 0;
-    for (const auto& load : state.beads.load) {
+    for (const auto& load : state.grains.net_force) {
         sum += load.force;
         scale = std::max(scale, std::abs(load.force[0]));
     }
@@ -196,17 +196,17 @@ TEST_P(OfEveryGrainEffect, MakesNoAngularMomentum) {
     state.cell = {100, 100, 100, 0};
     state.flow = {};
     state.pairs =
-        Pairs(find_pairs_by_brute_force(state.beads, state.cell, 0.3), state.effects.memory());
+        Pairs(find_pairs_by_brute_force(state.grains, state.cell, 0.3), state.effects.contact_history());
     state.pairs.fill_up(PairList::batch);
     std::ranges::fill(state.pairs.bridge, state.bridges.wet() ? 1.0 : 0.0);
     state.forces();
     Vector sum;
     double scale = 0;
-    for (std::size_t i = 0; i < state.beads.size(); ++i) {
-        const Vector r = state.beads.position(i), f = state.beads.force(i);
+    for (std::size_t i = 0; i < state.grains.size(); ++i) {
+        const Vector r = state.grains.position(i), f = state.grains.force(i);
         const Vector moment(r[1] * f[2] - r[2] * f[1], r[2] * f[0] - r[0] * f[2],
                             r[0] * f[1] - r[1] * f[0]);
-        sum += moment + state.beads.torque(i);
+        sum += moment + state.grains.torque(i);
         scale = std::max(scale, std::abs(moment[0]));
     }
     for (std::size_t d = 0; d < 3; ++d) {
@@ -222,9 +222,9 @@ TEST_P(OfEveryGrainEffect, IsFrameIndependent) {
         state.cell = {100, 100, 100, 0};
         state.flow = {};
         state.pairs =
-            Pairs(find_pairs_by_brute_force(state.beads, state.cell, 0.3), state.effects.memory());
+            Pairs(find_pairs_by_brute_force(state.grains, state.cell, 0.3), state.effects.contact_history());
         state.pairs.fill_up(PairList::batch);
-        for (auto& word : state.pairs.memory) {
+        for (auto& word : state.pairs.contact_history) {
             std::ranges::fill(word, 0.01);
         }
         std::ranges::fill(state.pairs.bridge, state.bridges.wet() ? 1.0 : 0.0);
@@ -232,24 +232,24 @@ TEST_P(OfEveryGrainEffect, IsFrameIndependent) {
     open(still);
     State turned = still;
     const auto turn = [](const Vector& v) { return Vector(-v[1], v[0], v[2]); };
-    for (auto& bead : turned.beads.motion) {
-        bead.position = turn(bead.position) + Vector(50, 0, 0);
-        bead.velocity = turn(bead.velocity) + Vector(0.3, -0.2, 0.1);
-        bead.spin = turn(bead.spin);
+    for (auto& grain : turned.grains.motion) {
+        grain.position = turn(grain.position) + Vector(50, 0, 0);
+        grain.velocity = turn(grain.velocity) + Vector(0.3, -0.2, 0.1);
+        grain.angular_velocity = turn(grain.angular_velocity);
     }
-    for (std::size_t k = 0; k + 2 < turned.pairs.memory.size(); k += 3) {
-        auto& memory = turned.pairs.memory;
+    for (std::size_t k = 0; k + 2 < turned.pairs.contact_history.size(); k += 3) {
+        auto& contact_history = turned.pairs.contact_history;
         for (std::size_t p = 0; p < turned.pairs.size(); ++p) {
-            const Vector v = turn({memory[k][p], memory[k + 1][p], memory[k + 2][p]});
-            memory[k][p] = v[0], memory[k + 1][p] = v[1], memory[k + 2][p] = v[2];
+            const Vector v = turn({contact_history[k][p], contact_history[k + 1][p], contact_history[k + 2][p]});
+            contact_history[k][p] = v[0], contact_history[k + 1][p] = v[1], contact_history[k + 2][p] = v[2];
         }
     }
     still.forces(), turned.forces();
-    for (std::size_t i = 0; i < still.beads.size(); ++i) {
-        const Vector force = turn(still.beads.force(i)), torque = turn(still.beads.torque(i));
+    for (std::size_t i = 0; i < still.grains.size(); ++i) {
+        const Vector force = turn(still.grains.force(i)), torque = turn(still.grains.torque(i));
         for (std::size_t d = 0; d < 3; ++d) {
-            ASSERT_NEAR(turned.beads.force(i)[d], force[d], 1e-6 * (1 + std::abs(force[d])));
-            ASSERT_NEAR(turned.beads.torque(i)[d], torque[d], 1e-6 * (1 + std::abs(torque[d])));
+            ASSERT_NEAR(turned.grains.force(i)[d], force[d], 1e-6 * (1 + std::abs(force[d])));
+            ASSERT_NEAR(turned.grains.torque(i)[d], torque[d], 1e-6 * (1 + std::abs(torque[d])));
         }
     }
 }
@@ -262,10 +262,10 @@ TEST_P(OfEveryGrainEffect, IsFiniteAtTheCornersOfItsBounds) {
             corner.values[k] = upper ? effect.parameters[k].upper : effect.parameters[k].lower;
         }
         for (const double stress : {300.0, 3000.0}) {
-            const Grains grains{.diameter = 500e-6, .density = 1050};
+            const GrainProperties grains{.diameter = 500e-6, .density = 1050};
             State state({in_run_units(corner, stress, grains)}, wet(effect));
             state.forces();
-            for (const auto& load : state.beads.load) {
+            for (const auto& load : state.grains.net_force) {
                 for (std::size_t d = 0; d < 3; ++d) {
                     ASSERT_TRUE(std::isfinite(load.force[d]) && std::isfinite(load.torque[d]));
                 }
@@ -286,11 +286,11 @@ TEST_P(OfEveryGrainEffect, LosesNoContactThroughNewLists) {
     EXPECT_GT(kept.pairs().renewals(), 3u);
     EXPECT_TRUE(std::isfinite(kept.stress().s12));
     std::size_t touching = 0;
-    Beads wrapped = kept.beads();
+    Grains wrapped = kept.grains();
     Cell cell = kept.cell();
     cell.reduce_offset();
-    for (auto& bead : wrapped.motion) {
-        bead.position = cell.wrapped(bead.position);
+    for (auto& grain : wrapped.motion) {
+        grain.position = cell.wrapped(grain.position);
     }
     for (std::size_t k = 0; k < kept.pairs().live(); ++k) {
         touching += kept.pairs().narrow().root[k] > 0;

@@ -35,25 +35,25 @@ class Impact {
     /// Tangential force that slows the second bead down.
     double tangential_force() const {
         const Pairs& pairs = cell_.pairs().narrow();
-        return cell_.beads().number[static_cast<std::size_t>(pairs.second[0])] == 1 ? -pairs.sy[0]
+        return cell_.grains().number[static_cast<std::size_t>(pairs.second[0])] == 1 ? -pairs.sy[0]
                                                                                     : pairs.sy[0];
     }
     /// Velocity of the second bead relative to the first.
     Vector velocity() const { return motion(1).velocity - motion(0).velocity; }
-    double spin(int bead) const { return motion(bead).spin[2]; }
+    double angular_velocity(int grain) const { return motion(grain).angular_velocity[2]; }
 
   private:
     static Sample before(double tangential) {
         const double gap = 1e-3;  // they meet where the normal points along direction 1
-        Sample sample{Beads(2), {20, 20, 20, 0}};
-        sample.beads.position(0) = {9.5, 10, 10};
-        sample.beads.position(1) = {10.5 + gap, 10 - tangential * gap / approach, 10};
-        sample.beads.velocity(0) = {0.5 * approach, -0.5 * tangential, 0};
-        sample.beads.velocity(1) = {-0.5 * approach, 0.5 * tangential, 0};
+        Sample sample{Grains(2), {20, 20, 20, 0}};
+        sample.grains.position(0) = {9.5, 10, 10};
+        sample.grains.position(1) = {10.5 + gap, 10 - tangential * gap / approach, 10};
+        sample.grains.velocity(0) = {0.5 * approach, -0.5 * tangential, 0};
+        sample.grains.velocity(1) = {-0.5 * approach, 0.5 * tangential, 0};
         return sample;
     }
-    const Beads::Motion& motion(int bead) const {
-        return cell_.beads().motion[cell_.beads().number[0] == bead ? 0 : 1];
+    const Grains::Motion& motion(int grain) const {
+        return cell_.grains().motion[cell_.grains().number[0] == grain ? 0 : 1];
     }
     ShearCell cell_;
 };
@@ -76,11 +76,11 @@ TEST(ObliqueImpact, SlidesThroughoutWithTheImpulseOfCoulomb) {
         const double impulse = friction * (1 + e) * approach / 2;
         EXPECT_NEAR(impact.velocity()[0], e * approach, 5e-3 * approach) << damping;
         EXPECT_NEAR(tangential - impact.velocity()[1], 2 * impulse, 5e-3 * 2 * impulse) << damping;
-        for (const int bead : {0, 1}) {
-            EXPECT_NEAR(impact.spin(bead), impulse * 0.5 / 0.1, 5e-3 * 5 * impulse) << damping;
+        for (const int grain : {0, 1}) {
+            EXPECT_NEAR(impact.angular_velocity(grain), impulse * 0.5 / 0.1, 5e-3 * 5 * impulse) << damping;
         }
         // Sliding to the end: the surfaces still move on, by u - 7 J of u.
-        EXPECT_GT(impact.velocity()[1] - 0.5 * (impact.spin(0) + impact.spin(1)), 0.5 * tangential);
+        EXPECT_GT(impact.velocity()[1] - 0.5 * (impact.angular_velocity(0) + impact.angular_velocity(1)), 0.5 * tangential);
     }
 }
 
@@ -110,7 +110,7 @@ TEST(ObliqueImpact, RollsOffWhereItStuck) {
     EXPECT_GT(change, 0);
     EXPECT_LT(change, 0.9 * friction * 2 * approach);
     // Angular momentum about the point of contact: what the centres lose the spins have.
-    EXPECT_NEAR(impact.spin(0), 2.5 * change, 5e-3 * 2.5 * change);
+    EXPECT_NEAR(impact.angular_velocity(0), 2.5 * change, 5e-3 * 2.5 * change);
 }
 
 }  // namespace impacts_test

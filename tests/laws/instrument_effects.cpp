@@ -205,7 +205,7 @@ TEST_P(ConditionEffects, LeavesBeadsAloneThatItDoesNotTouch) {
 }
 
 TEST_P(ConditionEffects, IsFiniteAtTheCornersOfItsBounds) {
-    const Grains grains{.diameter = 5e-4, .density = 1050};
+    const GrainProperties grains{.diameter = 5e-4, .density = 1050};
     for (const EffectiveCondition& condition : conditions()) {
         for (const auto& corner : corners(effect())) {
             const EffectiveCondition c = changed(condition, corner);

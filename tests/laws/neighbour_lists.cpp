@@ -23,9 +23,9 @@ struct Positions {
     std::vector<Vector> at;
     Cell cell;
 
-    explicit Positions(const ShearCell& sample) : at(sample.beads().size()), cell(sample.cell()) {
+    explicit Positions(const ShearCell& sample) : at(sample.grains().size()), cell(sample.cell()) {
         for (std::size_t i = 0; i < at.size(); ++i) {
-            at[static_cast<std::size_t>(sample.beads().number[i])] = sample.beads().position(i);
+            at[static_cast<std::size_t>(sample.grains().number[i])] = sample.grains().position(i);
         }
     }
     double squared_distance(int i, int j) const {
@@ -53,13 +53,13 @@ struct Positions {
 
 /// Pairs of a list by the numbers that never change; a pair must not stand there twice.
 template <typename Condition>
-PairSet pairs_where(const Beads& beads, const Pairs& pairs, std::size_t count,
+PairSet pairs_where(const Grains& grains, const Pairs& pairs, std::size_t count,
                     const Condition& holds) {
     PairSet result;
     for (std::size_t k = 0; k < count; ++k) {
         if (holds(k)) {
-            const int i = beads.number[static_cast<std::size_t>(pairs.first[k])];
-            const int j = beads.number[static_cast<std::size_t>(pairs.second[k])];
+            const int i = grains.number[static_cast<std::size_t>(pairs.first[k])];
+            const int j = grains.number[static_cast<std::size_t>(pairs.second[k])];
             EXPECT_TRUE(result.insert(std::minmax(i, j)).second) << i << " and " << j;
         }
     }
@@ -75,18 +75,18 @@ class Book {
 
     void look_at_all(const Positions& now) {
         std::vector<Pair> fresh;
-        for (const auto& beads : now.closer_than(1.6)) {
-            const auto known = std::ranges::lower_bound(pairs_, beads, {}, &Pair::beads);
-            const bool found = known != pairs_.end() && known->beads == beads;
-            const bool close = now.squared_distance(beads.first, beads.second) < reach_ * reach_;
+        for (const auto& grains : now.closer_than(1.6)) {
+            const auto known = std::ranges::lower_bound(pairs_, grains, {}, &Pair::grains);
+            const bool found = known != pairs_.end() && known->grains == grains;
+            const bool close = now.squared_distance(grains.first, grains.second) < reach_ * reach_;
             ASSERT_TRUE(found || !close || pairs_.empty()) << "look more often";
-            fresh.push_back({beads, found && known->joined, false});
+            fresh.push_back({grains, found && known->joined, false});
         }
         pairs_ = std::move(fresh);
     }
     void step(const Positions& now) {
         for (Pair& pair : pairs_) {
-            const double squared = now.squared_distance(pair.beads.first, pair.beads.second);
+            const double squared = now.squared_distance(pair.grains.first, pair.grains.second);
             pair.touching = squared < 1;
             const bool joined = pair.touching || (pair.joined && squared <= reach_ * reach_);
             broken_ += pair.joined && !joined;
@@ -99,14 +99,14 @@ class Book {
 
   private:
     struct Pair {
-        std::pair<int, int> beads;
+        std::pair<int, int> grains;
         bool joined = false, touching = false;
     };
     PairSet where(bool Pair::*holds) const {
         PairSet result;
         for (const Pair& pair : pairs_) {
             if (pair.*holds) {
-                result.insert(result.end(), pair.beads);
+                result.insert(result.end(), pair.grains);
             }
         }
         return result;
@@ -116,14 +116,14 @@ class Book {
     std::size_t broken_ = 0;
 };
 
-constexpr int beads = 1200;
+constexpr int grains = 1200;
 const BridgeLaw wet({.reduced_pressure = 2, .bridge_volume = 4e-3});
 
 TEST(NeighbourLists, HoldTheContactsAndBridgesOfALargeSampleWhileItIsRenumbered) {
-    ShearCell sample(beads, {.modulus = 5e3, .friction = 0.2}, 0.1, 5, wet);
+    ShearCell sample(grains, {.modulus = 5e3, .friction = 0.2}, 0.1, 5, wet);
     ASSERT_TRUE(sample.compress());
     Book book(wet.rupture_distance);
-    auto names = sample.beads().number;
+    auto names = sample.grains().number;
     int renumbered = 0;
     double lowest = 1e9, highest = 0;
     for (int step = 0; step < 4000; ++step) {
@@ -134,20 +134,20 @@ TEST(NeighbourLists, HoldTheContactsAndBridgesOfALargeSampleWhileItIsRenumbered)
         book.step(now);
         if (step % 10 == 0) {  // in the lists of the forces about to be found
             const PairSet listed =
-                pairs_where(sample.beads(), sample.pairs().narrow(), sample.pairs().live(),
+                pairs_where(sample.grains(), sample.pairs().narrow(), sample.pairs().live(),
                             [](std::size_t) { return true; });
             ASSERT_TRUE(std::ranges::includes(listed, book.touching())) << "step " << step;
         }
         sample.step();
-        renumbered += sample.beads().number != names;
-        names = sample.beads().number;
+        renumbered += sample.grains().number != names;
+        names = sample.grains().number;
         lowest = std::min(lowest, sample.cell().height);
         highest = std::max(highest, sample.cell().height);
         if (step % 10 != 0) {
             continue;
         }
         const auto joined = [&](const Pairs& pairs, std::size_t count) {
-            return pairs_where(sample.beads(), pairs, count,
+            return pairs_where(sample.grains(), pairs, count,
                                [&](std::size_t k) { return pairs.bridge[k] > 0; });
         };
         PairSet listed = joined(sample.pairs().narrow(), sample.pairs().narrow().size());
@@ -170,19 +170,19 @@ TEST(NeighbourLists, HoldTheContactsAndBridgesOfALargeSampleWhileItIsRenumbered)
     EXPECT_GT(sample.pairs().wide_rebuilds(), 10u);
     // However often they were renumbered, every number is there once.
     std::ranges::sort(names);
-    std::vector<std::int32_t> all(beads);
+    std::vector<std::int32_t> all(grains);
     std::iota(all.begin(), all.end(), 0);
     EXPECT_EQ(names, all);
 }
 
 TEST(NeighbourLists, AreTheSameInPartsAndWhole) {
-    const Sample gas = random_gas(beads, 7);
+    const Sample gas = random_gas(grains, 7);
     for (const double offset : {0.0, -0.4, 0.3}) {
         Cell cell = gas.cell;
         cell.offset = offset * cell.length;
-        Beads wrapped = gas.beads;
-        for (auto& bead : wrapped.motion) {
-            bead.position = cell.wrapped(bead.position);
+        Grains wrapped = gas.grains;
+        for (auto& grain : wrapped.motion) {
+            grain.position = cell.wrapped(grain.position);
         }
         const Neighbours whole = find_pairs(wrapped, cell, 0.5),
                          parts = find_pairs(wrapped, cell, 0.5, 3),
@@ -197,17 +197,17 @@ TEST(NeighbourLists, AreTheSameInPartsAndWhole) {
 }
 
 TEST(NeighbourLists, RememberContactsAndBridgesWhenBeadsAreRenumbered) {
-    ShearCell sample(beads, {.modulus = 5e3, .friction = 0.2}, 0.1, 6, wet);
+    ShearCell sample(grains, {.modulus = 5e3, .friction = 0.2}, 0.1, 6, wet);
     ASSERT_TRUE(sample.compress());
     while (sample.strain() < 0.5) {
         sample.step();
     }
-    Beads changed = sample.beads();
+    Grains changed = sample.grains();
     Cell cell = sample.cell();
     PairList list = sample.pairs();
     // By pair: tangential force on the bead of the larger number, sqrt(overlap), bridge.
     using Memory = std::tuple<double, double, double, double, double>;
-    const auto remembered = [](const Beads& of, const Pairs& pairs) {
+    const auto remembered = [](const Grains& of, const Pairs& pairs) {
         std::map<std::pair<int, int>, Memory> result;
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             const int i = of.number[static_cast<std::size_t>(pairs.first[k])];
@@ -220,7 +220,7 @@ TEST(NeighbourLists, RememberContactsAndBridgesWhenBeadsAreRenumbered) {
         }
         return result;
     };
-    const auto all = [&](const Beads& of, const PairList& from) {
+    const auto all = [&](const Grains& of, const PairList& from) {
         auto result = remembered(of, from.narrow());
         result.merge(remembered(of, from.distant()));
         return result;

@@ -25,7 +25,7 @@ Measurements readings_of(double friction, int study, int threads) {
         runs.push_back({.friction = friction,
                         .inertial_number = 0.02,
                         .stiffness_number = 1000,
-                        .beads = 1400,
+                        .grains = 1400,
                         .strain = 10,
                         .seed = 70'000 + 10 * static_cast<std::uint64_t>(study) + k});
     }

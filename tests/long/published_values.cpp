@@ -21,7 +21,7 @@ dem::RunParameters flow(double friction, double inertial_number,
             .inertial_number = inertial_number,
             .stiffness_number = 8400,
             .wetting = wetting,
-            .beads = 4000,
+            .grains = 4000,
             .strain = 6,
             .seed = 1};
 }

@@ -14,7 +14,7 @@ const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurre
 constexpr dem::RunParameters calibration_run{.friction = 0.15,
                                              .inertial_number = 0.01,
                                              .stiffness_number = 1000,
-                                             .beads = 1000,
+                                             .grains = 1000,
                                              .strain = 6};
 
 TEST(RunScatter, OfDryCalibrationRunsIsTheReportedStandardError) {

@@ -19,7 +19,7 @@ constexpr double drag = 1e-3;  // N m
 std::string readings() {
     const ModelOfReadings model = laboratory().with({&built_in_effect("torque-offset")});
     const Eigen::VectorXd values =
-        model.predict(Eigen::Vector2d(planted_friction, drag), Ask::slopes).value;
+        model.predict(Eigen::Vector2d(planted_friction, drag), PredictionPart::slopes).value;
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
     std::string csv =

@@ -22,7 +22,7 @@ dem::RunParameters flow(std::uint64_t seed, std::optional<dem::Wetting> wetting 
             .inertial_number = 0.01,
             .stiffness_number = 1000,
             .wetting = wetting,
-            .beads = 1000,
+            .grains = 1000,
             .strain = 4,
             .seed = seed};
 }
@@ -34,7 +34,7 @@ struct Simulated {
 
     double value(Observable which) const { return run[which].value; }
     double error(Observable which) const { return run[which].standard_error; }
-    State state() const { return state_of(run); }
+    State state() const { return network_state_of(run); }
     CapillaryStress capillary() const { return capillary_stress_of(run); }
     double pressure() const { return state().reduced_pressure; }
     double stress_ratio() const { return value(Observable::stress_ratio); }

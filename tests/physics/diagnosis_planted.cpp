@@ -41,7 +41,7 @@ bool right(const Diagnosis& d, const Finding& truth, const std::string& effect) 
                 std::max(nearest, std::abs(truth.test.basis.col(0).dot(other.test.basis.col(0))));
         }
     }
-    const double v = truth.test.predicted_drop;
+    const double v = truth.test.predicted_reduction;
     if (v < seen && d.verdict == Verdict::inconclusive) {
         return names(d, effect);
     }
@@ -55,8 +55,8 @@ std::string told(const Planted& planted, const Diagnosis& d, const Finding& trut
     for (const std::string& effect : d.effects) {
         text += " " + effect;
     }
-    return text + ", drop " + std::to_string(truth.test.predicted_drop) + ", refitted " +
-           std::to_string(truth.refit_drop.value_or(0)) + "\n";
+    return text + ", drop " + std::to_string(truth.test.predicted_reduction) + ", refitted " +
+           std::to_string(truth.refitted_reduction.value_or(0)) + "\n";
 }
 
 TEST(PlantedDiagnosis, NamesEveryEffectWithWhatItsAdditionBrings) {
@@ -66,9 +66,9 @@ TEST(PlantedDiagnosis, NamesEveryEffectWithWhatItsAdditionBrings) {
         const Diagnosis d = diagnosed(planted, 5);
         const auto truth =
             std::ranges::find(d.scan, place_of(planted.effect).front(), &Finding::candidate);
-        const double drop = truth->refit_drop.value_or(0);
+        const double drop = truth->refitted_reduction.value_or(0);
         const bool foretold =
-            std::abs(truth->test.predicted_drop - drop) <= std::max(4.0, 0.2 * drop);
+            std::abs(truth->test.predicted_reduction - drop) <= std::max(4.0, 0.2 * drop);
         const bool verdict = right(d, *truth, planted.effect);
         as_expected += verdict, as_foretold += foretold;
         otherwise += verdict && foretold ? "" : told(planted, d, *truth);

@@ -17,7 +17,7 @@ namespace dry_lammps_test {
 using namespace pendular::dem;
 
 struct Row {
-    double friction, inertial_number, stiffness_number, beads, strain;
+    double friction, inertial_number, stiffness_number, grains, strain;
     double stress_ratio, stress_ratio_sd, solid_fraction, solid_fraction_sd;
 };
 
@@ -30,7 +30,7 @@ std::vector<Row> reference() {
         std::ranges::replace(line, ',', ' ');
         std::istringstream cells(line);
         Row r{};
-        cells >> r.friction >> r.inertial_number >> r.stiffness_number >> r.beads >> r.strain >>
+        cells >> r.friction >> r.inertial_number >> r.stiffness_number >> r.grains >> r.strain >>
             r.stress_ratio >> r.stress_ratio_sd >> r.solid_fraction >> r.solid_fraction_sd;
         rows.push_back(r);
     }
@@ -55,7 +55,7 @@ TEST_P(DryLammps, Agrees) {
     const RunResult run = pendular::simulate({.friction = row.friction,
                                               .inertial_number = row.inertial_number,
                                               .stiffness_number = row.stiffness_number,
-                                              .beads = static_cast<int>(row.beads),
+                                              .grains = static_cast<int>(row.grains),
                                               .strain = 4,
                                               .seed = 2026});
     EXPECT_TRUE(run.steady);

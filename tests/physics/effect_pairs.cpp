@@ -16,7 +16,7 @@ using namespace pendular;
 /// is a switch, with what the friction can do taken out; of length 1.
 struct Signature {
     Eigen::VectorXd direction;
-    double absorbed = 0;  ///< rho^2: share of it that friction takes over
+    double share_imitated = 0;  ///< rho^2: share of it that friction takes over
 };
 
 /// 1 % in shear stress, 0.2 % in solid fraction.
@@ -32,17 +32,17 @@ Signature signature_of(const std::string& name, bool dry_only = false) {
     const Effect& effect = built_in_effect(name);
     const ModelOfReadings without = laboratory().with({}), with_it = laboratory().with({&effect});
     const Eigen::VectorXd friction = Eigen::VectorXd::Constant(1, planted_friction);
-    const Prediction plain = without.predict(friction, Ask::slopes);
+    const Prediction plain = without.predict(friction, PredictionPart::slopes);
     Eigen::VectorXd g;
     if (effect.is_switch()) {
-        g = with_it.predict(friction, Ask::slopes).value - plain.value;
+        g = with_it.predict(friction, PredictionPart::slopes).value - plain.value;
     } else {
         // A secant over the size that matters: at neutral the derivative of some is zero.
         Eigen::VectorXd at(2);
         const EffectParameter& p = effect.parameters.front();
         at << planted_friction,
-            effect.given_by_liquid ? 20.6e-3 + p.matters : p.neutral + p.matters;
-        g = with_it.predict(at, Ask::slopes).value - plain.value;
+            effect.given_by_liquid ? 20.6e-3 + p.smallest_of_interest : p.neutral + p.smallest_of_interest;
+        g = with_it.predict(at, PredictionPart::slopes).value - plain.value;
     }
     const Eigen::VectorXd inverse = errors_of(plain.value).cwiseInverse();
     g = inverse.cwiseProduct(g);
@@ -79,7 +79,7 @@ TEST(EffectsAlike, AreThoseThatRheologistsKnow) {
     EXPECT_GT(cosine("torque-gain", "wall-friction"), 0.93);
     EXPECT_GT(cosine("bead-loss", "polydispersity"), 0.95);
     // Rolling resistance does what friction does, but for a hundredth part.
-    EXPECT_GT(signature_of("rolling-resistance").absorbed, 0.95);
+    EXPECT_GT(signature_of("rolling-resistance").share_imitated, 0.95);
     // These change other things.
     EXPECT_LT(cosine("torque-offset", "height-offset"), 0.7);
     EXPECT_LT(cosine("torque-gain", "contact-angle"), 0.9);
@@ -105,7 +105,7 @@ TEST(EffectsAlike, AreTabled) {
     }
     std::printf("\n| effect | absorbed by friction |\n|---|---|\n");
     for (const auto& [name, signature] : all) {
-        std::printf("| %s | %.3f |\n", name.c_str(), signature.absorbed);
+        std::printf("| %s | %.3f |\n", name.c_str(), signature.share_imitated);
     }
 }
 

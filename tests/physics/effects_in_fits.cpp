@@ -33,7 +33,7 @@ Eigen::VectorXd planted(const Model& model, const Effect& effect) {
         if (!p.is_switch()) {
             truth(next++) = effect.given_by_liquid
                                 ? 0.03
-                                : std::clamp(p.neutral + 3 * p.matters, p.lower, 0.8 * p.upper);
+                                : std::clamp(p.neutral + 3 * p.smallest_of_interest, p.lower, 0.8 * p.upper);
         }
     }
     return truth;
@@ -66,7 +66,7 @@ TEST_P(OfEveryEffect, FitRecoversAPlantedValue) {
     const ModelOfReadings model = laboratory().with({&effect});
     const ModelOfReadings without = laboratory().with({});
     const Eigen::VectorXd truth = planted(model, effect);
-    const Measured measured = readings_of(model.predict(truth, Ask::slopes).value, 11);
+    const Measured measured = readings_of(model.predict(truth, PredictionPart::slopes).value, 11);
     const Fit with_it = fit(model, measured, start_of(model));
     const Fit without_it = fit(without, measured, start_of(without));
     EXPECT_TRUE(with_it.converged) << with_it.message;
@@ -88,13 +88,13 @@ TEST_P(OfEveryEffect, DerivativesAreThoseOfThePrediction) {
     ASSERT_TRUE(predictable(effect)) << "the atlas has no run with it";
     const ModelOfReadings model = laboratory().with({&effect});
     const Eigen::VectorXd at = planted(model, effect);
-    const Prediction there = model.predict(at, Ask::slopes);
+    const Prediction there = model.predict(at, PredictionPart::slopes);
     for (Eigen::Index k = 0; k < at.size(); ++k) {
         const double step = 3e-3 * std::max(std::abs(at(k)), 1e-6);
         Eigen::VectorXd above = at, below = at;
         above(k) += step, below(k) -= step;
         const Eigen::VectorXd slope =
-            (model.predict(above, Ask::slopes).value - model.predict(below, Ask::slopes).value) /
+            (model.predict(above, PredictionPart::slopes).value - model.predict(below, PredictionPart::slopes).value) /
             (2 * step);
         const double scale = slope.cwiseAbs().maxCoeff();
         EXPECT_GT(scale, 0) << "nothing depends on "
@@ -107,9 +107,9 @@ TEST_P(OfEveryEffect, DerivativesAreThoseOfThePrediction) {
 TEST(CapillaryShearStress, TakesFromRumpfsStrengthMostAtLittleLiquid) {
     Laboratory plain("rumpf"), full("rumpf", {.capillary_shear_stress = true}), truth("dem");
     const Eigen::VectorXd at = Eigen::VectorXd::Constant(1, planted_friction);
-    const Eigen::VectorXd without = plain.with({}).predict(at, Ask::slopes).value,
-                          with_it = full.with({}).predict(at, Ask::slopes).value,
-                          simulated = truth.with({}).predict(at, Ask::slopes).value;
+    const Eigen::VectorXd without = plain.with({}).predict(at, PredictionPart::slopes).value,
+                          with_it = full.with({}).predict(at, PredictionPart::slopes).value,
+                          simulated = truth.with({}).predict(at, PredictionPart::slopes).value;
     double worst_without = 0, worst_with = 0;
     const auto all = conditions();
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -133,13 +133,13 @@ TEST(EffectModel, WithoutEffectsIsTheModelInsideBitForBit) {
     const ModelOfReadings model = laboratory().with({});
     const Study study = study_with("dem");
     const Fidelity quick = fidelity_named("quick");
-    KnownRuns known{runs_serving(study, quick, shipped_runs()), shipped_scales(), false};
-    const EmulatedSimulation inside(study, quick, Emulator(known.runs, known.scales));
+    KnownRuns known{runs_serving(study, quick, shipped_runs()), shipped_hyperparameters(), false};
+    const EmulatedSimulation inside(study, quick, Emulator(known.runs, known.hyperparameters));
     const Eigen::VectorXd at = Eigen::VectorXd::Constant(1, planted_friction);
-    EXPECT_EQ(model.predict(at, Ask::slopes).value,
-              inside.predict(at, conditions(), Ask::slopes).value);
-    EXPECT_EQ(model.predict(at, Ask::slopes).jacobian,
-              inside.predict(at, conditions(), Ask::slopes).jacobian);
+    EXPECT_EQ(model.predict(at, PredictionPart::slopes).value,
+              inside.predict(at, conditions(), PredictionPart::slopes).value);
+    EXPECT_EQ(model.predict(at, PredictionPart::slopes).jacobian,
+              inside.predict(at, conditions(), PredictionPart::slopes).jacobian);
 }
 
 }  // namespace effects_in_fits_test

@@ -69,8 +69,8 @@ struct Score {
 
     void add(const dem::RunResult& run, Observable which, double said, double variance,
              double noise) {
-        const Mean taught = emulated::taught(run, which);
-        const double off = taught.value - said;
+        const Mean training_value = emulated::training_value(run, which);
+        const double off = training_value.value - said;
         standardised += off * off / (variance + noise);
         net += off * off - noise;
         ++runs;
@@ -95,7 +95,7 @@ Score left_out(Observable which) {
         const Emulator emulator(known, {});
         for (const auto& run : tested) {
             if (!emulated::of_bridges(which) || run.parameters.wetting) {
-                const std::vector<Query> query = {{emulated::state_of(run.parameters), which}};
+                const std::vector<Query> query = {{emulated::flow_state_of(run.parameters), which}};
                 const double said = emulator.mean(query)(0),
                              variance = emulator.covariance(query)(0, 0);
                 score.add(run, which, said, variance, emulator.noise_variance(run, which));
@@ -137,8 +137,8 @@ std::vector<PairOfRuns> pairs_of_runs() {
         for (std::size_t j = i + 1; j < runs.size(); ++j) {
             std::vector<Input> differing;
             for (const Input input : inputs) {
-                if (input_of(emulated::state_of(runs[i].parameters), input) !=
-                    input_of(emulated::state_of(runs[j].parameters), input)) {
+                if (input_of(emulated::flow_state_of(runs[i].parameters), input) !=
+                    input_of(emulated::flow_state_of(runs[j].parameters), input)) {
                     differing.push_back(input);
                 }
             }
@@ -177,8 +177,8 @@ TEST(EmulatorOfTheAtlas, HasTheDerivativesThatPairsOfRunsHave) {
     double chi2 = 0;
     int dof = 0;
     for (const auto& [first, second, by] : pairs_of_runs()) {
-        const FlowState a = emulated::state_of(first.parameters),
-                        b = emulated::state_of(second.parameters);
+        const FlowState a = emulated::flow_state_of(first.parameters),
+                        b = emulated::flow_state_of(second.parameters);
         const double apart = input_of(b, by) - input_of(a, by);
         const FlowState middle{
             (a.friction + b.friction) / 2, std::sqrt(a.inertial_number * b.inertial_number),
@@ -187,8 +187,8 @@ TEST(EmulatorOfTheAtlas, HasTheDerivativesThatPairsOfRunsHave) {
             const std::vector<Query> query = {{middle, which, by}};
             const double slope = emulator.mean(query)(0),
                          error = std::sqrt(emulator.covariance(query)(0, 0));
-            const double found = (emulated::taught(second, which).value -
-                                  emulated::taught(first, which).value) /
+            const double found = (emulated::training_value(second, which).value -
+                                  emulated::training_value(first, which).value) /
                                  apart,
                          noise = std::sqrt(emulator.noise_variance(first, which) +
                                            emulator.noise_variance(second, which)) /
@@ -217,10 +217,10 @@ TEST(EmulatorOfTheAtlas, CoversTheTruthOfStudiesItHasNotSeen) {
     study.grains = {.diameter = 5e-4, .density = 1050, .poisson_ratio = 0.3};
     const Fidelity quick = fidelity_named("quick");
     const std::vector<dem::RunResult> known = atlas();
-    EmulatorScales scales;
+    EmulatorHyperparameters hyperparameters;
     for (const Observable which :
          {Observable::stress_ratio, Observable::solid_fraction, Observable::overlap}) {
-        scales[which] = PlainEmulator::learn(known, which);
+        hyperparameters[which] = PlainEmulator::learn(known, which);
     }
     std::map<double, std::vector<dem::RunResult>> truths;
     for (const auto& run : unseen()) {
@@ -248,7 +248,7 @@ TEST(EmulatorOfTheAtlas, CoversTheTruthOfStudiesItHasNotSeen) {
                 std::pow(solid_error, 2) + std::pow(solid.standard_error, 2);
             measurements.readings.push_back(reading);
         }
-        CalibrationRequest request{.fidelity = quick, .known = KnownRuns{known, scales, false}};
+        CalibrationRequest request{.fidelity = quick, .known = KnownRuns{known, hyperparameters, false}};
         request.options.fewest_rounds = request.options.most_rounds = 1;
         const Calibration c = calibrate_study(study, measurements, request, {});
         EXPECT_TRUE(c.fit.converged);
@@ -278,7 +278,7 @@ TEST(EmulatorOfTheAtlas, PredictsWetRunsItHasNotSeen) {
         Score score;
         for (const auto& run : unseen()) {
             if (run.parameters.wetting) {
-                const std::vector<Query> query = {{emulated::state_of(run.parameters), which}};
+                const std::vector<Query> query = {{emulated::flow_state_of(run.parameters), which}};
                 score.add(run, which, emulator.mean(query)(0), emulator.covariance(query)(0, 0),
                           emulator.noise_variance(run, which));
             }

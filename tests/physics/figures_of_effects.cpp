@@ -78,7 +78,7 @@ std::vector<Condition> conditions_of_files(const Study& study) {
 /// A planted effect's size: three times what matters.
 double planted_value(const Effect& effect, const EffectParameter& p) {
     return effect.given_by_liquid ? 0.03
-                                  : std::clamp(p.neutral + 3 * p.matters, p.lower, 0.8 * p.upper);
+                                  : std::clamp(p.neutral + 3 * p.smallest_of_interest, p.lower, 0.8 * p.upper);
 }
 
 Study study_of(const Case& one) {
@@ -110,7 +110,7 @@ struct Planted {
         c.written_effects = study.written_effects;
         c.fidelity = fidelity_named("quick");
         c.runs = runs_serving(study, c.fidelity, shipped);
-        c.scales = shipped_scales();
+        c.hyperparameters = shipped_hyperparameters();
         for (const Condition& condition : conditions_of_files(study)) {
             c.readings.push_back({.origin = {condition.time > 3600 ? "two.csv" : "one.csv", 1},
                                   .condition = condition});
@@ -132,7 +132,7 @@ struct Planted {
             for (const EffectParameter& p : effect->parameters) {
                 if (p.is_switch()) continue;
                 c.fit.parameters(next) = planted_value(*effect, p);
-                error(next++) = 0.1 * p.matters;
+                error(next++) = 0.1 * p.smallest_of_interest;
             }
         }
         c.fit.covariance = error.cwiseAbs2().asDiagonal();

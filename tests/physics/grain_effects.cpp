@@ -20,14 +20,14 @@ using namespace pendular::dem;
 using PairSet = std::set<std::pair<int, int>>;
 
 /// Pairs of beads, by the numbers that never change.
-void add(PairSet& set, const Beads& beads, const Neighbours& pairs, std::size_t k) {
-    set.insert(std::minmax({beads.number[static_cast<std::size_t>(pairs.first[k])],
-                            beads.number[static_cast<std::size_t>(pairs.second[k])]}));
+void add(PairSet& set, const Grains& grains, const Neighbours& pairs, std::size_t k) {
+    set.insert(std::minmax({grains.number[static_cast<std::size_t>(pairs.first[k])],
+                            grains.number[static_cast<std::size_t>(pairs.second[k])]}));
 }
 
 /// Those whose gap is below this now, by looking at all of them.
 PairSet closer_than(double gap, const ShearCell& sample) {
-    Beads wrapped = sample.beads();
+    Grains wrapped = sample.grains();
     Cell cell = sample.cell();
     cell.reduce_offset();
     for (std::size_t i = 0; i < wrapped.size(); ++i) {
@@ -36,7 +36,7 @@ PairSet closer_than(double gap, const ShearCell& sample) {
     const Neighbours near = find_pairs_by_brute_force(wrapped, cell, gap);
     PairSet result;
     for (std::size_t k = 0; k < near.size(); ++k) {
-        add(result, sample.beads(), near, k);
+        add(result, sample.grains(), near, k);
     }
     return result;
 }
@@ -47,7 +47,7 @@ PairSet joined(const ShearCell& sample) {
     for (const Pairs* list : {&sample.pairs().narrow(), &sample.pairs().distant()}) {
         for (std::size_t k = 0; k < list->size(); ++k) {
             if (list->bridge[k] > 0) {
-                add(result, sample.beads(), *list, k);
+                add(result, sample.grains(), *list, k);
             }
         }
     }
@@ -101,7 +101,7 @@ TEST(Polydispersity, MakesFlowDenser) {
     RunParameters p{.friction = 0.3,
                     .inertial_number = 0.05,
                     .stiffness_number = 1000,
-                    .beads = 300,
+                    .grains = 300,
                     .strain = 6};
     const Mean equal = simulate(p)[Observable::solid_fraction];
     p.effects = {{"polydispersity", {0.25}}};
@@ -121,7 +121,7 @@ TEST(RollingResistance, GivesAStrongerAndLooserFlow) {
     RunParameters p{.friction = 0.4,
                     .inertial_number = 0.01,
                     .stiffness_number = 1000,
-                    .beads = 1000,
+                    .grains = 1000,
                     .strain = 3,
                     .effects = {{"rolling-resistance", {0.2}}}};
     const RunResult rolling = simulate(p);

@@ -35,7 +35,7 @@ inline StudyModels models_of(const std::vector<Condition>& conditions,
         conditions,
         quick,
         {runs_serving(StudyModels::with_all_effects(planted_study()), quick, all_shipped_runs()),
-         shipped_scales(), false}};
+         shipped_hyperparameters(), false}};
 }
 
 inline const StudyModels& models() {
@@ -43,7 +43,7 @@ inline const StudyModels& models() {
     return shared;
 }
 
-inline Choice place_of(const std::string& effect) {
+inline EffectSet place_of(const std::string& effect) {
     const auto& all = models().candidates();
     const auto found = std::ranges::find(all, effect, &Candidate::name);
     return {static_cast<std::size_t>(found - all.begin())};
@@ -79,10 +79,10 @@ inline Eigen::VectorXd truth_of(const Planted& planted, const Model& model) {
 /// the truth is off the emulator as its own errors allow.
 inline std::vector<Reading> readings_with(const Planted& planted, std::uint64_t seed,
                                           bool simulation_errs = false) {
-    const Choice on = planted.effect.empty() ? Choice{} : place_of(planted.effect);
+    const EffectSet on = planted.effect.empty() ? EffectSet{} : place_of(planted.effect);
     const std::shared_ptr<const Model> truth = models().with(on);
     const Eigen::VectorXd parameters = truth_of(planted, *truth);
-    Eigen::VectorXd values = truth->predict(parameters, Ask::values).value;
+    Eigen::VectorXd values = truth->predict(parameters, PredictionPart::values).value;
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
     if (simulation_errs) {

@@ -20,7 +20,7 @@ dem::RunParameters flow(double inertial_number, std::optional<dem::Wetting> wett
             .inertial_number = inertial_number,
             .stiffness_number = 1000,
             .wetting = wetting,
-            .beads = 1000,
+            .grains = 1000,
             .strain = 8,
             .seed = 77};
 }

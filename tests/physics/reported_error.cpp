@@ -40,7 +40,7 @@ TEST(ReportedError, IsTheScatterOfPlantedFrictions) {
         truths[friction] = truth_of({.friction = friction,
                                      .inertial_number = 0.05,
                                      .stiffness_number = 300,
-                                     .beads = 200,
+                                     .grains = 200,
                                      .strain = 5,
                                      .seed = 1'000'000},
                                     75);
@@ -90,7 +90,7 @@ TEST(ReportedError, CoversTheCorrectionsInStiffnessAndInertialNumber) {
     const Eigen::Vector2d state = truth_of({.friction = friction,
                                             .inertial_number = 0.02,
                                             .stiffness_number = stiffness,
-                                            .beads = 200,
+                                            .grains = 200,
                                             .strain = 5,
                                             .seed = 2'000'000},
                                            24);
@@ -107,7 +107,7 @@ TEST(ReportedError, CoversTheCorrectionsInStiffnessAndInertialNumber) {
     const int fits = 3;
     for (std::uint64_t seed = 1; seed <= fits; ++seed) {
         const Calibration c = calibrate_study(
-            study, measurements, {.fidelity = small, .seed = seed, .known = {{}, shipped_scales()}},
+            study, measurements, {.fidelity = small, .seed = seed, .known = {{}, shipped_hyperparameters()}},
             {.threads = 1});
         const double z = (c.fit.parameters(0) - friction) / c.fit.standard_error(0);
         std::printf("%.4f +- %.4f (measurement %.4f), %zu runs\n", c.fit.parameters(0),

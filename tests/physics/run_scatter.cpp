@@ -8,7 +8,7 @@ TEST(RunScatter, IsTheReportedStandardError) {
     pendular::expect_scatter_as_reported({.friction = 0.2,
                                           .inertial_number = 0.05,
                                           .stiffness_number = 300,
-                                          .beads = 200,
+                                          .grains = 200,
                                           .strain = 10,
                                           .seed = 9'001},
                                          1);

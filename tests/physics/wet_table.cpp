@@ -31,7 +31,7 @@ TEST(WetShear, HoldsThePublishedLiquidContents) {
                               .inertial_number = 0.01,
                               .stiffness_number = 1000,
                               .wetting = dem::Wetting{3, row.bridge_volume},
-                              .beads = 1000,
+                              .grains = 1000,
                               .strain = 4,
                               .seed = 31});
     }

@@ -29,7 +29,7 @@ class Offset : public KnownFlow {
     /// One that calls its parameter otherwise.
     explicit Offset(const std::string& parameter) : Offset(0, 0, parameter) {}
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
-                       Ask /*what*/) const override {
+                       PredictionPart /*what*/) const override {
         const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
         Prediction result{Eigen::VectorXd(n), Eigen::MatrixXd::Zero(n, 1),
                           Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};

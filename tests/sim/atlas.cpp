@@ -25,9 +25,9 @@ const std::vector<StoredRun>& atlas() {
     return runs;
 }
 
-using Choice = std::function<bool(const dem::RunParameters&)>;
+using EffectSet = std::function<bool(const dem::RunParameters&)>;
 
-std::vector<dem::RunResult> runs_where(const Choice& choice) {
+std::vector<dem::RunResult> runs_where(const EffectSet& choice) {
     std::vector<dem::RunResult> chosen;
     for (const StoredRun& stored : atlas()) {
         const auto& p = stored.run.parameters;
@@ -39,7 +39,7 @@ std::vector<dem::RunResult> runs_where(const Choice& choice) {
 }
 
 /// The runs of the published grid.
-std::vector<dem::RunResult> grid(const Choice& choice) {
+std::vector<dem::RunResult> grid(const EffectSet& choice) {
     return runs_where([&](const auto& p) {
         const double volume = p.wetting ? p.wetting->bridge_volume : 0;
         return p.wetting && p.inertial_number == 0.003 &&
@@ -122,11 +122,11 @@ Range range_of(const std::vector<dem::RunResult>& runs,
 TEST(Atlas, IsWhatItsCampaignAsksFor) {
     std::map<std::string, const StoredRun*> there;
     for (const StoredRun& stored : atlas()) {
-        EXPECT_TRUE(there.emplace(described(stored.run.parameters), &stored).second);
+        EXPECT_TRUE(there.emplace(run_description(stored.run.parameters), &stored).second);
         EXPECT_EQ(stored.physics_version, dem::physics_version);
     }
     for (const auto& run : read_campaign(atlas_folder / "campaign.toml")) {
-        EXPECT_TRUE(there.contains(described(run))) << described(run);
+        EXPECT_TRUE(there.contains(run_description(run))) << run_description(run);
     }
     EXPECT_LT(std::filesystem::file_size(atlas_folder / "atlas.csv"), 4'000'000u);
 }

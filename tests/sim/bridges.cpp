@@ -21,30 +21,30 @@ using namespace pendular::dem;
 constexpr Wetting wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};
 
 /// Two beads that are moved by hand along x, their forces from the lists of a pair each.
-struct TwoBeads {
-    Beads beads{2};
+struct TwoGrains {
+    Grains grains{2};
     dem::Cell cell{20, 20, 20, 0};
     Pairs pairs;
     Material material{.modulus = 3e4, .friction = 0};
     BridgeLaw bridges{wetting};
 
-    TwoBeads() {
-        beads.position(0)[0] = 5, beads.position(1)[0] = 6.5, beads.position(0)[1] = 5,
-        beads.position(1)[1] = 5, beads.position(0)[2] = 5, beads.position(1)[2] = 5;
-        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 0.6));
+    TwoGrains() {
+        grains.position(0)[0] = 5, grains.position(1)[0] = 6.5, grains.position(0)[1] = 5,
+        grains.position(1)[1] = 5, grains.position(0)[2] = 5, grains.position(1)[2] = 5;
+        pairs = Pairs(find_pairs_by_brute_force(grains, cell, 0.6));
         pairs.fill_up(PairList::batch);
     }
     /// Force that pulls the second bead towards the first at this gap.
     double attraction(double gap, bool as_distant = false) {
-        beads.position(1)[0] = beads.position(0)[0] + 1 + gap;
+        grains.position(1)[0] = grains.position(0)[0] + 1 + gap;
         const PairLaws laws{cell, {}, material, bridges, 1e-3};
         if (as_distant) {
-            beads.load.assign(2, {});
-            distant_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
+            grains.net_force.assign(2, {});
+            distant_forces(grains, pairs, {0, pairs.size()}, laws, grains.net_force);
         } else {
-            pair_forces(beads, pairs, laws);
+            pair_forces(grains, pairs, laws);
         }
-        return -beads.force(1)[0];
+        return -grains.force(1)[0];
     }
 };
 
@@ -69,7 +69,7 @@ TEST(BridgeLaw, FollowsFromTheVolumeOfAParabolicGap) {
 
 TEST(BridgeLaw, AsPrintedHasHalfTheVolumeInIt) {
     Wetting printed = wetting;
-    printed.bridge_force = Form::as_printed;
+    printed.bridge_force = FormulaVariant::as_printed;
     const double gap = 0.05, half = 2e-3;
     EXPECT_NEAR(BridgeLaw(printed).relative_force(gap), derived_force(gap, half), 1e-14);
     // The printed formula word by word: 1 - 1/sqrt(1 + 2 V0/(pi a h^2)).
@@ -94,7 +94,7 @@ TEST(BridgeLaw, PotentialIsTheWorkUpToRupture) {
 }
 
 TEST(Bridges, FormOnContactAloneAndBreakAtTheRuptureDistance) {
-    TwoBeads two;
+    TwoGrains two;
     const double rupture = two.bridges.rupture_distance;
     EXPECT_EQ(two.attraction(0.001), 0);  // near, but never in contact
     EXPECT_GT(two.attraction(-1e-6), 0.49);
@@ -106,7 +106,7 @@ TEST(Bridges, FormOnContactAloneAndBreakAtTheRuptureDistance) {
 }
 
 TEST(Bridges, PullAlikeInTheNearAndInTheDistantList) {
-    TwoBeads two;
+    TwoGrains two;
     two.attraction(-1e-6);
     for (const double gap : {0.02, 0.07, 0.15}) {
         EXPECT_DOUBLE_EQ(two.attraction(gap, true), two.attraction(gap, false));
@@ -118,29 +118,29 @@ TEST(Bridges, PullAlikeInTheNearAndInTheDistantList) {
 TEST(Bridges, DoNotEnterTheCoulombLimit) {
     // The elastic force at this overlap is 10; with F0 = 5 the net force is 5, the limit still 0.3
     // x 10.
-    TwoBeads two;
+    TwoGrains two;
     two.bridges = BridgeLaw({.reduced_pressure = 0.2, .bridge_volume = 4e-3});
     two.material.friction = 0.3;
     const double overlap = overlap_at(10, two.material.modulus);
-    two.beads.velocity(1)[1] = 1;
+    two.grains.velocity(1)[1] = 1;
     for (int step = 0; step < 200; ++step) {
         two.attraction(-overlap);
     }
     EXPECT_NEAR(std::hypot(two.pairs.sy[0], two.pairs.sz[0]), 3, 1e-9);
-    EXPECT_NEAR(two.beads.force(1)[0], 10 - 5, 1e-9);
+    EXPECT_NEAR(two.grains.force(1)[0], 10 - 5, 1e-9);
 }
 
 using PairSet = std::set<std::pair<int, int>>;
 
 /// The beads of a pair by the numbers that never change.
-std::pair<int, int> called_at_first(const Beads& beads, const Neighbours& pairs, std::size_t k) {
-    return std::minmax({beads.number[static_cast<std::size_t>(pairs.first[k])],
-                        beads.number[static_cast<std::size_t>(pairs.second[k])]});
+std::pair<int, int> called_at_first(const Grains& grains, const Neighbours& pairs, std::size_t k) {
+    return std::minmax({grains.number[static_cast<std::size_t>(pairs.first[k])],
+                        grains.number[static_cast<std::size_t>(pairs.second[k])]});
 }
 
 /// Pairs whose gap is below this now, by looking at all of them.
 PairSet closer_than(double gap, const ShearCell& sample) {
-    Beads wrapped = sample.beads();
+    Grains wrapped = sample.grains();
     dem::Cell cell = sample.cell();
     cell.reduce_offset();
     for (std::size_t i = 0; i < wrapped.size(); ++i) {
@@ -149,7 +149,7 @@ PairSet closer_than(double gap, const ShearCell& sample) {
     const Neighbours near = find_pairs_by_brute_force(wrapped, cell, gap);
     PairSet result;
     for (std::size_t k = 0; k < near.size(); ++k) {
-        result.insert(called_at_first(sample.beads(), near, k));
+        result.insert(called_at_first(sample.grains(), near, k));
     }
     return result;
 }
@@ -180,7 +180,7 @@ TEST(Bridges, AreThoseThatAPairByPairHistoryGives) {
         for (const auto* list : {&sample.pairs().narrow(), &sample.pairs().distant()}) {
             for (std::size_t k = 0; k < list->size(); ++k) {
                 if (list->bridge[k] > 0) {
-                    listed.insert(called_at_first(sample.beads(), *list, k));
+                    listed.insert(called_at_first(sample.grains(), *list, k));
                 }
             }
         }
@@ -202,9 +202,9 @@ TEST(Bridges, NeverPushTheSampleAndLeaveMomentumAlone) {
         sample.step();
     }
     double momentum = 0, largest = 0;
-    for (const auto& bead : sample.beads().motion) {
-        momentum += bead.velocity[0];
-        largest = std::max(largest, std::abs(bead.velocity[0]));
+    for (const auto& grain : sample.grains().motion) {
+        momentum += grain.velocity[0];
+        largest = std::max(largest, std::abs(grain.velocity[0]));
     }
     EXPECT_GT(largest, 0.01);
     EXPECT_NEAR(momentum, 0, 1e-10 * largest * 150);
@@ -213,13 +213,13 @@ TEST(Bridges, NeverPushTheSampleAndLeaveMomentumAlone) {
 
 /// One bead in the middle joined to others at gaps along directions that sample the sphere evenly.
 struct Star {
-    Beads beads;
+    Grains grains;
     Pairs distant;
     BridgeLaw bridges{wetting};
 
     template <typename Gap>
-    Star(int count, const Gap& gap) : beads(static_cast<std::size_t>(count) + 1) {
-        beads.position(0)[0] = beads.position(0)[1] = beads.position(0)[2] = 50;
+    Star(int count, const Gap& gap) : grains(static_cast<std::size_t>(count) + 1) {
+        grains.position(0)[0] = grains.position(0)[1] = grains.position(0)[2] = 50;
         for (int k = 0; k < count; ++k) {
             const double up = 1 - (2 * k + 1.0) / count;  // Fibonacci sphere
             const double turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
@@ -227,14 +227,14 @@ struct Star {
             const double nx = side * std::cos(turn), ny = side * std::sin(turn);
             const double length = 1 + gap(nx * ny);
             const auto i = static_cast<std::size_t>(k) + 1;
-            beads.position(i)[0] = 50 + nx * length, beads.position(i)[1] = 50 + ny * length;
-            beads.position(i)[2] = 50 + up * length;
+            grains.position(i)[0] = 50 + nx * length, grains.position(i)[1] = 50 + ny * length;
+            grains.position(i)[2] = 50 + up * length;
             distant.add(0, k + 1, static_cast<std::uint8_t>(image_code::of({})));
             distant.bridge.back() = 1;
         }
     }
     Structure structure() const {
-        return structure_of(beads, {100, 100, 100, 0}, {}, distant, {.modulus = 3e4}, bridges);
+        return structure_of(grains, {100, 100, 100, 0}, {}, distant, {.modulus = 3e4}, bridges);
     }
 };
 

@@ -51,7 +51,7 @@ TEST(Campaign, FillsItsRangesEvenly) {
     // Every cell of an 8 x 8 grid holds 4 of them: a random filling leaves one empty in 50.
     int counts[8][8] = {};
     for (const auto& run : runs) {
-        EXPECT_EQ(run.beads, 100);
+        EXPECT_EQ(run.grains, 100);
         const double along = run.friction / 0.6, up = std::log10(run.inertial_number / 0.001) / 2;
         ++counts[std::min(7, static_cast<int>(8 * along))][std::min(7, static_cast<int>(8 * up))];
     }
@@ -65,7 +65,7 @@ TEST(Campaign, FillsItsRangesEvenly) {
 TEST(Campaign, KeepsTheSeedsOfAShorterOne) {
     const auto few = runs_of("[[grid]]\nfriction = [0.2]\n");
     const auto more = runs_of("[[grid]]\nfriction = [0.1, 0.2, 0.3]\nrepeats = 2\n");
-    EXPECT_EQ(described(few[0]), described(more[2]));
+    EXPECT_EQ(run_description(few[0]), run_description(more[2]));
     EXPECT_NE(runs_of("seed = 2\n[[grid]]\nfriction = 0.2\n")[0].seed, few[0].seed);
     // What two tables ask for is done once.
     EXPECT_EQ(runs_of("[[grid]]\nfriction = 0.2\n[[list]]\nfriction = [0.2, 0.3]\n").size(), 2u);
@@ -80,7 +80,7 @@ TEST(Campaign, IsSharedOutByCost) {
     for (int share = 1; share <= 2; ++share) {
         double cost = 0;
         for (const auto& run : share_of(runs, share, 2)) {
-            EXPECT_TRUE(all.insert(described(run)).second);
+            EXPECT_TRUE(all.insert(run_description(run)).second);
             cost += expected_cost(run);
         }
         least = std::min(least, cost), greatest = std::max(greatest, cost);
@@ -114,7 +114,7 @@ TEST(Campaign, HasEffectsOnGrains) {
     std::set<std::string> keys;
     std::set<std::uint64_t> seeds;
     for (const auto& run : grid) {
-        EXPECT_TRUE(keys.insert(described(run)).second);
+        EXPECT_TRUE(keys.insert(run_description(run)).second);
         EXPECT_TRUE(seeds.insert(run.seed).second);
     }
     const auto with = [](const dem::RunParameters& run, double coefficient) {
@@ -124,7 +124,7 @@ TEST(Campaign, HasEffectsOnGrains) {
     const auto none = std::ranges::find_if(
         grid, [](const auto& run) { return run.effects.empty() && run.friction == 0.1; });
     ASSERT_NE(none, grid.end());
-    EXPECT_EQ(described(*none), described(runs_of("[[grid]]\nfriction = 0.1\n")[0]));
+    EXPECT_EQ(run_description(*none), run_description(runs_of("[[grid]]\nfriction = 0.1\n")[0]));
     EXPECT_EQ(std::ranges::count_if(grid, [&](const auto& run) { return with(run, 0.2); }), 2);
 
     const auto list = runs_of(

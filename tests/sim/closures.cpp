@@ -36,7 +36,7 @@ State some_state() {
 
 /// Pairs of beads, a = 1, F0 = 1, and the sums of eq:stress over them, per volume.
 struct Pairs {
-    int beads = 100;
+    int grains = 100;
     double solid_fraction = 0.6;
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
 
@@ -44,8 +44,8 @@ struct Pairs {
     void add(const Eigen::Vector3d& n, double force, double length) {
         moments += force * length * n * n.transpose();
     }
-    Eigen::Matrix3d stress() const { return moments / (beads * pi / 6 / solid_fraction); }
-    double coordination(int pairs) const { return 2.0 * pairs / beads; }
+    Eigen::Matrix3d stress() const { return moments / (grains * pi / 6 / solid_fraction); }
+    double coordination(int pairs) const { return 2.0 * pairs / grains; }
 };
 
 Eigen::Vector3d some_direction(std::mt19937& random) {
@@ -201,14 +201,14 @@ TEST(ClosureState, TakesTheAveragesOfARun) {
         run.means[k].value = 0.01 * static_cast<double>(k + 1);
     const auto of = [&](dem::Observable which) { return run[which].value; };
     using enum dem::Observable;
-    const State dry = state_of(run);
+    const State dry = network_state_of(run);
     EXPECT_EQ(dry.distant_coordination, 0);
     EXPECT_EQ(mean_stress(dry),
               of(solid_fraction) * of(contact_coordination) * of(contact_force) / pi);
     EXPECT_EQ(capillary_stress_of(run).normal, 0);
 
     run.parameters.wetting = dem::Wetting{.reduced_pressure = 0.5, .bridge_volume = 2e-3};
-    const State wet = state_of(run);
+    const State wet = network_state_of(run);
     EXPECT_EQ(wet.reduced_pressure, 0.5);
     EXPECT_EQ(wet.solid_fraction, of(solid_fraction));
     EXPECT_EQ(wet.contact_coordination, of(contact_coordination));

@@ -12,7 +12,7 @@ using namespace pendular::dem;
 
 /// Two beads approaching along x in a large, resting cell.
 struct Collision {
-    Beads beads{2};
+    Grains grains{2};
     Cell cell{20, 20, 20, 0};
     Pairs pairs;
     Material material;
@@ -20,19 +20,19 @@ struct Collision {
 
     Collision(double modulus, double damping, double approach, double step) : dt(step) {
         material = {.modulus = modulus, .friction = 0, .damping = damping};
-        beads.position(0)[0] = 9, beads.position(1)[0] = 10.001, beads.position(0)[1] = 10,
-        beads.position(1)[1] = 10, beads.position(0)[2] = 10, beads.position(1)[2] = 10;
-        beads.velocity(0)[0] = approach / 2, beads.velocity(1)[0] = -approach / 2;
-        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 0.5));
+        grains.position(0)[0] = 9, grains.position(1)[0] = 10.001, grains.position(0)[1] = 10,
+        grains.position(1)[1] = 10, grains.position(0)[2] = 10, grains.position(1)[2] = 10;
+        grains.velocity(0)[0] = approach / 2, grains.velocity(1)[0] = -approach / 2;
+        pairs = Pairs(find_pairs_by_brute_force(grains, cell, 0.5));
         pairs.fill_up(PairList::batch);
     }
-    double separation_speed() const { return beads.velocity(1)[0] - beads.velocity(0)[0]; }
-    void forces() { pair_forces(beads, pairs, {cell, {}, material, {}, dt}); }
+    double separation_speed() const { return grains.velocity(1)[0] - grains.velocity(0)[0]; }
+    void forces() { pair_forces(grains, pairs, {cell, {}, material, {}, dt}); }
     void step() {
         forces();
         for (int i = 0; i < 2; ++i) {
-            beads.velocity(i)[0] += dt * beads.force(i)[0];
-            beads.position(i)[0] += dt * beads.velocity(i)[0];
+            grains.velocity(i)[0] += dt * grains.force(i)[0];
+            grains.position(i)[0] += dt * grains.velocity(i)[0];
         }
         contact_time += pairs.root[0] > 0 ? dt : 0;
         time += dt;
@@ -86,39 +86,39 @@ TEST(MindlinContact, SlidesAtTheCoulombLimitAndSpinsTheBeadsUp) {
     // overlap, the tangential force mu times it, and both beads turn the same way.
     Collision c(1e5, 0.98, 0, 1e-5);
     c.material.friction = 0.2;
-    c.beads.position(0)[0] = 9.5, c.beads.position(1)[0] = 10.49;
-    c.beads.velocity(0)[0] = 0, c.beads.velocity(1)[0] = 0;
-    c.beads.velocity(0)[1] = -1, c.beads.velocity(1)[1] = 1;
+    c.grains.position(0)[0] = 9.5, c.grains.position(1)[0] = 10.49;
+    c.grains.velocity(0)[0] = 0, c.grains.velocity(1)[0] = 0;
+    c.grains.velocity(0)[1] = -1, c.grains.velocity(1)[1] = 1;
     for (int step = 0; step < 200; ++step) {
         c.forces();
     }
     const double elastic = Hertz::at(0.01, 1e5).elastic;
-    EXPECT_NEAR(c.beads.force(1)[1], -0.2 * elastic, 1e-9 * elastic);
-    EXPECT_NEAR(c.beads.force(1)[0], elastic, 1e-9 * elastic);
-    EXPECT_NEAR(c.beads.torque(0)[2], c.beads.torque(1)[2], 1e-12);
-    EXPECT_NEAR(c.beads.torque(1)[2], 0.495 * 0.2 * elastic, 1e-9 * elastic);
+    EXPECT_NEAR(c.grains.force(1)[1], -0.2 * elastic, 1e-9 * elastic);
+    EXPECT_NEAR(c.grains.force(1)[0], elastic, 1e-9 * elastic);
+    EXPECT_NEAR(c.grains.torque(0)[2], c.grains.torque(1)[2], 1e-12);
+    EXPECT_NEAR(c.grains.torque(1)[2], 0.495 * 0.2 * elastic, 1e-9 * elastic);
 }
 
 TEST(MindlinContact, IsAsStiffAsTheRatioOfMindlinSays) {
     // Before it slides, K_T = K_N (2 - 2 nu)/(2 - nu) times the tangential displacement.
     Collision c(1e5, 0, 0, 1e-4);
     c.material.friction = 10;
-    c.beads.position(0)[0] = 9.5, c.beads.position(1)[0] = 10.49;
-    c.beads.velocity(0)[0] = 0, c.beads.velocity(1)[0] = 0;
-    c.beads.velocity(0)[2] = 0, c.beads.velocity(1)[2] = 0.001;
+    c.grains.position(0)[0] = 9.5, c.grains.position(1)[0] = 10.49;
+    c.grains.velocity(0)[0] = 0, c.grains.velocity(1)[0] = 0;
+    c.grains.velocity(0)[2] = 0, c.grains.velocity(1)[2] = 0.001;
     for (int step = 0; step < 10; ++step) {
         c.forces();
     }
     const double stiffness = Hertz::at(0.01, 1e5).normal_stiffness * (2 - 0.6) / (2 - 0.3);
-    EXPECT_NEAR(c.beads.force(1)[2], -stiffness * 10 * 1e-4 * 0.001, 1e-6 * stiffness * 1e-6);
+    EXPECT_NEAR(c.grains.force(1)[2], -stiffness * 10 * 1e-4 * 0.001, 1e-6 * stiffness * 1e-6);
 }
 
 /// A pair at rest, overlapping by 0.01 along x, that remembers a tangential force of (0, 1, 0).
 Collision stuck_pair(double step) {
     Collision c(1e5, 0, 0, step);
     c.material.friction = 10;
-    c.beads.position(0)[0] = 9.505, c.beads.position(1)[0] = 10.495;
-    c.beads.velocity(0)[0] = 0, c.beads.velocity(1)[0] = 0;
+    c.grains.position(0)[0] = 9.505, c.grains.position(1)[0] = 10.495;
+    c.grains.velocity(0)[0] = 0, c.grains.velocity(1)[0] = 0;
     c.forces();  // into contact
     c.pairs.sy[0] = 1;
     return c;
@@ -130,14 +130,14 @@ TEST(MindlinContact, TurnsItsTangentialForceWithThePair) {
     const int steps = 20000;
     const double angle = 0.5 * std::numbers::pi, rate = 1, dt = angle / rate / steps;
     Collision c = stuck_pair(dt);
-    c.beads.spin(0)[2] = rate, c.beads.spin(1)[2] = rate;
+    c.grains.angular_velocity(0)[2] = rate, c.grains.angular_velocity(1)[2] = rate;
     for (int step = 1; step <= steps; ++step) {
         const double phi = angle * step / steps, x = 0.495 * std::cos(phi),
                      y = 0.495 * std::sin(phi);
-        c.beads.position(0)[0] = 10 - x, c.beads.position(1)[0] = 10 + x,
-        c.beads.position(0)[1] = 10 - y, c.beads.position(1)[1] = 10 + y;
-        c.beads.velocity(0)[0] = rate * y, c.beads.velocity(1)[0] = -rate * y,
-        c.beads.velocity(0)[1] = -rate * x, c.beads.velocity(1)[1] = rate * x;
+        c.grains.position(0)[0] = 10 - x, c.grains.position(1)[0] = 10 + x,
+        c.grains.position(0)[1] = 10 - y, c.grains.position(1)[1] = 10 + y;
+        c.grains.velocity(0)[0] = rate * y, c.grains.velocity(1)[0] = -rate * y,
+        c.grains.velocity(0)[1] = -rate * x, c.grains.velocity(1)[1] = rate * x;
         c.forces();
     }
     EXPECT_NEAR(c.pairs.sx[0], -1, 1e-2);
@@ -151,7 +151,7 @@ TEST(MindlinContact, SpinsItsTangentialForceAboutItsNormal) {
     const int steps = 20000;
     const double dt = 0.5 * std::numbers::pi / steps;
     Collision c = stuck_pair(dt);
-    c.beads.spin(0)[0] = 1, c.beads.spin(1)[0] = 1;
+    c.grains.angular_velocity(0)[0] = 1, c.grains.angular_velocity(1)[0] = 1;
     for (int step = 0; step < steps; ++step) {
         c.forces();
     }
@@ -162,10 +162,10 @@ TEST(MindlinContact, SpinsItsTangentialForceAboutItsNormal) {
 TEST(MindlinContact, LosesTangentialForceInTheLoopAsItUnloads) {
     // From overlap 0.01 to 0.0025 K_T halves, and so does the force; back again it stays.
     Collision c = stuck_pair(1e-4);
-    c.beads.position(0)[0] = 9.50125, c.beads.position(1)[0] = 10.49875;
+    c.grains.position(0)[0] = 9.50125, c.grains.position(1)[0] = 10.49875;
     c.forces();
     EXPECT_NEAR(c.pairs.sy[0], 0.5, 1e-9);
-    c.beads.position(0)[0] = 9.505, c.beads.position(1)[0] = 10.495;
+    c.grains.position(0)[0] = 9.505, c.grains.position(1)[0] = 10.495;
     c.forces();
     EXPECT_NEAR(c.pairs.sy[0], 0.5, 1e-9);
 }

@@ -19,8 +19,8 @@ using namespace pendular::dem;
 constexpr Wetting wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};  // F0 = 0.5
 
 /// Two beads along direction 1 that are moved by hand, with effects between them.
-struct TwoBeads {
-    Beads beads{2};
+struct TwoGrains {
+    Grains grains{2};
     dem::Cell cell{20, 20, 20, 0};
     Pairs pairs;
     Material material{.modulus = 3e4, .friction = 0, .damping = 0};
@@ -28,27 +28,27 @@ struct TwoBeads {
     BridgeLaw bridges;
     double dt = 1e-3;
 
-    explicit TwoBeads(const std::vector<EffectValues>& on, bool wet = true,
+    explicit TwoGrains(const std::vector<EffectValues>& on, bool wet = true,
                       const Wetting& liquid = wetting)
         : effects(grain_effects(on, wet)),
           bridges(wet ? effects.changed(BridgeLaw(liquid)) : BridgeLaw()) {
-        beads.position(0) = {5, 5, 5};
+        grains.position(0) = {5, 5, 5};
         set_gap(0.1);
-        pairs = Pairs(find_pairs_by_brute_force(beads, cell, 0.6), effects.memory());
+        pairs = Pairs(find_pairs_by_brute_force(grains, cell, 0.6), effects.contact_history());
         pairs.fill_up(PairList::batch);
     }
-    void set_gap(double gap) { beads.position(1) = {6 + gap, 5, 5}; }
+    void set_gap(double gap) { grains.position(1) = {6 + gap, 5, 5}; }
     void join() { pairs.bridge[0] = 1; }
     void forces() {
         const PairLaws laws{cell, {}, material, bridges, dt, EnergyAccounting::off, &effects};
-        beads.load.assign(2, {});
-        pair_forces(beads, pairs, {0, pairs.size()}, laws, beads.load);
+        grains.net_force.assign(2, {});
+        pair_forces(grains, pairs, {0, pairs.size()}, laws, grains.net_force);
     }
     /// Force that draws the beads together at this gap.
     double attraction(double gap) {
         set_gap(gap);
         forces();
-        return -beads.force(1)[0];
+        return -grains.force(1)[0];
     }
 };
 
@@ -62,43 +62,43 @@ TEST(RollingResistance, StopsSpinsThatRollAtItsPlasticLimit) {
     // I dw/dt = -M, I = 1/10. What is left when the spring gives back its energy M^2/(2 K_r), K_r =
     // K_T/4, is a spin below M/sqrt(2 K_r I) of either bead.
     const double coefficient = 0.2, force = 5, torque = coefficient * force / 2;
-    TwoBeads two({on("rolling-resistance", coefficient)}, false);
+    TwoGrains two({on("rolling-resistance", coefficient)}, false);
     two.dt = 1e-4;
     two.material.friction = 0.5;
     const double overlap = overlap_at(force, two.material.modulus);
     two.set_gap(-overlap);
     const double start = 20;
-    two.beads.spin(0)[2] = start, two.beads.spin(1)[2] = -start;
+    two.grains.angular_velocity(0)[2] = start, two.grains.angular_velocity(1)[2] = -start;
     const auto turn_for = [&](double time) {
         double largest = 0;
         for (int step = 0; step < time / two.dt; ++step) {
             two.forces();
             for (int i = 0; i < 2; ++i) {
-                two.beads.spin(i) += two.dt / moment_of_inertia * two.beads.torque(i);
+                two.grains.angular_velocity(i) += two.dt / moment_of_inertia * two.grains.torque(i);
             }
-            largest = std::max(largest, std::abs(two.beads.spin(1)[2]));
+            largest = std::max(largest, std::abs(two.grains.angular_velocity(1)[2]));
         }
         return largest;
     };
     turn_for(1);
-    const double after = two.beads.spin(0)[2];
+    const double after = two.grains.angular_velocity(0)[2];
     turn_for(2);
-    EXPECT_NEAR(after - two.beads.spin(0)[2], 2 * torque / moment_of_inertia, 1e-2);
-    EXPECT_NEAR(two.beads.spin(0)[2], -two.beads.spin(1)[2], 1e-9);
-    EXPECT_NEAR(two.beads.force(1)[1], 0, 1e-9);  // no sliding force
+    EXPECT_NEAR(after - two.grains.angular_velocity(0)[2], 2 * torque / moment_of_inertia, 1e-2);
+    EXPECT_NEAR(two.grains.angular_velocity(0)[2], -two.grains.angular_velocity(1)[2], 1e-9);
+    EXPECT_NEAR(two.grains.force(1)[1], 0, 1e-9);  // no sliding force
     turn_for(start * moment_of_inertia / torque - 3 + 0.2);
     const double stiffness =
         tangential_ratio(0.3) * Hertz::at(overlap, two.material.modulus).normal_stiffness / 4;
     EXPECT_LE(turn_for(1), 1.01 * torque / std::sqrt(2 * stiffness * moment_of_inertia));
     // Twisting about the normal goes on as it was.
-    two.beads.spin(0)[0] = 1;
+    two.grains.angular_velocity(0)[0] = 1;
     turn_for(0.1);
-    EXPECT_NEAR(two.beads.spin(0)[0], 1, 1e-9);
+    EXPECT_NEAR(two.grains.angular_velocity(0)[0], 1, 1e-9);
 }
 
 TEST(WillettBridges, PullAsThePublishedFitSays) {
     const auto relative = [](double gap, double volume) {
-        TwoBeads two({on("willett-bridges")}, true, {2, volume});
+        TwoGrains two({on("willett-bridges")}, true, {2, volume});
         two.join();
         return 2 * two.attraction(gap);
     };
@@ -129,29 +129,29 @@ TEST(ViscousBridges, ResistApproachAndPartingByLubrication) {
     // equation), beside the attraction that beads at rest have.
     const double viscosity = 0.3, speed = 0.2;
     for (const double gap : {-1e-4, 0.0, 0.02, 0.1}) {
-        TwoBeads two({on("viscous-bridges", viscosity)});
+        TwoGrains two({on("viscous-bridges", viscosity)});
         two.join();
         const double at_rest = two.attraction(gap);
         const double h = std::max(gap, 0.0);
         const double wetted = 1 - h / std::sqrt(h * h + 4 * 4e-3 / std::numbers::pi);
         const double expected =
             1.5 * std::numbers::pi * viscosity * 0.25 * wetted * wetted * speed / (h + 0.01);
-        two.beads.velocity(0)[0] = speed / 2, two.beads.velocity(1)[0] = -speed / 2;
+        two.grains.velocity(0)[0] = speed / 2, two.grains.velocity(1)[0] = -speed / 2;
         EXPECT_NEAR(at_rest - two.attraction(gap), expected, 1e-12 * expected + 1e-13);
-        two.beads.velocity(0)[0] = -speed / 2, two.beads.velocity(1)[0] = speed / 2;
+        two.grains.velocity(0)[0] = -speed / 2, two.grains.velocity(1)[0] = speed / 2;
         EXPECT_NEAR(two.attraction(gap) - at_rest, expected, 1e-12 * expected + 1e-13);
         // Across the normal nothing is added.
-        two.beads.velocity(1)[1] = 1;
+        two.grains.velocity(1)[1] = 1;
         two.forces();
-        EXPECT_EQ(two.beads.force(1)[1], 0);
+        EXPECT_EQ(two.grains.force(1)[1], 0);
     }
-    TwoBeads without({on("viscous-bridges", viscosity)});
-    without.beads.velocity(1)[0] = -speed;
+    TwoGrains without({on("viscous-bridges", viscosity)});
+    without.grains.velocity(1)[0] = -speed;
     EXPECT_EQ(without.attraction(0.02), 0);
 }
 
 TEST(ReversibleBridges, JoinBeadsThatNeverTouched) {
-    TwoBeads two({on("reversible-bridges")});
+    TwoGrains two({on("reversible-bridges")});
     const double rupture = std::cbrt(4e-3);
     EXPECT_EQ(two.attraction(1.001 * rupture), 0);
     const double force = two.attraction(0.9 * rupture);
@@ -163,10 +163,10 @@ TEST(ReversibleBridges, JoinBeadsThatNeverTouched) {
 TEST(CapillaryCoulomb, LimitsFrictionByTheNetForce) {
     // At this overlap the elastic force is 10; the bridge pulls with 5, or with more than that.
     for (const double pull : {5.0, 12.0}) {
-        TwoBeads two({on("capillary-coulomb")}, true,
+        TwoGrains two({on("capillary-coulomb")}, true,
                      {.reduced_pressure = 1 / pull, .bridge_volume = 4e-3});
         two.material.friction = 0.3;
-        two.beads.velocity(1)[1] = 1;
+        two.grains.velocity(1)[1] = 1;
         two.set_gap(-overlap_at(10, two.material.modulus));
         for (int step = 0; step < 200; ++step) {
             two.forces();
@@ -179,22 +179,22 @@ TEST(CapillaryCoulomb, LimitsFrictionByTheNetForce) {
 TEST(DryAdhesion, HoldsUpToItsPullOffForceAndNoFurther) {
     const double pull_off = 0.8;
     const auto parts = [&](double pull) {
-        TwoBeads two({on("dry-adhesion", pull_off)}, false);
+        TwoGrains two({on("dry-adhesion", pull_off)}, false);
         two.material.damping = 0.98;
         two.set_gap(-overlap_at(pull_off, two.material.modulus));
         for (int step = 0; step < 4000; ++step) {
             two.forces();
             for (int i = 0; i < 2; ++i) {
                 const double outside = i == 0 ? -pull : pull;
-                two.beads.velocity(i)[0] += two.dt * (two.beads.force(i)[0] + outside);
-                two.beads.position(i)[0] += two.dt * two.beads.velocity(i)[0];
+                two.grains.velocity(i)[0] += two.dt * (two.grains.force(i)[0] + outside);
+                two.grains.position(i)[0] += two.dt * two.grains.velocity(i)[0];
             }
         }
-        return two.beads.position(1)[0] - two.beads.position(0)[0] > 1;
+        return two.grains.position(1)[0] - two.grains.position(0)[0] > 1;
     };
     EXPECT_FALSE(parts(0.98 * pull_off));
     EXPECT_TRUE(parts(1.02 * pull_off));
-    TwoBeads near({on("dry-adhesion", pull_off)}, false);
+    TwoGrains near({on("dry-adhesion", pull_off)}, false);
     EXPECT_EQ(near.attraction(1e-9), 0);
     // Net force in contact: less the elastic one.
     EXPECT_NEAR(near.attraction(-overlap_at(0.3, near.material.modulus)), 0.5, 1e-12);
@@ -202,7 +202,7 @@ TEST(DryAdhesion, HoldsUpToItsPullOffForceAndNoFurther) {
 
 TEST(RuptureDistance, MovesTheGapAtWhichBridgesBreak) {
     for (const double factor : {0.5, 1.6}) {
-        TwoBeads two({on("rupture-distance", factor)});
+        TwoGrains two({on("rupture-distance", factor)});
         const double rupture = factor * std::cbrt(4e-3);
         EXPECT_GT(two.attraction(-1e-6), 0.4);
         const double gap = 0.999 * rupture;
@@ -239,29 +239,29 @@ TEST(Polydispersity, KeepsMomentumAndEnergyInElasticImpacts) {
     // Head on, from rest in the centre of mass: beads of masses d^3 leave as fast as they came.
     const double small = 0.7, large = 1.3, speed = 0.1;
     const double m1 = small * small * small, m2 = large * large * large;
-    Sample sample{Beads(2), {20, 20, 20, 0}};
-    sample.beads.diameters = {small, large};
+    Sample sample{Grains(2), {20, 20, 20, 0}};
+    sample.grains.diameters = {small, large};
     // Far enough for the time step to follow its fraction before they meet.
-    sample.beads.position(0) = {9.5, 10, 10}, sample.beads.position(1) = {10.52, 10, 10};
-    sample.beads.velocity(0) = {speed * m2 / (m1 + m2), 0, 0};
-    sample.beads.velocity(1) = {-speed * m1 / (m1 + m2), 0, 0};
+    sample.grains.position(0) = {9.5, 10, 10}, sample.grains.position(1) = {10.52, 10, 10};
+    sample.grains.velocity(0) = {speed * m2 / (m1 + m2), 0, 0};
+    sample.grains.velocity(1) = {-speed * m1 / (m1 + m2), 0, 0};
     ShearCell cell(sample, {.modulus = 1e6, .damping = 0}, Flow{}, {}, 1,
                    grain_effects({on("polydispersity", 0.3)}, false));
     cell.set_time_step_fraction(1e-3);
-    const auto bead = [&](int which) {
-        return static_cast<std::size_t>(cell.beads().number[0] == which ? 0 : 1);
+    const auto grain = [&](int which) {
+        return static_cast<std::size_t>(cell.grains().number[0] == which ? 0 : 1);
     };
     const auto touching = [&] { return cell.pairs().narrow().root[0] > 0; };
     do {
         cell.step();
     } while (!touching());
     // The beads meet where their surfaces do.
-    const double distance = cell.beads().position(bead(1))[0] - cell.beads().position(bead(0))[0];
+    const double distance = cell.grains().position(grain(1))[0] - cell.grains().position(grain(0))[0];
     EXPECT_NEAR(distance, (small + large) / 2, 1e-4);
     while (touching()) {
         cell.step();
     }
-    const double v1 = cell.beads().velocity(bead(0))[0], v2 = cell.beads().velocity(bead(1))[0];
+    const double v1 = cell.grains().velocity(grain(0))[0], v2 = cell.grains().velocity(grain(1))[0];
     EXPECT_NEAR(m1 * v1 + m2 * v2, 0, 1e-12);
     EXPECT_NEAR(v2 - v1, speed, 1e-3 * speed);
     // Reduced mass times speed squared, as before; half of it, summed by the integrator.

@@ -13,7 +13,7 @@ using namespace pendular;
 using testing::HasSubstr;
 
 const AnnularCell cell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 57e-6};
-const Grains grains{.diameter = 5e-4, .density = 1050};
+const GrainProperties grains{.diameter = 5e-4, .density = 1050};
 
 /// An effect by name, its first parameter at a value.
 ActiveEffect active(const std::string& name, double value) {
@@ -105,7 +105,7 @@ TEST(WallFriction, IsWhatSlicesOfTheSampleAddUpTo) {
 }
 
 TEST(ShownState, UndoesTheImport) {
-    for (const Form form : {Form::derived, Form::as_printed}) {
+    for (const FormulaVariant form : {FormulaVariant::derived, FormulaVariant::as_printed}) {
         AnnularCell printed = cell;
         printed.torque_formula = form;
         const Condition condition = some_condition();

@@ -29,33 +29,33 @@ TEST(FindPairs, AgreesWithBruteForceAtEveryOffset) {
     std::uniform_real_distribution<double> at(0, 1);
     for (const double turn : {-0.5, -0.31, 0.0, 0.2, 0.4999}) {
         const Cell cell{9, 11, 8, turn * 9};
-        Beads beads(600);
-        for (std::size_t i = 0; i < beads.size(); ++i) {
-            beads.position(i)[0] = cell.length * at(random),
-            beads.position(i)[1] = cell.height * at(random);
-            beads.position(i)[2] = cell.width * at(random);
-            beads.position(i) = cell.wrapped(beads.position(i));
+        Grains grains(600);
+        for (std::size_t i = 0; i < grains.size(); ++i) {
+            grains.position(i)[0] = cell.length * at(random),
+            grains.position(i)[1] = cell.height * at(random);
+            grains.position(i)[2] = cell.width * at(random);
+            grains.position(i) = cell.wrapped(grains.position(i));
         }
-        const auto fast = keys(find_pairs(beads, cell, 0.15));
-        EXPECT_EQ(fast, keys(find_pairs_by_brute_force(beads, cell, 0.15)));
+        const auto fast = keys(find_pairs(grains, cell, 0.15));
+        EXPECT_EQ(fast, keys(find_pairs_by_brute_force(grains, cell, 0.15)));
         EXPECT_GT(fast.size(), 1000u);
     }
 }
 
 TEST(FindPairs, FallsBackOnSmallSamples) {
-    Beads beads(64);
+    Grains grains(64);
     std::mt19937_64 random(8);
     std::uniform_real_distribution<double> at(0, 3.2);
-    for (auto& bead : beads.motion) {
+    for (auto& grain : grains.motion) {
         const double x = at(random), y = at(random), z = at(random);
-        bead.position = {x, y, z};
+        grain.position = {x, y, z};
     }
     const Cell cell{3.2, 3.2, 3.2, 1.0};
-    for (auto& bead : beads.motion) {
-        bead.position = cell.wrapped(bead.position);
+    for (auto& grain : grains.motion) {
+        grain.position = cell.wrapped(grain.position);
     }
-    EXPECT_EQ(keys(find_pairs(beads, cell, 0.1)),
-              keys(find_pairs_by_brute_force(beads, cell, 0.1)));
+    EXPECT_EQ(keys(find_pairs(grains, cell, 0.1)),
+              keys(find_pairs_by_brute_force(grains, cell, 0.1)));
 }
 
 TEST(PairList, MissesNoContactUnderShearAndHeightChange) {
@@ -73,7 +73,7 @@ TEST(PairList, MissesNoContactUnderShearAndHeightChange) {
         for (std::size_t k = 0; k < sample.pairs().live(); ++k) {
             listed.insert({narrow.first[k], narrow.second[k]});
         }
-        Beads wrapped = sample.beads();
+        Grains wrapped = sample.grains();
         Cell cell = sample.cell();
         cell.reduce_offset();
         for (std::size_t i = 0; i < wrapped.size(); ++i) {
@@ -94,26 +94,26 @@ TEST(PairList, FollowsAnAffineShearInWhichNoBeadMovesOfItself) {
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> at(0, 1);
     Cell cell{7, 7, 7, 0};
-    Beads beads(300);
-    for (std::size_t i = 0; i < beads.size(); ++i) {
-        beads.position(i)[0] = cell.length * at(random),
-        beads.position(i)[1] = cell.height * at(random);
-        beads.position(i)[2] = cell.width * at(random);
+    Grains grains(300);
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        grains.position(i)[0] = cell.length * at(random),
+        grains.position(i)[1] = cell.height * at(random);
+        grains.position(i)[2] = cell.width * at(random);
     }
     PairList list;
-    list.rebuild(beads, cell);
+    list.rebuild(grains, cell);
     const double step = 2e-3;
     for (int k = 0; k < 1500; ++k) {
-        for (std::size_t i = 0; i < beads.size(); ++i) {
-            beads.position(i)[0] += step * beads.position(i)[1];
+        for (std::size_t i = 0; i < grains.size(); ++i) {
+            grains.position(i)[0] += step * grains.position(i)[1];
         }
         cell.offset += step * cell.height;
-        list.update(beads, cell, step);
+        list.update(grains, cell, step);
         std::set<std::pair<int, int>> listed;
         for (std::size_t n = 0; n < list.live(); ++n) {
             listed.insert({list.narrow().first[n], list.narrow().second[n]});
         }
-        Beads wrapped = beads;
+        Grains wrapped = grains;
         Cell reduced = cell;
         reduced.reduce_offset();
         for (std::size_t i = 0; i < wrapped.size(); ++i) {
@@ -133,7 +133,7 @@ TEST(PairList, KeepsWhatContactsRemember) {
     for (int step = 0; step < 500; ++step) {
         sample.step();
     }
-    Beads beads = sample.beads();
+    Grains grains = sample.grains();
     Cell cell = sample.cell();
     PairList list = sample.pairs();
     const auto remembered = [](const PairList& pairs) {
@@ -147,7 +147,7 @@ TEST(PairList, KeepsWhatContactsRemember) {
         return result;
     };
     const auto before = remembered(list);
-    list.rebuild(beads, cell);
+    list.rebuild(grains, cell);
     EXPECT_EQ(remembered(list), before);
     EXPECT_GT(before.size(), 100u);
 }

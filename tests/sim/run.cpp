@@ -18,7 +18,7 @@ RunParameters small_run() {
     return {.friction = 0.2,
             .inertial_number = 0.05,
             .stiffness_number = 300,
-            .beads = 150,
+            .grains = 150,
             .strain = 1.5,
             .seed = 3};
 }
@@ -74,7 +74,7 @@ TEST(Run, NamesTheParameterThatIsOutOfRange) {
     };
     EXPECT_NE(complaint(with([](auto& p) { p.friction = -0.1; })).find("friction"),
               std::string::npos);
-    EXPECT_NE(complaint(with([](auto& p) { p.beads = 63; })).find("beads"), std::string::npos);
+    EXPECT_NE(complaint(with([](auto& p) { p.grains = 63; })).find("beads"), std::string::npos);
     EXPECT_NE(complaint(with([](auto& p) { p.inertial_number = 2; })).find("inertial number"),
               std::string::npos);
     EXPECT_NE(complaint(with([](auto& p) { p.stiffness_number = 1; })).find("stiffness"),
@@ -86,7 +86,7 @@ TEST(Run, NamesTheParameterThatIsOutOfRange) {
 
 TEST(Run, StopsAveragingWhereItIsPreciseEnough) {
     RunParameters p = small_run();
-    p.beads = 300;
+    p.grains = 300;
     p.friction = 0.3;
     p.inertial_number = 0.1;
     p.strain = 60;
@@ -121,7 +121,7 @@ TEST(Run, StopsWhenAskedTo) {
 TEST(Run, SeesASampleCrystallise) {
     // Eighty frictionless beads order into a crystal within a strain of some tens.
     RunParameters p = small_run();
-    p.beads = 80;
+    p.grains = 80;
     p.friction = 0;
     p.stiffness_number = 100;
     p.strain = 40;
@@ -134,7 +134,7 @@ TEST(Run, SeesASampleCrystallise) {
 TEST(Run, StartsFromTheStateOfAnotherAndFindsTheSame) {
     for (const bool wet : {false, true}) {
         RunParameters p = small_run();
-        p.beads = 300;
+        p.grains = 300;
         if (wet) {
             p.wetting = {.reduced_pressure = 2, .bridge_volume = 2e-3};
         }
@@ -144,7 +144,7 @@ TEST(Run, StartsFromTheStateOfAnotherAndFindsTheSame) {
         before.friction = p.friction + 0.1;
         before.strain = 0.5;
         const RunResult other = simulate(before);
-        p.start = fingerprint(described(before));
+        p.start = fingerprint(run_description(before));
         EXPECT_THROW(simulate(p), std::invalid_argument);
         const RunResult warm = simulate(p, {.start = &other.final_state});
         EXPECT_TRUE(warm.steady);
@@ -155,7 +155,7 @@ TEST(Run, StartsFromTheStateOfAnotherAndFindsTheSame) {
             EXPECT_NEAR(warm[which].value, cold[which].value,
                         3.5 * std::hypot(warm[which].standard_error, cold[which].standard_error));
         }
-        p.beads = 200;
+        p.grains = 200;
         EXPECT_THROW(simulate(p, {.start = &other.final_state}), std::invalid_argument);
     }
 }
@@ -202,7 +202,7 @@ TEST(ShearCell, HoldsBeadsWithAViscousLiquid) {
     // two rates, ever wider, until the sample blows up.
     RunParameters p = small_run();
     p.stiffness_number = 300;
-    p.beads = 100;
+    p.grains = 100;
     p.strain = 1;
     p.inertial_number = 0.1;
     p.wetting = {.reduced_pressure = 2, .bridge_volume = 2e-3};
@@ -220,9 +220,9 @@ TEST(ShearCell, KeepsItsMomentum) {
         sample.step();
     }
     double px = 0, py = 0, pz = 0;
-    for (std::size_t i = 0; i < sample.beads().size(); ++i) {
-        px += sample.beads().velocity(i)[0], py += sample.beads().velocity(i)[1],
-            pz += sample.beads().velocity(i)[2];
+    for (std::size_t i = 0; i < sample.grains().size(); ++i) {
+        px += sample.grains().velocity(i)[0], py += sample.grains().velocity(i)[1],
+            pz += sample.grains().velocity(i)[2];
     }
     EXPECT_NEAR(px, 0, 1e-9);
     EXPECT_NEAR(py, 0, 1e-9);
@@ -239,8 +239,8 @@ TEST(ShearCell, SaysWhenItsStressIsNeverReached) {
 TEST(ShearCell, StartsAtRandomWithoutContact) {
     const ShearCell a(500, {.modulus = 3e4}, 0.01, 1), b(500, {.modulus = 3e4}, 0.01, 2);
     EXPECT_NEAR(a.solid_fraction(), 0.3, 1e-12);
-    EXPECT_EQ(find_pairs_by_brute_force(a.beads(), a.cell(), 0.0).size(), 0u);
-    EXPECT_NE(a.beads().position(0), b.beads().position(0));
+    EXPECT_EQ(find_pairs_by_brute_force(a.grains(), a.cell(), 0.0).size(), 0u);
+    EXPECT_NE(a.grains().position(0), b.grains().position(0));
 }
 
 TEST(Ensemble, GivesTheSameWhateverTheNumberOfThreads) {
@@ -248,7 +248,7 @@ TEST(Ensemble, GivesTheSameWhateverTheNumberOfThreads) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         runs.push_back(small_run());
         runs.back().seed = seed;
-        runs.back().beads = 100 + static_cast<int>(seed) * 10;
+        runs.back().grains = 100 + static_cast<int>(seed) * 10;
     }
     std::size_t reports = 0;
     double last = 0;

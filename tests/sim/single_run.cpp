@@ -33,8 +33,8 @@ std::string refusal(const dem::RunParameters& run, const ActiveEffect& effect) {
 }
 
 TEST(SingleRun, IsUnchangedWithoutEffects) {
-    EXPECT_EQ(described(changed_run(wet(), {}, {})), described(wet()));
-    EXPECT_EQ(described(changed_run(dry, {}, {})), described(dry));
+    EXPECT_EQ(run_description(changed_run(wet(), {}, {})), run_description(wet()));
+    EXPECT_EQ(run_description(changed_run(dry, {}, {})), run_description(dry));
 }
 
 TEST(SingleRun, HasEffectsOnGrainsInItsUnits) {

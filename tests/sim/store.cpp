@@ -30,7 +30,7 @@ dem::RunParameters small(std::uint64_t seed) {
     return {.friction = 0.2,
             .inertial_number = 0.1,
             .stiffness_number = 300,
-            .beads = 64,
+            .grains = 64,
             .strain = 0.5,
             .seed = seed};
 }
@@ -53,7 +53,7 @@ dem::RunResult invented(std::uint64_t seed, bool wet = false) {
     run.steady = true;
     run.trace.assign(400, {0.02F, 1, 1, 1, -0.3F, 0.6F, 5, 0, 0.01F});
     run.final_state.cell = {10, 10, 10, 1};
-    run.final_state.beads.assign(1000, {1, 2, 3, 4, 5, 6, 7, 8, 9});
+    run.final_state.grains.assign(1000, {1, 2, 3, 4, 5, 6, 7, 8, 9});
     return run;
 }
 
@@ -99,7 +99,7 @@ TEST(RunStore, GivesRunsBackWhole) {
     }
     const StoredRun whole = store.get(2);
     EXPECT_EQ(whole.run.trace, wet.trace);
-    EXPECT_EQ(whole.run.final_state.beads, wet.final_state.beads);
+    EXPECT_EQ(whole.run.final_state.grains, wet.final_state.grains);
     EXPECT_EQ(whole.run.final_state.cell.offset, 1);
     EXPECT_EQ(whole.physics_version, dem::physics_version);
     EXPECT_THROW(store.get(3), InputError);
@@ -120,7 +120,7 @@ TEST(RunStore, TellsRunsApartByAllThatDeterminesThem) {
     EXPECT_TRUE(without([](auto& p) { p.stiffness_number *= 2; }));
     EXPECT_TRUE(without([](auto& p) { p.poisson_ratio = 0.2; }));
     EXPECT_TRUE(without([](auto& p) { p.damping = 0.5; }));
-    EXPECT_TRUE(without([](auto& p) { p.beads = 65; }));
+    EXPECT_TRUE(without([](auto& p) { p.grains = 65; }));
     EXPECT_TRUE(without([](auto& p) { p.strain = 1; }));
     EXPECT_TRUE(without([](auto& p) { p.seed = 2; }));
     EXPECT_TRUE(without([](auto& p) { p.start = 2; }));
@@ -145,13 +145,13 @@ TEST(RunStore, FindsTheNearestFlow) {
     add(1, false, [](auto& run) { run.parameters.friction = 0.5; });
     add(2, false, [](auto& run) { run.parameters.inertial_number = 0.2; });
     add(3, false, [](auto& run) { run.crystallised = true; });
-    add(4, false, [](auto& run) { run.parameters.beads = 65; });
+    add(4, false, [](auto& run) { run.parameters.grains = 65; });
     add(5, false, [](auto& run) { run.final_state = {}; });
     add(6, true, [](auto&) {});
     const auto found = store.nearest(small(9));
     ASSERT_TRUE(found);
     EXPECT_EQ(found->run.parameters.seed, 2u);
-    EXPECT_EQ(found->run.final_state.beads.size(), 1000u);
+    EXPECT_EQ(found->run.final_state.grains.size(), 1000u);
     dem::RunParameters wet = small(9);
     wet.wetting = {.reduced_pressure = 1, .bridge_volume = 0.002};
     EXPECT_EQ(store.nearest(wet)->run.parameters.seed, 6u);
@@ -337,7 +337,7 @@ TEST(RunTable, IsReadBackAsItWasWritten) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
         EXPECT_EQ(back[k].physics_version, runs[k].physics_version);
         expect_same(back[k].run, runs[k].run);
-        EXPECT_EQ(described(back[k].run.parameters), described(runs[k].run.parameters));
+        EXPECT_EQ(run_description(back[k].run.parameters), run_description(runs[k].run.parameters));
     }
 }
 

@@ -13,20 +13,20 @@ namespace sim_structure_test {
 using namespace pendular::dem;
 
 /// One bead in the middle with contacts along the given directions.
-Structure around_one_bead(const std::vector<std::array<double, 3>>& directions) {
-    Beads beads(directions.size() + 1);
+Structure around_one_grain(const std::vector<std::array<double, 3>>& directions) {
+    Grains grains(directions.size() + 1);
     Pairs pairs;
-    beads.position(0)[0] = beads.position(0)[1] = beads.position(0)[2] = 50;
+    grains.position(0)[0] = grains.position(0)[1] = grains.position(0)[2] = 50;
     for (std::size_t k = 0; k < directions.size(); ++k) {
         const auto& [x, y, z] = directions[k];
         const double length = std::hypot(x, y, z);
-        beads.position(k + 1)[0] = 50 + x / length, beads.position(k + 1)[1] = 50 + y / length,
-                           beads.position(k + 1)[2] = 50 + z / length;
+        grains.position(k + 1)[0] = 50 + x / length, grains.position(k + 1)[1] = 50 + y / length,
+                           grains.position(k + 1)[2] = 50 + z / length;
         pairs.add(0, static_cast<std::int32_t>(k + 1),
                   static_cast<std::uint8_t>(image_code::of({})));
         pairs.root.back() = 0.05;
     }
-    return structure_of(beads, {100, 100, 100, 0}, pairs, {}, {.modulus = 3e4}, {});
+    return structure_of(grains, {100, 100, 100, 0}, pairs, {}, {.modulus = 3e4}, {});
 }
 
 std::vector<std::array<double, 3>> fcc() {
@@ -43,7 +43,7 @@ std::vector<std::array<double, 3>> fcc() {
 
 TEST(BondOrder, IsThatOfTheFccAndHcpLattices) {
     // Steinhardt, Nelson and Ronchetti (1983): Q6 = 0.57452 for fcc, 0.48476 for hcp.
-    EXPECT_NEAR(around_one_bead(fcc()).bond_order, 0.57452, 1e-5);
+    EXPECT_NEAR(around_one_grain(fcc()).bond_order, 0.57452, 1e-5);
     std::vector<std::array<double, 3>> hcp;
     for (int k = 0; k < 6; ++k) {
         const double angle = k * std::numbers::pi / 3;
@@ -56,7 +56,7 @@ TEST(BondOrder, IsThatOfTheFccAndHcpLattices) {
                            up * std::sqrt(2.0 / 3)});
         }
     }
-    EXPECT_NEAR(around_one_bead(hcp).bond_order, 0.48476, 1e-5);
+    EXPECT_NEAR(around_one_grain(hcp).bond_order, 0.48476, 1e-5);
 }
 
 TEST(BondOrder, DoesNotChangeWhenTheLatticeTurns) {
@@ -66,7 +66,7 @@ TEST(BondOrder, DoesNotChangeWhenTheLatticeTurns) {
         const std::array<double, 3> about_z = {c * x - s * y, s * x + c * y, z};
         x = about_z[0], y = c * about_z[1] - s * about_z[2], z = s * about_z[1] + c * about_z[2];
     }
-    EXPECT_NEAR(around_one_bead(turned).bond_order, 0.57452, 1e-5);
+    EXPECT_NEAR(around_one_grain(turned).bond_order, 0.57452, 1e-5);
 }
 
 TEST(BondOrder, VanishesForRandomDirections) {
@@ -76,11 +76,11 @@ TEST(BondOrder, VanishesForRandomDirections) {
     for (auto& d : directions) {
         d = {normal(random), normal(random), normal(random)};
     }
-    EXPECT_LT(around_one_bead(directions).bond_order, 0.04);  // 1/sqrt(4000) = 0.016 expected
+    EXPECT_LT(around_one_grain(directions).bond_order, 0.04);  // 1/sqrt(4000) = 0.016 expected
 }
 
 TEST(Structure, CountsContactsFromBothSidesAndSignsTheFabric) {
-    const Structure s = around_one_bead({{1, 1, 0}, {1, -1, 0}, {1, -2, 0}});
+    const Structure s = around_one_grain({{1, 1, 0}, {1, -1, 0}, {1, -2, 0}});
     EXPECT_DOUBLE_EQ(s.contact_coordination, 2 * 3 / 4.0);
     EXPECT_NEAR(s.fabric_12_contact, (0.5 - 0.5 - 0.4) / 3, 1e-12);
     EXPECT_NEAR(s.overlap, 0.0025, 1e-12);
@@ -88,7 +88,7 @@ TEST(Structure, CountsContactsFromBothSidesAndSignsTheFabric) {
 
 TEST(Localization, IsZeroForUniformShearAndOneForAThinBand) {
     const double height = 20, rate = 0.1;
-    Beads uniform(2000), band(2000);
+    Grains uniform(2000), band(2000);
     for (std::size_t i = 0; i < 2000; ++i) {
         const double y = height * (static_cast<double>(i) + 0.5) / 2000;
         uniform.position(i)[1] = band.position(i)[1] = y;

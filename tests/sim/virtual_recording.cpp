@@ -16,7 +16,7 @@ namespace sim_virtual_recording_test {
 using namespace pendular;
 
 const AnnularCell cell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 6e-5};
-const Grains grains{.diameter = 5e-4, .density = 1050};
+const GrainProperties grains{.diameter = 5e-4, .density = 1050};
 
 /// A state whose simulation has these standard errors, relative.
 TrueState state(double ratio_error, double fraction_error) {

@@ -132,7 +132,7 @@ TEST(WrittenEffect, IsDescribedLikeABuiltInOne) {
     EXPECT_EQ(mine.parameters.at(0).unit, "N m");
     EXPECT_DOUBLE_EQ(mine.parameters.at(0).lower, -2e-3);
     EXPECT_DOUBLE_EQ(mine.parameters.at(0).upper, 2e-3);
-    EXPECT_DOUBLE_EQ(mine.parameters.at(0).matters, 0.5e-3);
+    EXPECT_DOUBLE_EQ(mine.parameters.at(0).smallest_of_interest, 0.5e-3);
     EXPECT_THAT(mine.acts_through, testing::UnorderedElementsAre("normal_stress", "time"));
     EXPECT_THAT(mine.references, ElementsAre("study.toml:1"));
 }

@@ -59,9 +59,9 @@ class Laboratory {
             study_.model.effects.push_back({effect.name, {}});  // their runs serve
         }
         const Fidelity quick = fidelity_named("quick");
-        KnownRuns known{runs_serving(study_, quick, all_shipped_runs()), shipped_scales(), false};
+        KnownRuns known{runs_serving(study_, quick, all_shipped_runs()), shipped_hyperparameters(), false};
         const auto simulation = std::make_shared<EmulatedSimulation>(
-            study_, quick, Emulator(known.runs, std::move(known.scales)));
+            study_, quick, Emulator(known.runs, std::move(known.hyperparameters)));
         inside_ = simulation;
         if (base == "rumpf") {
             inside_ = std::make_shared<RumpfModel>(simulation, study_, terms);

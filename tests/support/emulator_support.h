@@ -8,7 +8,7 @@
 
 #include "calib/emulator/emulated_observables.h"
 #include "calib/emulator/emulator.h"
-#include "calib/emulator/emulator_scales.h"
+#include "calib/emulator/emulator_hyperparameters.h"
 #include "sim/runs/store/run_table.h"
 
 namespace pendular {
@@ -29,8 +29,8 @@ inline std::vector<dem::RunResult> shipped_runs() {
     return runs;
 }
 
-inline EmulatorScales shipped_scales() {
-    return read_scales(std::filesystem::path(PENDULAR_SOURCE_DIR "/sim/atlas") / scales_name);
+inline EmulatorHyperparameters shipped_hyperparameters() {
+    return read_hyperparameters(std::filesystem::path(PENDULAR_SOURCE_DIR "/sim/atlas") / hyperparameters_name);
 }
 
 /// A flow law of this file's own, smooth in all that determines a state.
@@ -62,13 +62,13 @@ inline std::vector<dem::RunResult> invented_runs(std::size_t count, std::uint64_
         auto& p = run.parameters;
         p.friction = 0.6 * uniform(random);
         p.inertial_number = 0.001 * std::pow(100, uniform(random));
-        p.beads = 1000;
+        p.grains = 1000;
         p.seed = seed + k;
         if (k % 2 == 0) {
             p.wetting = {.reduced_pressure = 0.5 * std::pow(40, uniform(random)),
                          .bridge_volume = 0.0005 * std::pow(16, uniform(random))};
         }
-        const FlowState state = emulated::state_of(p);
+        const FlowState state = emulated::flow_state_of(p);
         const double a = normal(random), b = -0.5 * a + std::sqrt(0.75) * normal(random);
         const auto mean = [&](dem::Observable which, double value, double error) {
             run.means[static_cast<std::size_t>(which)] = {value, error};

@@ -16,7 +16,7 @@ inline std::string name_of(Domain domain) {
 }
 
 /// No two of them equal, so that none can stand in for another.
-inline Scales uneven_scales() {
+inline Hyperparameters uneven_hyperparameters() {
     return {.dry_amplitude = 0.3,
             .dry_x = 0.7,
             .dry_q = 0.25,
@@ -26,7 +26,7 @@ inline Scales uneven_scales() {
             .wet_u = 0.9,
             .wet_v = 1.3,
             .noise = 1.2,
-            .between = 0.01};
+            .between_run_scatter = 0.01};
 }
 
 /// Wet places over the range of the emulator.

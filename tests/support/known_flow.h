@@ -13,9 +13,9 @@ class Known : public Kind {
   public:
     explicit Known(std::vector<Parameter> parameters) : parameters_(std::move(parameters)) {}
     const std::vector<Parameter>& parameters() const override { return parameters_; }
-    Supported supported() const override {
+    ParameterBounds bounds() const override {
         const auto n = static_cast<Eigen::Index>(parameters_.size());
-        Supported range{Eigen::VectorXd(n), Eigen::VectorXd(n)};
+        ParameterBounds range{Eigen::VectorXd(n), Eigen::VectorXd(n)};
         for (Eigen::Index k = 0; k < n; ++k) {
             const Parameter& p = parameters_[static_cast<std::size_t>(k)];
             range.lower(k) = p.lower, range.upper(k) = p.upper;

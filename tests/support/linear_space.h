@@ -18,7 +18,7 @@ class LinearSpace : public ModelSpace {
         std::string name;
         Eigen::VectorXd values;
         EffectParameter parameter = {
-            .name = "amplitude", .lower = -1e6, .upper = 1e6, .neutral = 0, .matters = 1};
+            .name = "amplitude", .lower = -1e6, .upper = 1e6, .neutral = 0, .smallest_of_interest = 1};
         double possible = 1e9;  ///< beyond this size nothing real could be measured
     };
     LinearSpace(Eigen::MatrixXd base, std::vector<Column> columns)
@@ -28,14 +28,14 @@ class LinearSpace : public ModelSpace {
         }
     }
     const std::vector<Candidate>& candidates() const override { return candidates_; }
-    std::shared_ptr<const Model> with(const Choice& chosen) const override {
+    std::shared_ptr<const Model> with(const EffectSet& chosen) const override {
         return std::make_shared<Linear>(*this, chosen);
     }
 
   private:
     class Linear : public Model {
       public:
-        Linear(const LinearSpace& space, const Choice& chosen)
+        Linear(const LinearSpace& space, const EffectSet& chosen)
             : columns_(space.base_), constant_(Eigen::VectorXd::Zero(space.base_.rows())) {
             for (Eigen::Index k = 0; k < columns_.cols(); ++k) {
                 add_parameter({.name = "base" + std::to_string(k), .lower = -1e6, .upper = 1e6});
@@ -57,7 +57,7 @@ class LinearSpace : public ModelSpace {
             }
         }
         const std::vector<Parameter>& parameters() const override { return parameters_; }
-        Prediction predict(const Eigen::VectorXd& parameters, Ask /*what*/) const override {
+        Prediction predict(const Eigen::VectorXd& parameters, PredictionPart /*what*/) const override {
             const auto n = columns_.rows();
             if (possible_.size() > 0 &&
                 (parameters.tail(possible_.size()).cwiseAbs() - possible_).maxCoeff() > 0) {
@@ -66,7 +66,7 @@ class LinearSpace : public ModelSpace {
             return {columns_ * parameters + constant_, columns_, Eigen::MatrixXd::Zero(n, n),
                     Eigen::MatrixXd::Zero(n, n)};
         }
-        Supported supported() const override {
+        ParameterBounds bounds() const override {
             const auto p = columns_.cols();
             return {Eigen::VectorXd::Constant(p, -1e6), Eigen::VectorXd::Constant(p, 1e6)};
         }

@@ -147,7 +147,7 @@ inline Calibration calibration(const std::vector<Reading>& readings,
                   .fidelity = {"planted", 2000, 1000, 3e-3, 10}};
     c.fitted = fitted_count(study(), readings);
     c.runs = runs();
-    c.scales = shipped_scales();
+    c.hyperparameters = shipped_hyperparameters();
     c.fit.parameters = Eigen::VectorXd::Constant(1, friction);
     c.fit.covariance = Eigen::MatrixXd::Constant(1, 1, 0.004 * 0.004);
     c.fit.measurement_part = c.fit.run_part = c.fit.covariance / 2;

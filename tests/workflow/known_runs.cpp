@@ -24,7 +24,7 @@ TEST(KnownRuns, AreTheAtlasAndTheLatestOfTheStore) {
     EXPECT_EQ(known->runs.back().strain_transient,
               1200 - static_cast<double>(most_known - shipped));
     EXPECT_EQ(known_runs(study, quick, nullptr)->runs.size(), shipped);
-    EXPECT_EQ(known->scales.size(), emulated::observables().size());
+    EXPECT_EQ(known->hyperparameters.size(), emulated::observables().size());
 }
 
 TEST(KnownRuns, CountARunOnceThatIsInBoth) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "data/form.h"
+#include "data/formula_variant.h"
 #include "sim/dem/grain_effects.h"
 #include "sim/dem/series.h"
 #include "sim/runs/run_request.h"
@@ -107,7 +107,7 @@ void add_parameters(Columns& columns) {
         },
         [](RunResult& r, const RunCell& cell) {
             if (!empty(cell)) {
-                Columns::wetting_of(r).bridge_force = form_named(std::get<std::string>(cell));
+                Columns::wetting_of(r).bridge_force = formula_variant_named(std::get<std::string>(cell));
             }
         });
     columns.number(
@@ -118,7 +118,7 @@ void add_parameters(Columns& columns) {
     columns.number(
         "damping", true, [](RunResult & r) -> auto& { return r.parameters.damping; });
     columns.number(
-        "beads", true, [](RunResult & r) -> auto& { return r.parameters.beads; });
+        "beads", true, [](RunResult & r) -> auto& { return r.parameters.grains; });
     columns.number(
         "strain", true, [](RunResult & r) -> auto& { return r.parameters.strain; });
     columns.number(

@@ -24,7 +24,7 @@ constexpr int application_id = 0x70656e64;
 constexpr int patience_ms = 120'000;  ///< for other processes that are writing
 
 std::string key_of(const dem::RunResult& run, int version) {
-    return fmt::format("{}physics version = {}\n", described(run.parameters, run.threads), version);
+    return fmt::format("{}physics version = {}\n", run_description(run.parameters, run.threads), version);
 }
 
 /// Says what an error of SQLite means to a user.
@@ -236,7 +236,7 @@ bool insert(SQLite::Database& database, const dem::RunResult& run, int version) 
     if (!run.trace.empty()) {
         bind_blob(insertion, 3, compressed(dem::archived(run.trace)));
     }
-    if (!run.final_state.beads.empty()) {
+    if (!run.final_state.grains.empty()) {
         bind_blob(insertion, 4, compressed(dem::archived(run.final_state)));
     }
     int at = 5;
@@ -259,7 +259,7 @@ std::optional<StoredRun> RunStore::nearest(const dem::RunParameters& p) const {
     const std::string like = fmt::format(
         "beads = {} AND steady AND NOT crystallised AND failure IS NULL AND final_state IS NOT "
         "NULL AND reduced_pressure IS {}",
-        p.beads, p.wetting ? "NOT NULL" : "NULL");
+        p.grains, p.wetting ? "NOT NULL" : "NULL");
     for (const StoredRun& stored : select(like)) {
         const auto& other = stored.run.parameters;
         const auto squared = [](double x) { return x * x; };

@@ -25,7 +25,7 @@ struct StoredRun {
 
 /// Every run that was ever carried out, in one SQLite file. A run is keyed by all that determines
 /// it
-/// (`dem::described` and the physics version) and never stored twice. Several processes and threads
+/// (`dem::run_description` and the physics version) and never stored twice. Several processes and threads
 /// may read and write at once; each run is one transaction, so that a process killed at any instant
 /// loses the run it was at and nothing else.
 ///

@@ -113,7 +113,7 @@ StoredRun run_of(const Table& table, const Row& row, const std::vector<Meaning>&
         }
     }
     try {
-        check(stored.run.parameters);
+        check_run(stored.run.parameters);
     } catch (const std::invalid_argument& error) {
         throw InputError(table.at(row, 0), error.what());
     }

@@ -7,11 +7,11 @@
 namespace pendular {
 
 /// Name of the file beside an atlas that keeps the scales learned from it.
-constexpr const char* scales_name = "emulator.csv";
+constexpr const char* hyperparameters_name = "emulator.csv";
 
 /// Reads scales from a table of a row per observable and a column per scale, and writes it.
 /// @throws InputError at the cell that is wrong
-EmulatorScales read_scales(const std::filesystem::path& file);
-void write_scales(const std::filesystem::path& file, const EmulatorScales& scales);
+EmulatorHyperparameters read_hyperparameters(const std::filesystem::path& file);
+void write_hyperparameters(const std::filesystem::path& file, const EmulatorHyperparameters& hyperparameters);
 
 }  // namespace pendular

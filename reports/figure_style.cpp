@@ -1,4 +1,4 @@
-#include "reports/shown.h"
+#include "reports/figure_style.h"
 
 #include <fmt/format.h>
 

@@ -15,30 +15,30 @@ namespace pendular::dem {
 /// The beads of a sample in reduced units (diameter, mass and normal stress are 1). What the force
 /// loop reads of one bead lies together, and so does what it writes: a pair touches few cache
 /// lines.
-struct Beads {
+struct Grains {
     struct Motion {
         Vector position;  ///< centre; inside the cell when the neighbour list was built
         Vector velocity;  ///< peculiar: what remains after the imposed flow; half a step behind
-        Vector spin;      ///< angular velocity, half a step behind
+        Vector angular_velocity;      ///< angular velocity, half a step behind
 
         template <typename Archive>
         void serialize(Archive& archive) {
-            archive(position, velocity, spin);
+            archive(position, velocity, angular_velocity);
         }
     };
     /// A cache line of its own.
-    struct alignas(64) Load {
+    struct alignas(64) ForceAndTorque {
         Vector force, torque;
     };
 
     std::vector<Motion> motion;
-    std::vector<Load> load;            ///< summed during a step, zero between two
+    std::vector<ForceAndTorque> net_force;            ///< summed during a step, zero between two
     std::vector<Vector> displacement;  ///< peculiar, since the narrow list was made
     std::vector<std::int32_t> number;  ///< by which a bead was called at first
     std::vector<double> diameters;     ///< of mean 1; none: all are 1
 
-    explicit Beads(std::size_t count = 0)
-        : motion(count), load(count), displacement(count), number(count) {
+    explicit Grains(std::size_t count = 0)
+        : motion(count), net_force(count), displacement(count), number(count) {
         std::iota(number.begin(), number.end(), 0);
     }
     std::size_t size() const { return motion.size(); }
@@ -46,7 +46,7 @@ struct Beads {
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(motion, displacement, number, diameters);
-        load.assign(size(), {});
+        net_force.assign(size(), {});
     }
 
     double diameter(std::size_t i) const { return diameters.empty() ? 1.0 : diameters[i]; }
@@ -81,12 +81,12 @@ struct Beads {
 
     Vector& position(std::size_t i) { return motion[i].position; }
     Vector& velocity(std::size_t i) { return motion[i].velocity; }
-    Vector& spin(std::size_t i) { return motion[i].spin; }
+    Vector& angular_velocity(std::size_t i) { return motion[i].angular_velocity; }
     const Vector& position(std::size_t i) const { return motion[i].position; }
     const Vector& velocity(std::size_t i) const { return motion[i].velocity; }
-    const Vector& spin(std::size_t i) const { return motion[i].spin; }
-    const Vector& force(std::size_t i) const { return load[i].force; }
-    const Vector& torque(std::size_t i) const { return load[i].torque; }
+    const Vector& angular_velocity(std::size_t i) const { return motion[i].angular_velocity; }
+    const Vector& force(std::size_t i) const { return net_force[i].force; }
+    const Vector& torque(std::size_t i) const { return net_force[i].torque; }
 };
 
 /// Moment of inertia of a bead of unit mass and diameter: (2/5)(1/2)^2. That of others grows with

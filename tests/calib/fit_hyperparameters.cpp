@@ -1,6 +1,6 @@
 // The likelihood of hyperparameters: its value in closed form, its gradient against differences,
 // its maximum where truth was planted.
-#include "calib/emulator/learn_scales.h"
+#include "calib/emulator/fit_hyperparameters.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "tests/support/kernel_support.h"
 
-namespace pendular::calib_learn_scales_test {
+namespace pendular::calib_fit_hyperparameters_test {
 
 Observations observed(const std::vector<Coordinates>& at, const Eigen::VectorXd& values,
                       double variance) {
@@ -20,21 +20,21 @@ Observations observed(const std::vector<Coordinates>& at, const Eigen::VectorXd&
             .noise = {at.size(), Eigen::MatrixXd::Constant(1, 1, variance)}};
 }
 
-double cost(const Observations& known, const Scales& scales, Domain domain, double unit) {
-    return scales_cost(domain, known, unit, scales, nullptr);
+double cost(const Observations& known, const Hyperparameters& hyperparameters, Domain domain, double unit) {
+    return hyperparameter_cost(domain, known, unit, hyperparameters, nullptr);
 }
 
-TEST(ScalesCost, IsTheLikelihoodOfTwoValues) {
+TEST(HyperparameterCost, IsTheLikelihoodOfTwoValues) {
     // Two places of bridges with variance v each and covariance c:
     //     -ln L = (v y1^2 - 2 c y1 y2 + v y2^2)/(2 (v^2 - c^2)) + ln(v^2 - c^2)/2 + constant.
     // At equal scales the prior is the same, so that differences are of the likelihood alone.
     // v = A^2 + f n + b^2 + 25 (1 + u^2) at x = q = v = 0; the distance is along v, whose
     // polynomial term has the factor of both v.
-    const Scales s = uneven_scales();
+    const Hyperparameters s = uneven_hyperparameters();
     constexpr double n = 0.02, u = 0.3;
     const auto likelihood = [&](double y1, double y2, double apart) {
         const double a2 = s.wet_amplitude * s.wet_amplitude, linear = 25 * (1 + u * u);
-        const double noise = s.noise * n + s.between * s.between;
+        const double noise = s.noise * n + s.between_run_scatter * s.between_run_scatter;
         const double v1 = a2 + linear + noise, v2 = v1 + 25 * apart * apart;
         const double c = linear + a2 * std::exp(-apart * apart / (2 * s.wet_v * s.wet_v));
         const double determinant = v1 * v2 - c * c;
@@ -51,11 +51,11 @@ TEST(ScalesCost, IsTheLikelihoodOfTwoValues) {
     EXPECT_NEAR(computed(0.4, 0.7, 0.01), likelihood(0.4, 0.7, 0.01) + offset, 1e-11);
 }
 
-TEST(ScalesCost, HasALogNormalPrior) {
+TEST(HyperparameterCost, HasALogNormalPrior) {
     // Far apart and at y = 0 a value says nothing of a length: the cost along it is a parabola in
     // its logarithm, with the stated deviation of 0.7 about the length 1.
     const Observations one = observed({{.x = 0.5, .u = 0.3}}, Eigen::VectorXd::Zero(1), 0.02);
-    Scales s = uneven_scales();
+    Hyperparameters s = uneven_hyperparameters();
     s.wet_x = 1;
     const double least = cost(one, s, Domain::bridges, 1);
     for (const double off : {-1.0, 0.5, 2.0}) {
@@ -66,7 +66,7 @@ TEST(ScalesCost, HasALogNormalPrior) {
 
 class EachDomain : public testing::TestWithParam<Domain> {};
 
-INSTANTIATE_TEST_SUITE_P(ScalesCost, EachDomain,
+INSTANTIATE_TEST_SUITE_P(HyperparameterCost, EachDomain,
                          testing::Values(Domain::all_flow, Domain::contacts, Domain::bridges),
                          [](const auto& each) { return name_of(each.param); });
 
@@ -79,16 +79,16 @@ TEST_P(EachDomain, HasTheStatedGradient) {
     const Eigen::VectorXd values = Eigen::VectorXd::NullaryExpr(
         13, [](Eigen::Index k) { return 0.3 * std::sin(static_cast<double>(k * k)); });
     const Observations known = observed(at, values, 0.003);
-    std::array<double, Scales::count> gradient;
-    scales_cost(GetParam(), known, 0.5, uneven_scales(), gradient.data());
-    for (std::size_t k = 0; k < Scales::count; ++k) {
+    std::array<double, Hyperparameters::count> gradient;
+    hyperparameter_cost(GetParam(), known, 0.5, uneven_hyperparameters(), gradient.data());
+    for (std::size_t k = 0; k < Hyperparameters::count; ++k) {
         const auto moved_cost = [&](double off) {
-            auto scales = uneven_scales().as_array();
-            scales[k] *= std::exp(off);
-            return cost(known, Scales::from_array(scales), GetParam(), 0.5);
+            auto hyperparameters = uneven_hyperparameters().as_array();
+            hyperparameters[k] *= std::exp(off);
+            return cost(known, Hyperparameters::from_array(hyperparameters), GetParam(), 0.5);
         };
         EXPECT_NEAR(gradient[k], (moved_cost(step) - moved_cost(-step)) / (2 * step), tolerance)
-            << Scales::names[k];
+            << Hyperparameters::names[k];
     }
 }
 
@@ -103,20 +103,20 @@ TEST_P(EachDomain, IsLeastForTheLearnedScales) {
         return 0.5 + 0.2 * place.x + place.u * std::sin(place.v) + 0.02 * normal(random);
     });
     const Observations known = observed(at, values, 4e-4);
-    const Scales learned = learn_scales(GetParam(), known, 0.5);
+    const Hyperparameters learned = fit_hyperparameters(GetParam(), known, 0.5);
     const double least = cost(known, learned, GetParam(), 0.5);
-    EXPECT_LT(least, cost(known, uneven_scales(), GetParam(), 0.5));
-    for (std::size_t k = 0; k < Scales::count; ++k) {
+    EXPECT_LT(least, cost(known, uneven_hyperparameters(), GetParam(), 0.5));
+    for (std::size_t k = 0; k < Hyperparameters::count; ++k) {
         for (const double factor : {0.9, 1.1}) {
-            auto scales = learned.as_array();
-            scales[k] *= factor;
-            EXPECT_GT(cost(known, Scales::from_array(scales), GetParam(), 0.5), least - 1e-4)
-                << Scales::names[k] << " x " << factor;
+            auto hyperparameters = learned.as_array();
+            hyperparameters[k] *= factor;
+            EXPECT_GT(cost(known, Hyperparameters::from_array(hyperparameters), GetParam(), 0.5), least - 1e-4)
+                << Hyperparameters::names[k] << " x " << factor;
         }
     }
 }
 
-TEST(LearnScales, FindTheScatterBetweenRuns) {
+TEST(FitHyperparameters, FindTheScatterBetweenRuns) {
     // 60 pairs, with errors of 0.001 stated and 0.02 there: the differences within pairs alone tell
     // the scatter to 1/sqrt(2 x 60) = 9 %. Limits of 3 of these.
     std::vector<Coordinates> at;
@@ -129,12 +129,12 @@ TEST(LearnScales, FindTheScatterBetweenRuns) {
             const Coordinates& place = at[static_cast<std::size_t>(k)];
             return 0.5 + 0.2 * place.x + 0.1 * place.u + 0.02 * normal(random);
         });
-    const Scales learned = learn_scales(Domain::all_flow, observed(at, values, 1e-6), 0.5);
-    EXPECT_NEAR(learned.between, 0.02, 3 * 0.02 / std::sqrt(2 * 60.0));
+    const Hyperparameters learned = fit_hyperparameters(Domain::all_flow, observed(at, values, 1e-6), 0.5);
+    EXPECT_NEAR(learned.between_run_scatter, 0.02, 3 * 0.02 / std::sqrt(2 * 60.0));
 }
 
-TEST(LearnScales, NeedRuns) {
-    EXPECT_THROW(learn_scales(Domain::all_flow, {}, 1), std::invalid_argument);
+TEST(FitHyperparameters, NeedRuns) {
+    EXPECT_THROW(fit_hyperparameters(Domain::all_flow, {}, 1), std::invalid_argument);
 }
 
 }  // namespace pendular::calib_learn_scales_test

@@ -9,11 +9,11 @@ namespace pendular {
 /// log-normal priors keep those finite of which the observations say nothing.
 /// @param unit typical size of the quantity
 /// @throws std::invalid_argument where no place is known
-Scales learn_scales(Domain domain, const Observations& known, double unit);
+Hyperparameters fit_hyperparameters(Domain domain, const Observations& known, double unit);
 
 /// What that minimises, -ln(likelihood) - ln(prior) up to a constant, with its derivatives by the
-/// logarithms of the scales in the order of `Scales::names`.
-double scales_cost(Domain domain, const Observations& known, double unit, const Scales& scales,
+/// logarithms of the scales in the order of `Hyperparameters::names`.
+double hyperparameter_cost(Domain domain, const Observations& known, double unit, const Hyperparameters& hyperparameters,
                    double* gradient);
 
 }  // namespace pendular

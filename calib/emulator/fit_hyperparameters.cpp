@@ -1,4 +1,4 @@
-#include "calib/emulator/learn_scales.h"
+#include "calib/emulator/fit_hyperparameters.h"
 
 #include <ceres/ceres.h>
 
@@ -13,8 +13,8 @@ namespace {
 /// Median and standard deviation of the logarithm, before the runs speak. Lengths are of the order
 /// of the range, amplitudes a tenth of the quantity; block averages state errors to some 20 %.
 struct Broad {
-    Scales median;
-    std::array<double, Scales::count> deviation;
+    Hyperparameters median;
+    std::array<double, Hyperparameters::count> deviation;
 };
 
 Broad prior(double unit) {
@@ -27,7 +27,7 @@ Broad prior(double unit) {
                        .wet_u = 1,
                        .wet_v = 2,
                        .noise = 1,
-                       .between = 1e-3 * unit},
+                       .between_run_scatter = 1e-3 * unit},
             .deviation = {2, 0.7, 0.7, 2, 0.7, 0.7, 0.7, 0.7, 0.3, 2}};
 }
 
@@ -37,13 +37,13 @@ class Cost : public ceres::FirstOrderFunction {
     Cost(Domain domain, const Observations& known, double unit)
         : domain_(domain), known_(known), unit_(unit) {}
     bool Evaluate(const double* logarithms, double* cost, double* gradient) const override {
-        std::array<double, Scales::count> scales;
-        std::transform(logarithms, logarithms + Scales::count, scales.begin(),
+        std::array<double, Hyperparameters::count> hyperparameters;
+        std::transform(logarithms, logarithms + Hyperparameters::count, hyperparameters.begin(),
                        [](double log) { return std::exp(log); });
-        *cost = scales_cost(domain_, known_, unit_, Scales::from_array(scales), gradient);
+        *cost = hyperparameter_cost(domain_, known_, unit_, Hyperparameters::from_array(hyperparameters), gradient);
         return std::isfinite(*cost);
     }
-    int NumParameters() const override { return Scales::count; }
+    int NumParameters() const override { return Hyperparameters::count; }
 
   private:
     Domain domain_;
@@ -53,17 +53,17 @@ class Cost : public ceres::FirstOrderFunction {
 
 }  // namespace
 
-double scales_cost(Domain domain, const Observations& known, double unit, const Scales& scales,
+double hyperparameter_cost(Domain domain, const Observations& known, double unit, const Hyperparameters& hyperparameters,
                    double* gradient) {
-    const Kernel kernel(domain, scales, unit);
+    const Kernel kernel(domain, hyperparameters, unit);
     const auto n = static_cast<Eigen::Index>(known.at.size());
     Eigen::VectorXd noise(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        noise(i) = scales.noise * known.noise[static_cast<std::size_t>(i)](0, 0);
+        noise(i) = hyperparameters.noise * known.noise[static_cast<std::size_t>(i)](0, 0);
     }
     const auto places = kernel.prepare(known.at);
     Eigen::MatrixXd matrix = kernel.matrix(places);
-    matrix.diagonal().array() += noise.array() + scales.between * scales.between;
+    matrix.diagonal().array() += noise.array() + hyperparameters.between_run_scatter * hyperparameters.between_run_scatter;
     const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
     if (factor.info() != Eigen::Success) {
         return INFINITY;
@@ -72,9 +72,9 @@ double scales_cost(Domain domain, const Observations& known, double unit, const 
     double cost = 0.5 * known.values.col(0).dot(weights) +
                   Eigen::MatrixXd(factor.matrixL()).diagonal().array().log().sum();
     const Broad broad = prior(unit);
-    const auto at = scales.as_array(), median = broad.median.as_array();
-    std::array<double, Scales::count> slopes{};
-    for (std::size_t k = 0; k < Scales::count; ++k) {
+    const auto at = hyperparameters.as_array(), median = broad.median.as_array();
+    std::array<double, Hyperparameters::count> slopes{};
+    for (std::size_t k = 0; k < Hyperparameters::count; ++k) {
         const double off = std::log(at[k] / median[k]) / broad.deviation[k];
         cost += 0.5 * off * off;
         slopes[k] = off / broad.deviation[k];
@@ -87,29 +87,29 @@ double scales_cost(Domain domain, const Observations& known, double unit, const 
         for (std::size_t k = 0; k < traces.size(); ++k) {
             gradient[k] = slopes[k] + traces[k];
         }
-        gradient[Scales::of_processes] =
-            slopes[Scales::of_processes] + 0.5 * spread.diagonal().dot(noise);
-        gradient[Scales::count - 1] =
-            slopes.back() + spread.trace() * scales.between * scales.between;
+        gradient[Hyperparameters::of_processes] =
+            slopes[Hyperparameters::of_processes] + 0.5 * spread.diagonal().dot(noise);
+        gradient[Hyperparameters::count - 1] =
+            slopes.back() + spread.trace() * hyperparameters.between_run_scatter * hyperparameters.between_run_scatter;
     }
     return cost;
 }
 
-Scales learn_scales(Domain domain, const Observations& known, double unit) {
+Hyperparameters fit_hyperparameters(Domain domain, const Observations& known, double unit) {
     if (known.at.empty()) {
         throw std::invalid_argument("scales cannot be learned from no runs");
     }
-    auto scales = prior(unit).median.as_array();
-    std::ranges::transform(scales, scales.begin(), [](double value) { return std::log(value); });
+    auto hyperparameters = prior(unit).median.as_array();
+    std::ranges::transform(hyperparameters, hyperparameters.begin(), [](double value) { return std::log(value); });
     const ceres::GradientProblem problem(new Cost(domain, known, unit));
     ceres::GradientProblemSolver::Options options;
     options.logging_type = ceres::SILENT;
     options.max_num_iterations = 100;
     options.function_tolerance = 1e-7;
     ceres::GradientProblemSolver::Summary summary;
-    ceres::Solve(options, problem, scales.data(), &summary);
-    std::ranges::transform(scales, scales.begin(), [](double log) { return std::exp(log); });
-    return Scales::from_array(scales);
+    ceres::Solve(options, problem, hyperparameters.data(), &summary);
+    std::ranges::transform(hyperparameters, hyperparameters.begin(), [](double log) { return std::exp(log); });
+    return Hyperparameters::from_array(hyperparameters);
 }
 
 }  // namespace pendular

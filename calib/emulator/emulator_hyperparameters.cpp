@@ -1,4 +1,4 @@
-#include "calib/emulator/emulator_scales.h"
+#include "calib/emulator/emulator_hyperparameters.h"
 
 #include <fmt/format.h>
 
@@ -11,17 +11,17 @@
 
 namespace pendular {
 
-EmulatorScales read_scales(const std::filesystem::path& file) {
+EmulatorHyperparameters read_hyperparameters(const std::filesystem::path& file) {
     const Table table = read_table(file);
-    if (table.header.cells.size() != Scales::count + 1) {
+    if (table.header.cells.size() != Hyperparameters::count + 1) {
         throw InputError(table.at_header(0),
-                         fmt::format("{} columns are needed, there are {}", Scales::count + 1,
+                         fmt::format("{} columns are needed, there are {}", Hyperparameters::count + 1,
                                      table.header.cells.size()));
     }
-    EmulatorScales result;
+    EmulatorHyperparameters result;
     for (const Row& row : table.rows) {
-        std::array<double, Scales::count> values{};
-        for (std::size_t k = 0; k < Scales::count; ++k) {
+        std::array<double, Hyperparameters::count> values{};
+        for (std::size_t k = 0; k < Hyperparameters::count; ++k) {
             const auto number = parse_number(row.cells[k + 1].text);
             if (!number || *number <= 0) {
                 throw InputError(table.at(row, k + 1),
@@ -30,7 +30,7 @@ EmulatorScales read_scales(const std::filesystem::path& file) {
             values[k] = *number;
         }
         try {
-            result[dem::observable_named(row.cells[0].text)] = Scales::from_array(values);
+            result[dem::observable_named(row.cells[0].text)] = Hyperparameters::from_array(values);
         } catch (const std::invalid_argument& error) {
             throw InputError(table.at(row, 0), error.what());
         }
@@ -38,13 +38,13 @@ EmulatorScales read_scales(const std::filesystem::path& file) {
     return result;
 }
 
-void write_scales(const std::filesystem::path& file, const EmulatorScales& scales) {
+void write_hyperparameters(const std::filesystem::path& file, const EmulatorHyperparameters& hyperparameters) {
     std::string text = "observable";
-    for (const auto name : Scales::names) {
+    for (const auto name : Hyperparameters::names) {
         text += fmt::format(",{}", name);
     }
     text += '\n';
-    for (const auto& [which, each] : scales) {
+    for (const auto& [which, each] : hyperparameters) {
         text += dem::observable_names[static_cast<std::size_t>(which)];
         for (const double value : each.as_array()) {
             text += fmt::format(",{:.6g}", value);
