@@ -58,9 +58,9 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
     options.take(&words);
     options.add("seed", &own.seed, "seed of the simulations (default 1)");
     options.add_switch("confirm", &own.fit.confirm,
-                       "fresh runs at the new optimum, until they and the emulator agree");
+                       "confirm the new optimum by simulations, until they agree with the emulator");
     options.add_switch("cold", &own.fit.cold,
-                       "from neither the atlas nor earlier runs: simulate all that the fit needs");
+                       "use neither the atlas nor earlier runs: simulate all states that the fit needs");
     auto common = options.parse(arguments);
     if (!common) {
         return std::nullopt;
@@ -77,22 +77,22 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
 
 void print_evidence(Console& console, const StudyChange& change, const Fitted& before,
                     const Fitted& after, const CommonOptions& common) {
-    for (const auto& line : parameter_changes(before.ladder_step, after.ladder_step)) {
-        console.line(line);
-    }
-    console.line(fmt::format("chi2 = {:.2f} for {} degrees of freedom -> {:.2f} for {}",
-                             before.ladder_step.chi2, before.ladder_step.dof, after.ladder_step.chi2, after.ladder_step.dof));
+    console.table(error_changes(before.ladder_step, after.ladder_step), 10);
+    console.table(parameter_changes(before.ladder_step, after.ladder_step), 5);
+    console.line(fmt::format("Chi2 goes from {:.2f} for {} degrees of freedom to {:.2f} for {}.",
+                             before.ladder_step.chi2, before.ladder_step.dof,
+                             after.ladder_step.chi2, after.ladder_step.dof));
     for (const auto& line : advice_on(change, before.ladder_step, after.ladder_step, common.study.string())) {
         console.note(line);
     }
     if (!before.calibration.fit.converged) {
-        console.note("the fit before the change had not converged: " +
+        console.note("The fit before the change did not converge: " +
                      before.calibration.fit.message);
     }
     if (after.undetermined > 0) {
         console.note(fmt::format(
-            "without {} of the {} conditions left out one after the other, the others do not "
-            "determine a parameter, which then keeps the value it starts with",
+            "For {} of the {} conditions left out one after the other, the remaining conditions do "
+            "not determine a parameter; it then keeps its starting value.",
             after.undetermined, after.left_out));
     }
     for (const auto& note : after.calibration.notes) {
@@ -101,7 +101,7 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
 }
 
 int refuse_fit(Console& console, const StudyChange& change, const Fitted& after) {
-    console.line(fmt::format("{} not {}: the fit {} it did not converge ({}); {} is as it was",
+    console.answer(fmt::format("{} not {}: the fit {} it did not converge ({}). {} is unchanged.",
                              change.effect, change.change == Action::add ? "added" : "dropped",
                              change.change == Action::add ? "with" : "without",
                              after.calibration.fit.message, change.study.study().file.string()));
@@ -126,12 +126,15 @@ int change_study(Action what, const std::vector<std::string>& arguments) {
         (session.operator->()->*change)(own.effect, own.fit, !own.fidelity_given);
     const auto& [plan, before, after, ladder, written] = changed;
     if (written) {
-        console.line(verdict_of(plan, before.ladder_step, after.ladder_step));
+        console.answer(verdict_of(plan, before.ladder_step, after.ladder_step));
         print_doubts(console, after.belief);
         print_evidence(console, plan, before, after, *common);
         const Figure figure = ladder_figure(ladder);
         draw(figure, figures);
-        console.line(fmt::format("figure: {}", (figures / (figure.name + ".png")).string()));
+        console.figures(figures, {figure.name});
+        console.next(fmt::format("pendular {} {}",
+                                 after.belief.believable() ? "compare" : "diagnose",
+                                 common->study.string()));
     }
     const int code = written ? static_cast<int>(done) : refuse_fit(console, plan, after);
     auto json = to_json(plan, before.ladder_step, after.ladder_step, written);

@@ -5,14 +5,15 @@
 namespace pendular::app {
 
 std::string verdict_on(const Belief& belief, const std::string& basis) {
-    if (belief.believable()) return "; " + basis;
+    if (belief.believable()) return "; " + basis + ".";
     return fmt::format("; do not use this value{}: {}",
                        belief.meaningless ? ", it is meaningless" : "", belief.reasons.front());
 }
 
-void print_doubts(Console& console, const Belief& belief) {
-    for (const std::string& reason : belief.reasons) {
-        console.line("doubt: " + reason);
+void print_doubts(Console& console, const Belief& belief, std::size_t named_already) {
+    for (std::size_t k = named_already; k < belief.reasons.size(); ++k) {
+        const std::string& reason = belief.reasons[k];
+        console.line("Doubt: " + as_sentence(reason));
     }
 }
 

@@ -7,10 +7,10 @@
 
 namespace pendular::app {
 
-/// The end of a first line: whether its numbers can be believed, or else what the errors rest on.
+/// End of an answer: the basis of the errors, or the reason not to use the value.
 std::string verdict_on(const Belief& belief, const std::string& basis);
 
-/// One line for each reason, as a doubt.
-void print_doubts(Console& console, const Belief& belief);
+/// Prints each reason for doubt on its own line, except the first `named_already`.
+void print_doubts(Console& console, const Belief& belief, std::size_t named_already = 0);
 
 }  // namespace pendular::app

@@ -19,7 +19,7 @@
 namespace pendular::app {
 namespace {
 
-/// What simulations a calibration rests on.
+/// Sentence on the simulations that a calibration rests on.
 std::string basis_of(const Calibration& c) {
     std::size_t ordered = 0;
     std::string why;
@@ -27,42 +27,42 @@ std::string basis_of(const Calibration& c) {
         ordered += order.runs;
         why += fmt::format("{}{} {}", why.empty() ? ": " : ", ", order.runs, order.why);
     }
-    return fmt::format("emulated from {} runs, of which {} ordered at {} fidelity{}", c.runs.size(),
-                       ordered, c.fidelity.name, why);
+    return fmt::format("The emulator was trained on {} runs; {} of them were simulated for this study at {} "
+                       "fidelity{}.",
+                       c.runs.size(), ordered, c.fidelity.name, why);
 }
 
 void print_result(Console& console, const Calibration& c, const Comparison& comparison,
                   const Belief& belief, const std::string& basis) {
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        console.line(fmt::format(
-            "{} = {} (measurement {:.2g}, simulation {:.2g}){}", c.parameters[k].name,
+        const std::string estimate = fmt::format(
+            "{}{} = {} (measurement {:.2g}, simulation {:.2g}){}", k == 0 ? "Fitted: " : "",
+            c.parameters[k].name,
             with_error(c.fit.parameters(i), c.fit.standard_error(i)), c.fit.measurement_error(i),
-            c.fit.simulation_error(i), k == 0 ? verdict_on(belief, basis) : ""));
+            c.fit.simulation_error(i), k == 0 ? verdict_on(belief, basis) : "");
+        k == 0 ? console.answer(estimate) : console.line(estimate);
     }
-    print_doubts(console, belief);
+    print_doubts(console, belief, 1);
     if (c.profile) {
-        console.line(fmt::format("68 % profile interval: {:.4g} to {:.4g}", c.profile->first,
+        console.line(fmt::format("The 68 % profile likelihood interval is {:.4g} to {:.4g}.", c.profile->first,
                                  c.profile->second));
     }
     console.line(fmt::format(
-        "chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); errors are not scaled by chi2/dof; "
-        "{}",
-        comparison.fitted.chi2, comparison.fitted.dof, comparison.fitted.p(), basis_of(c)));
+        "The fit has chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); errors are not scaled by "
+        "chi2/dof.",
+        comparison.fitted.chi2, comparison.fitted.dof, comparison.fitted.p()));
+    console.line(basis_of(c));
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format(
-            "{} wet readings predicted by {} without any further parameter: chi2 = {:.2f} for {} "
-            "degrees of freedom (p = {:.2g})",
+            "{} wet readings are predicted by {} without any further parameter: chi2 = {:.2f} for {} "
+            "degrees of freedom (p = {:.2g}).",
             c.readings.size() - c.fitted,
             c.model.base == "rumpf" ? "Rumpf's cohesion on the simulated dry law" : "simulation",
             comparison.predicted.chi2, comparison.predicted.dof, comparison.predicted.p()));
     }
-    for (const auto& line : predictions_table(comparison)) {
-        console.line(line);
-    }
-    for (const auto& line : cohesion_table(c.cohesion_lines)) {
-        console.line(line);
-    }
+    if (console.all()) console.table(predictions_table(comparison), 0);
+    console.table(cohesion_table(c.cohesion_lines), 7);
     for (const auto& note : c.cohesion_notes) {
         console.note(note);
     }
@@ -70,7 +70,7 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
         console.note(note);
     }
     if (!c.fit.converged) {
-        console.note("the fit did not converge: " + c.fit.message);
+        console.note("The fit did not converge: " + c.fit.message);
     }
 }
 
@@ -83,11 +83,11 @@ int calibrate(const std::vector<std::string>& arguments) {
                     "readings together,\n"
                     "by discrete-element simulation inside a Ceres least-squares loop, and "
                     "predicts the wet readings\n"
-                    "with it (fit_to = \"all\" in the study fits them too). An emulator of the "
-                    "atlas and of all stored\n"
-                    "runs answers first; fresh runs at the optimum confirm it, until both agree. "
-                    "Writes fit.json to the\n"
-                    "results folder.",
+                    "with it (fit_to = \"all\" in the study fits them too). An emulator that is "
+                    "trained on the atlas and\n"
+                    "on all stored runs gives a first answer; simulations at the optimum confirm "
+                    "it, until both agree.\n"
+                    "Writes fit.json to the results folder.",
                     "  pendular calibrate examples/polystyrene --no-confirm\n"
                     "  pendular calibrate examples/polystyrene --fidelity quick\n"
                     "  pendular calibrate my-study --cold --profile --json -\n",
@@ -97,16 +97,15 @@ int calibrate(const std::vector<std::string>& arguments) {
     bool no_confirm = false;
     options.add_switch(
         "no-confirm", &no_confirm,
-        "simulate nothing: take the emulator's answer as it is (with --cold: one round "
-        "fewer)");
+        "use the emulator without confirming simulations (with --cold: one round fewer)");
     options.add_switch(
         "cold", &fit.cold,
-        "from neither the atlas nor earlier runs: simulate all that the fit needs; those of it "
-        "are kept in the store all the same");
+        "use neither the atlas nor earlier runs: simulate all states that the fit needs, and keep "
+        "them in the store");
     options.add("lowest-reduced-pressure", &fit.cohesion.lowest_reduced_pressure,
-                "cohesion lines go through points from this P* on [1] (default 2.3)");
+                "least P* of the points that cohesion lines are fitted to [1] (default 2.3)");
     options.add_switch("profile", &fit.profile,
-                       "profile likelihood interval of the friction as well");
+                       "also compute the profile likelihood interval of the friction");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -124,16 +123,17 @@ int calibrate(const std::vector<std::string>& arguments) {
     }
     if (!measurements.excluded.empty()) {
         console.note(fmt::format(
-            "{} ranges of rows were left out of the readings; 'pendular import' lists them",
-            measurements.excluded.size()));
+            "Import left out {} ranges of rows. To list them: pendular import {}",
+            measurements.excluded.size(), common->study.string()));
     }
     auto json = to_json(c, comparison);
     add_belief(json, belief);
     console.json(json);
     constexpr double significant = 0.05;
     if (!belief.believable() || comparison.total.p() < significant) {
-        console.line(
-            fmt::format("What may be missing: pendular diagnose {}", common->study.string()));
+        console.next(fmt::format("pendular diagnose {}", common->study.string()));
+    } else {
+        console.next(fmt::format("pendular compare {}", common->study.string()));
     }
     return c.fit.converged && !belief.meaningless ? done : not_converged;
 }

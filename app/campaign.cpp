@@ -84,10 +84,10 @@ std::optional<double> estimate_duration(const Survey& found, const RunStore& sto
     auto seconds = expected_seconds(found.missing, measured, threads);
     if (const auto atlas = atlas_file(); !seconds && !atlas.empty()) {
         seconds = expected_seconds(found.missing, runs_of(read_runs(atlas)), threads);
-        source = "the speed of the atlas's runs, which were measured on another machine";
+        source = "the speed of the runs in the atlas, which were made on another machine";
     }
     if (!seconds) {
-        console.line("The duration cannot be estimated: no run has been measured yet.");
+        console.line("The duration cannot be estimated: the store holds no run.");
         return seconds;
     }
     console.line(fmt::format(
@@ -103,7 +103,7 @@ void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOption
     const bool there = std::filesystem::exists(common.store);
     const RunStore store(there ? common.store : std::filesystem::path(RunStore::in_memory), there);
     const Survey found = survey(runs, store);
-    console.line(fmt::format("{} of {} runs are in {}, {} are to do.",
+    console.answer(fmt::format("{} of {} runs are in {}, {} are to do.",
                              runs.size() - found.missing.size(), runs.size(), common.store.string(),
                              found.missing.size()));
     const auto seconds = estimate_duration(found, store, common.threads, console);
@@ -122,13 +122,13 @@ void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOption
 void report(std::size_t runs, const Survey& before, const Survey& after, const RunStore& store,
             Console& console) {
     for (const auto& run : after.failed) {
-        console.note(fmt::format("friction {}, inertial number {}, seed {} failed: {}",
+        console.note(fmt::format("The run with friction {}, inertial number {} and seed {} failed: {}",
                                  run.parameters.friction, run.parameters.inertial_number,
                                  run.parameters.seed, run.failure));
     }
     const std::size_t stored = runs - after.missing.size(),
                       made = before.missing.size() - after.missing.size();
-    console.line(fmt::format("{} of {} runs are in {}: {} new, {} failed", stored, runs,
+    console.answer(fmt::format("{} of {} runs are in {}: {} new, {} failed.", stored, runs,
                              store.file().string(), made, after.failed.size()));
     console.json({{"runs", runs},
                   {"stored", stored},
@@ -158,7 +158,7 @@ int campaign(const std::vector<std::string>& arguments) {
     options.add("shard", &shard, "i/n: only the i-th of n shares of equal cost (a Slurm array)");
     bool dry_run = false;
     options.add_switch("dry-run", &dry_run,
-                       "only say which runs are to do and how long they will take; writes nothing");
+                       "print which runs are to do and how long they will take; write nothing");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -188,7 +188,7 @@ int campaign(const std::vector<std::string>& arguments) {
         const Workers workers{
             .threads = common->threads,
             .stop = guard.token(),
-            .report = [&](const EnsembleProgress& p) { console.progress("campaign", p); },
+            .report = [&](const EnsembleProgress& p) { console.progress("Campaign", p); },
             .store = &store};
         try {
             if (processes && processes->workers() > 0) {

@@ -24,20 +24,21 @@ namespace pendular::app {
 
 namespace {
 
-/// "with torque-offset, lid-slip: "; empty where there are none.
+/// "With torque-offset, lid-slip, the RMS error of the model is".
 std::string with_effects(const ModelSettings& model) {
     std::string names;
     for (const auto& effect : model.effects) {
-        names += (names.empty() ? "with " : ", ") + effect.name;
+        names += (names.empty() ? "With " : ", ") + effect.name;
     }
-    return names.empty() ? "" : names + ": ";
+    return names.empty() ? "The RMS error of the model is"
+                         : names + ", the RMS error of the model is";
 }
 
 /// "; the 12 readings that were only predicted are not described (p = 1e-9)": where what was fitted
 /// is described and what was only predicted is not.
 std::string verdict_on_predicted(const Calibration& c, const Comparison& comparison) {
     if (c.fitted == c.readings.size() || comparison.predicted.p() >= incredible_p) return "";
-    return fmt::format("; the {} readings that were only predicted are not described (p = {:.2g})",
+    return fmt::format("; the model does not describe the {} readings that were predicted, not fitted (p = {:.2g})",
                        c.readings.size() - c.fitted, comparison.predicted.p());
 }
 
@@ -46,20 +47,19 @@ std::string verdict_on_predicted(const Calibration& c, const Comparison& compari
 int compare(const std::vector<std::string>& arguments) {
     Options options(
         "compare STUDY [options]",
-        "Puts the calibrated model beside the readings: misfit by observable, "
-        "condition and file, where the model\n"
-        "fails beyond what its parameters could take over (lack of fit, trends and runs "
-        "along what was varied,\n"
-        "conditions and files that stand out), and figures as SVG, PNG and PDF with their numbers "
-        "as CSV. Needs 'pendular "
-        "calibrate' first;\n"
-        "simulates nothing itself.",
+        "Puts the calibrated model and the readings side by side: the misfit by observable, "
+        "condition and file;\n"
+        "where the model fails beyond what its parameters can imitate (lack of fit, trends with "
+        "what was varied,\n"
+        "measurements that deviate); figures as SVG, PNG and PDF with their numbers as CSV. Give "
+        "'pendular calibrate'\n"
+        "first. No simulation is made.",
         "  pendular compare examples/polystyrene\n"
         "  pendular compare my-study --out results --json -\n",
         true);
     CohesionOptions cohesion;
     options.add("lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
-                "cohesion lines go through points from this P* on [1] (default: as calibrated)");
+                "least P* of the points that cohesion lines are fitted to [1] (default: as calibrated)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -79,26 +79,24 @@ int compare(const std::vector<std::string>& arguments) {
     auto json = to_json(comparison, c.cohesion_lines, where);
     add_belief(json, belief);
     write_json(out / "compare.json", json);
-    console.line(fmt::format(
-        "{}chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); RMS error {:.2f} % in shear "
-        "stress, {:.2f} % in solid fraction{}{}",
-        with_effects(c.model), comparison.total.chi2, comparison.total.dof, comparison.total.p(),
-        comparison.rms_percent[0], comparison.rms_percent[1],
+    console.answer(fmt::format(
+        "{} {:.2f} % in shear stress and {:.2f} % in solid fraction (chi2 = {:.2f} for {} degrees "
+        "of freedom, p = {:.2g}){}{}",
+        with_effects(c.model), comparison.rms_percent[0], comparison.rms_percent[1],
+        comparison.total.chi2, comparison.total.dof, comparison.total.p(),
         belief.believable() ? verdict_on_predicted(c, comparison) : "",
         verdict_on(belief, error_basis(measurements))));
-    print_doubts(console, belief);
+    print_doubts(console, belief, 1);
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format(
-            "of which chi2 = {:.2f} for {} from readings that were only "
-            "predicted (p = {:.2g})",
+            "Readings that were predicted, not fitted: chi2 = {:.2f} for {} degrees of freedom "
+            "(p = {:.2g}).",
             comparison.predicted.chi2, comparison.predicted.dof, comparison.predicted.p()));
     }
-    for (const auto& table :
-         {comparison_table(comparison), failure_table(where), cohesion_table(c.cohesion_lines)}) {
-        for (const auto& line : table) {
-            console.line(line);
-        }
-    }
+    console.table(failure_table(where), 3);
+    console.table(predictions_table(comparison, !console.all()), 4);
+    if (console.all()) console.table(misfit_table(comparison), 0);
+    if (console.all()) console.table(cohesion_table(c.cohesion_lines), 0);
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
@@ -108,14 +106,16 @@ int compare(const std::vector<std::string>& arguments) {
         }
     }
     if (!c.fit.converged) {
-        console.note("the calibration had not converged");
+        console.note("The calibration did not converge.");
     }
+    std::vector<std::string> drawn_figures;
     for (auto figure : comparison_figures(model, c, comparison)) {
         if (!belief.believable()) figure.title += " (in doubt: see compare.json)";
         draw(figure, out / "figures");
-        console.line(
-            fmt::format("figure: {}", (out / "figures" / (figure.name + ".png")).string()));
+        drawn_figures.push_back(figure.name);
     }
+    console.figures(out / "figures", drawn_figures);
+    console.next(fmt::format("pendular diagnose {}", common->study.string()));
     console.json(json);
     return done;
 }

@@ -23,17 +23,21 @@ namespace pendular::app {
 namespace {
 
 const char* const about_diagnose =
-    R"(Says which physical effect is missing from the study's model, if any: fits all readings
-jointly, tests what is left of them for every effect that applies, refits with those that they ask
-for, and keeps the smallest models that stand. Verdicts: nothing-missing, inconclusive (an effect
-that would matter could hide), missing, indistinguishable (several explain the readings alike),
-suspect-measurement (one condition or file is off), unknown (something is missing that no known
-effect explains). Simulates nothing: predictions are emulated from the atlas and all stored runs.)";
+    R"(Tests whether the study's model is complete and, if not, which physical effects explain the
+residuals. The command fits all readings jointly, tests the residuals for every effect that applies,
+refits with the likely effects, and keeps the smallest models that fit. Verdicts:
+  nothing-missing       the model describes the readings
+  inconclusive          no effect is missing as far as seen, but some would stay unseen
+  missing               one effect, or one set of effects, explains the residuals
+  indistinguishable     several effects explain the residuals equally well
+  suspect-measurement   an error in one condition or file explains the residuals
+  unknown               something is missing, and no known effect explains it
+No simulation is made: an emulator predicts the readings from the atlas and all stored runs.)";
 
-/// What speaks against relying on a verdict, as a sentence; empty where nothing does.
+/// Sentence on doubts about the readings that the verdict rests on; empty without doubts.
 std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
     if (const std::size_t doubts = doubts_that_set_aside(measurements); doubts > 0) {
-        return fmt::format(" Readings that were set aside for {} doubt{} have no part in it.",
+        return fmt::format(" The verdict does not use the readings that {} doubt{} set aside.",
                            doubts, doubts == 1 ? "" : "s");
     }
     const bool said = d.diagnosis.verdict == Verdict::suspect_measurement;
@@ -49,7 +53,7 @@ int diagnose(const std::vector<std::string>& arguments) {
                     "  pendular diagnose my-study\n"
                     "  pendular diagnose my-study --json - --quiet\n",
                     true);
-    options.set_threads(0, "refits done side by side");
+    options.set_threads(0, "number of refits at a time");
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random errors that set the limits (default 1)");
     const auto common = options.parse(arguments);
@@ -68,30 +72,34 @@ int diagnose(const std::vector<std::string>& arguments) {
     json["line"] = verdict_line(diagnosis, models, checks);
     add_belief(json, belief);
     write_json(common->out_folder() / "diagnosis.json", json);
-    console.line(verdict_line(diagnosis, models, checks) + caution(d, measurements));
+    console.answer(verdict_line(diagnosis, models, checks) + caution(d, measurements));
+    print_doubts(console, belief);
+    if (belief.believable()) console.line(fit_line(diagnosis));
+    console.table(checks_table(checks), 3);
+    console.table(diagnosis_table(diagnosis, models), 4);
+    if (const std::string suspects = suspects_line(diagnosis, d.evidence); !suspects.empty()) {
+        console.line(suspects);
+    }
+    console.table(unseen_table(diagnosis, models), 3);
+    for (const std::string& line : advice_on(diagnosis, models)) {
+        console.line(line);
+    }
     if (measurements.doubts.empty() && !d.mistake) {
         console.line(fmt::format("The verdict rests on {}.", error_basis(measurements)));
-    }
-    print_doubts(console, belief);
-    for (const auto& lines : {checks_table(checks), diagnosis_table(diagnosis, models, d.evidence),
-                              advice_on(diagnosis, models, common->study.string())}) {
-        for (const auto& line : lines) {
-            console.line(line);
-        }
     }
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
     for (const LeftAside& aside : models.left_aside()) {
         if (aside.without_runs) {
-            console.note(fmt::format("{} was not tested: {}", aside.effect, aside.why));
+            console.note(fmt::format("The effect {} was not tested: {}", aside.effect, aside.why));
         }
     }
     if (!diagnosis.fit.converged) {
         console.note(
-            fmt::format("the fit did not converge ({}): the verdict is of a model that is "
-                        "not at its best; 'pendular calibrate' says more",
-                        diagnosis.fit.message));
+            fmt::format("The fit did not converge ({}): the verdict may differ at the best fit. "
+                        "For details: pendular calibrate {}",
+                        diagnosis.fit.message, common->study.string()));
     }
     for (const std::string& why : models.why_unsupported(diagnosis.fit.parameters(0))) {
         console.note(
@@ -102,7 +110,8 @@ int diagnose(const std::vector<std::string>& arguments) {
     }
     const auto figures = common->out_folder() / "figures";
     draw(diagnosis_figure(diagnosis, models), figures);
-    console.line(fmt::format("figure: {}", (figures / "diagnosis.png").string()));
+    console.figures(figures, {"diagnosis"});
+    console.next(next_step(diagnosis, common->study.string()));
     console.json(json);
     return diagnosis.fit.converged ? done : not_converged;
 }

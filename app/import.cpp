@@ -30,8 +30,8 @@ int import(const std::vector<std::string>& arguments) {
                     "Turns the recordings of a study into readings: shear stress and solid "
                     "fraction of each steady\n"
                     "step, with standard errors. Writes readings.csv and excluded.csv to the "
-                    "results folder; what\n"
-                    "was left out is listed with its lines and the reason.",
+                    "results folder;\n"
+                    "excluded.csv lists each range of rows that was left out, with the reason.",
                     "  pendular import examples/dry-recordings\n"
                     "  pendular import my-study --json -\n",
                     true);
@@ -46,23 +46,20 @@ int import(const std::vector<std::string>& arguments) {
     const auto readings = common->out_folder() / "readings.csv";
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
-    console.line(fmt::format(
-        "readings: {}{}, ranges of rows excluded: {}; see {} and excluded.csv beside it",
-        measurements.readings.size(), set_aside_text(measurements), measurements.excluded.size(),
-        readings.string()));
+    console.answer(fmt::format(
+        "{} readings{} are in {}; {} ranges of rows were left out (excluded.csv beside it).",
+        measurements.readings.size(), set_aside_text(measurements), readings.string(),
+        measurements.excluded.size()));
     for (const Doubt& doubt : measurements.doubts) {
-        console.line(fmt::format("doubt: {} {}", doubt.what,
+        console.line(fmt::format("Doubt: {} {}", doubt.what,
                                  doubt.set_aside ? "Set aside; see excluded.csv." : "Kept."));
     }
-    for (const auto& line : readings_table(measurements)) {
-        console.line(line);
-    }
-    for (const auto& line : scatter_table(measurements)) {
-        console.line(line);
-    }
+    console.table(readings_table(measurements), 6);
+    console.table(scatter_table(measurements), 5);
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
+    console.next(fmt::format("pendular calibrate {}", common->study.string()));
     console.json(to_json(measurements));
     return done;
 }

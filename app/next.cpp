@@ -1,4 +1,4 @@
-// `pendular next`: the measurement that would tell most.
+// `pendular next`: plans the measurement that tells most.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -17,31 +17,31 @@ namespace pendular::app {
 namespace {
 
 const char* const about_next =
-    R"(Says what to measure next. Diagnoses the study; where several models explain its readings
-alike, looks over everything the rig can be set to for the point at which they differ most beyond
-their errors, and says how many readings tell them apart; where no point does alone, which
-readings at several do together; or that none would. Where one model stands, the point that
-sharpens its parameters most. The rig stands in study.toml; without it, what the readings span is
-taken:
+    R"(Plans the next measurement. The command diagnoses the study. Where several models explain the
+readings equally well, it searches all settings of the rig for the condition at which the models
+differ most beyond their errors, and states how many readings tell them apart. Where no single
+condition does, it combines several, or states that the rig cannot tell the models apart. Where one
+model fits, it finds the condition that makes its parameters most precise. The section [rig] of
+study.toml lists the settings; without it, the plan stays within the range of the readings:
 
   [rig]
   normal_stress = ["0.1 kPa", "5 kPa"]
   inertial_number = [0.003, 0.1]          # or shear_rate = ["0.05 1/s", "5 1/s"]
   liquid_contents = [0, 0.007, 0.03]
   bead_mass = ["30 g", "60 g"]            # fillings of the cell
-  repeats = 5                             # most readings at one point (default 5)
-  readings = 12                           # most at several points together (default 12)
-  wet_cost = 2                            # of a wet reading, in dry ones (default 1)
-  filling_cost = 3                        # of another filling (default 0)
-  wait = ["0 h", "4 h"]                   # before a reading, from the last one on (default 0)
-  hour_cost = 0.5                         # of an hour of that (default 1)
+  repeats = 5                             # largest number of readings at one condition (default 5)
+  readings = 12                           # largest number at several conditions together (default 12)
+  wet_cost = 2                            # cost of a wet reading, in dry readings (default 1)
+  filling_cost = 3                        # cost of another filling (default 0)
+  wait = ["0 h", "4 h"]                   # waiting time after the last reading (default 0)
+  hour_cost = 0.5                         # cost of an hour of waiting (default 1)
 
   [[rig.direct]]                          # an effect that can be measured by itself,
   effect = "torque-offset"                # as a drag by the torque of the empty cell
   error = "0.05 mN m"                     # standard error of one such measurement
   cost = 0.5                              # (default 1)
 
-What was measured so goes into study.toml too, and counts in every fit and diagnosis:
+A direct measurement that was made goes into study.toml and counts in every fit and diagnosis:
 
   [[direct]]
   effect = "torque-offset"
@@ -55,7 +55,7 @@ int next(const std::vector<std::string>& arguments) {
                     "  pendular next my-study\n"
                     "  pendular next my-study --json - --quiet\n",
                     true);
-    options.set_threads(0, "refits done side by side");
+    options.set_threads(0, "number of refits at a time");
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random errors of the diagnosis (default 1)");
     const auto common = options.parse(arguments);
@@ -69,28 +69,31 @@ int next(const std::vector<std::string>& arguments) {
     auto json = to_json(next);
     json["verdict"] = to_string(d.diagnosis.verdict);
     write_json(common->out_folder() / "next.json", json);
-    for (const std::string& line : next_lines(next)) {
-        console.line(line);
+    const std::vector<std::string> lines = next_lines(next);
+    console.answer(lines.front());
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+        console.line(lines[k]);
     }
     if (d.diagnosis.verdict == Verdict::unknown ||
         d.diagnosis.verdict == Verdict::suspect_measurement) {
-        console.note("the diagnosis is " + std::string(to_string(d.diagnosis.verdict)) +
-                     ": what sharpens the parameters does not mend that; see 'pendular diagnose'");
+        console.note(fmt::format(
+            "The verdict of the diagnosis is {}: sharper parameters do not change it. For details: "
+            "pendular diagnose {}",
+            to_string(d.diagnosis.verdict), common->study.string()));
     }
     if (!session->study().rig) {
         console.note(
-            "the study has no [rig]: what its readings span was taken ('pendular next "
-            "--help' shows one)");
+            "The study has no [rig]: the plan stays within the range of the readings. 'pendular "
+            "next --help' shows a [rig].");
     }
     if (next.unsupported > 0) {
         console.note(
-            fmt::format("The known runs do not support {} of {} conditions, which were left out.",
+            fmt::format("The known runs do not support {} of {} conditions; the plan leaves them out.",
                         next.unsupported, next.unsupported + next.points.size()));
     }
     if (const Figure figure = next_figure(next); !figure.panels.empty()) {
         draw(figure, common->out_folder() / "figures");
-        console.line(
-            fmt::format("figure: {}", (common->out_folder() / "figures" / "next.png").string()));
+        console.figures(common->out_folder() / "figures", {"next"});
     }
     console.json(json);
     return done;

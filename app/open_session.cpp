@@ -10,18 +10,24 @@
 namespace pendular::app {
 namespace {
 
-/// Shows on standard error what a session tells; no progress with --quiet.
+/// Prints a session's events on standard error; no progress with --quiet.
 Listener shown_on(Console& console, bool quiet) {
     return [&console, quiet](const Event& event) {
         if (event.kind == Event::Kind::runs) return console.progress(event.text, event.runs);
         console.end_progress();
-        if (event.kind == Event::Kind::note) fmt::print(stderr, "note: {}\n", event.text);
+        if (event.kind == Event::Kind::note) {
+            fmt::print(stderr, "Note: {}\n", as_sentence(event.text));
+        }
         if (quiet) return;
-        if (event.kind == Event::Kind::stage) fmt::print(stderr, "{}\n", event.text);
-        if (event.kind == Event::Kind::refits && event.number == 0)
-            fmt::print(stderr, "{}: {}\n", event.text, event.total);
+        if (event.kind == Event::Kind::stage) {
+            fmt::print(stderr, "{}\n", as_sentence(event.text));
+        }
+        // A single fit takes less time than its line takes to read.
+        if (event.kind == Event::Kind::refits && event.number == 0 && event.total > 1) {
+            fmt::print(stderr, "Diagnosis, {}: {} fits to do.\n", event.text, event.total);
+        }
         if (event.kind == Event::Kind::round) {
-            fmt::print(stderr, "round {}: friction = {}\n", event.number,
+            fmt::print(stderr, "Round {}: friction = {}.\n", event.number,
                        with_error(event.fit->parameters(0), event.fit->standard_error(0)));
         }
     };

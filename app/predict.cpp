@@ -29,7 +29,14 @@ std::string observable_line(dem::Observable which, double value, double standard
                        with_error(value, standard_error));
 }
 
-/// Notes what makes a simulated answer another than the requested one.
+/// "Predicted: stress ratio 0.30 +- 0.01, solid fraction 0.600 +- 0.001."
+std::string answer_of(const Mean& stress_ratio, const Mean& solid_fraction, const char* how) {
+    return fmt::format("{}: stress ratio {}, solid fraction {}.", how,
+                       with_error(stress_ratio.value, stress_ratio.standard_error),
+                       with_error(solid_fraction.value, solid_fraction.standard_error));
+}
+
+/// Notes where the simulated state differs from the requested one.
 void note_differences(const RequestedState& requested, const dem::RunResult& run,
                       Console& console) {
     if (run.parameters.inertial_number != requested.inertial_number) {
@@ -40,7 +47,7 @@ void note_differences(const RequestedState& requested, const dem::RunResult& run
     }
     if (requested.liquid_content) {
         const Mean& content = run[dem::Observable::liquid_content];
-        console.note(fmt::format("The simulation has a liquid content of {}, requested was {:g}.",
+        console.note(fmt::format("The simulation has a liquid content of {}; the request was {:g}.",
                                  with_error(content.value, content.standard_error),
                                  *requested.liquid_content));
     }
@@ -60,13 +67,16 @@ void simulate_one(const RequestedState& requested, const StatePredictor& predict
     const Workers workers{
         .threads = common.threads,
         .stop = guard.token(),
-        .report = [&](const EnsembleProgress& at) { console.progress("simulating", at); },
+        .report = [&](const EnsembleProgress& at) { console.progress("Simulation", at); },
         .store = store};
     const dem::RunResult run = run_all({wanted}, workers).front();
     console.end_progress();
     if (!run.failure.empty()) {
         throw std::runtime_error("the simulation failed: " + run.failure);
     }
+    const auto simulated = [&run](dem::Observable which) { return run[which]; };
+    console.answer(answer_of(simulated(dem::Observable::stress_ratio),
+                             simulated(dem::Observable::solid_fraction), "Simulated"));
     for (const dem::Observable which : observables_of(emulated::flow_state_of(wanted))) {
         console.line(observable_line(which, run[which].value, run[which].standard_error));
     }
@@ -82,30 +92,37 @@ void simulate_one(const RequestedState& requested, const StatePredictor& predict
 void predict_one(const RequestedState& requested, const StatePredictor& predictor, bool simulates,
                  Console& console) {
     const StatePrediction prediction = predictor.at(requested);
+    const auto predicted = [&prediction](dem::Observable which) {
+        const auto found = std::ranges::find_if(
+            prediction.observables, [which](const auto& one) { return one.which == which; });
+        return Mean{found->value.value, found->value.standard_error};
+    };
+    console.answer(answer_of(predicted(dem::Observable::stress_ratio),
+                             predicted(dem::Observable::solid_fraction), "Predicted"));
     for (const auto& one : prediction.observables) {
         console.line(observable_line(one.which, one.value.value, one.value.standard_error));
     }
     console.line(
-        fmt::format("Predicted from {} runs{}; the solid fraction is that at stiffness number "
-                    "{:.4g}.",
+        fmt::format("The emulator was trained on {} runs{}; the solid fraction holds for stiffness "
+                    "number {:.4g}.",
                     prediction.runs,
-                    simulates ? ", which support this state, so that nothing was simulated" : "",
+                    simulates ? ", which support this state: nothing was simulated" : "",
                     prediction.stiffness_number));
     console.json(to_json(prediction));
 }
 
-/// A variable in words: "inertial number".
+/// Name of a variable with spaces: "inertial number".
 std::string spoken(std::string name) {
     std::ranges::replace(name, '_', ' ');
     return name;
 }
 
-/// Says which part of a curve the known runs support.
+/// Notes which part of a curve the known runs support.
 void note_left_out(const PredictionCurve& curve, int points, Console& console) {
     if (curve.left_out > 0) {
         console.note(fmt::format(
             "{} of {} states are left out, since the known runs do not support them ({}). Kept is "
-            "{} {:.4g} to {:.4g}. 'pendular simulate' or 'pendular campaign' makes runs beyond.",
+            "{} {:.4g} to {:.4g}. 'pendular simulate' and 'pendular campaign' extend the range.",
             curve.left_out, points, curve.why_left_out, spoken(curve.variable), curve.at.front(),
             curve.at.back()));
     }
@@ -117,7 +134,7 @@ void predict_along(const RequestedState& requested, const VariedQuantity& varied
     const std::filesystem::path folder = common.out.value_or(".");
     write_whole(folder / "prediction.csv", prediction_table(curve));
     draw(prediction_figure(curve, predictor.emulator()), folder / "figures");
-    console.line(fmt::format("{} states from {} runs are written to {} and {}.", curve.at.size(),
+    console.answer(fmt::format("{} states from {} runs are written to {} and {}.", curve.at.size(),
                              predictor.emulator().runs().size(),
                              (folder / "prediction.csv").string(),
                              (folder / "figures" / "prediction.png").string()));

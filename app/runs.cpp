@@ -99,6 +99,7 @@ int list(const Request& request, Console& console) {
     const auto runs = request.selected();
     const bool effects = std::ranges::any_of(
         runs, [](const StoredRun& stored) { return !stored.run.parameters.effects.empty(); });
+    console.answer(fmt::format("{} runs.", runs.size()));
     console.line(
         fmt::format("   id friction     I      P*  V0/a^3  kappa beads strain  stress ratio        "
                     "solid fraction{}",
@@ -114,7 +115,6 @@ int list(const Request& request, Console& console) {
             run.failure.empty() ? with_error(solid.value, solid.standard_error) : "", flags(run),
             with_effects(p, flags(run).empty() ? "" : "; ")));
     }
-    console.line(fmt::format("{} runs", runs.size()));
     ordered_json json = ordered_json::array();
     for (const StoredRun& run : runs) {
         json.push_back(stored_json(run));
@@ -191,7 +191,7 @@ int plot(const Request& request, Console& console) {
     const Figure figure = runs_figure(runs, request.x, request.y);
     draw(figure, folder);
     console.line(
-        fmt::format("{} runs in {}", runs.size(), (folder / figure.name).string() + ".png"));
+        fmt::format("{} runs are drawn in {}", runs.size(), (folder / figure.name).string() + ".png"));
     return done;
 }
 
@@ -200,11 +200,11 @@ int export_runs(const Request& request, Console& console) {
     demand_writable(request.words[0], "export", false);
     const auto runs = request.selected();
     write_runs(request.words[0], runs);
-    console.line(fmt::format("{} runs written to {}", runs.size(), request.words[0]));
+    console.line(fmt::format("{} runs are written to {}.", runs.size(), request.words[0]));
     return done;
 }
 
-/// Adds what `take` brings of every file named.
+/// Adds the runs that `take` reads from each named file.
 int take_in(const Request& request, Console& console, const std::string& what,
             const std::function<std::size_t(RunStore&, const std::string&)>& take) {
     demand_words(request, 1, what);
@@ -253,16 +253,16 @@ int prune(const Request& request, Console& console) {
         ids.push_back(run.id);
     }
     if (!request.yes) {
-        console.line(fmt::format("{} of {} runs would be removed; add --yes to do it", ids.size(),
+        console.line(fmt::format("{} of {} runs would be removed. Add --yes to remove them.", ids.size(),
                                  store.size()));
         return done;
     }
     const std::size_t removed = store.remove(ids);
-    console.line(fmt::format("{} runs removed, {} left", removed, store.size()));
+    console.line(fmt::format("{} runs removed, {} left.", removed, store.size()));
     return done;
 }
 
-/// Learns the emulator's scales from the runs, for an atlas to be shipped with.
+/// Fits the emulator's hyperparameters to the runs; the file is kept beside an atlas.
 int learn(const Request& request, Console& console) {
     demand_words(request, 1, "the file to write, emulator.csv beside its atlas");
     std::vector<dem::RunResult> runs;
@@ -272,7 +272,7 @@ int learn(const Request& request, Console& console) {
         }
     }
     if (runs.empty()) {
-        throw InputError("there are no steady runs to learn from");
+        throw InputError("there are no steady training runs");
     }
     EmulatorHyperparameters hyperparameters;
     for (const dem::Observable which : emulated::observables()) {
@@ -280,12 +280,12 @@ int learn(const Request& request, Console& console) {
             hyperparameters[which] = PlainEmulator::learn(runs, which);
         }
         if (!request.common.quiet) {
-            fmt::print(stderr, "learned {} of {} observables\n", hyperparameters.size(),
+            fmt::print(stderr, "Hyperparameters fitted for {} of {} observables.\n", hyperparameters.size(),
                        emulated::observables().size());
         }
     }
     write_hyperparameters(request.words[0], hyperparameters);
-    console.line(fmt::format("scales of {} observables from {} runs written to {}", hyperparameters.size(),
+    console.line(fmt::format("Hyperparameters of {} observables, fitted from {} runs, are written to {}.", hyperparameters.size(),
                              runs.size(), request.words[0]));
     return done;
 }
@@ -302,17 +302,17 @@ int runs(const std::vector<std::string>& arguments) {
     Options options(
         "runs list|show|compare|plot|export|import|merge|prune|learn [words] [options]",
         "Lists, shows, compares, draws, exports, adds and removes runs of the store.\n"
-        "  list              a line each\n"
-        "  show ID...        everything known of a run; with --out, a figure of its course\n"
-        "  compare ID ID     two runs beside each other\n"
-        "  plot              one column against another, as a figure in --out\n"
-        "  export FILE.csv   the runs as a table\n"
-        "  import FILE.csv   runs from such a table\n"
-        "  merge STORE...    runs of other stores\n"
-        "  prune             removes the runs of --where\n"
-        "  learn FILE.csv    scales of the emulator, which commands then need not learn anew: "
-        "emulator.csv\n"
-        "                    beside an atlas",
+        "  list              one line per run\n"
+        "  show ID...        one run in full; with --out, a figure of its course\n"
+        "  compare ID ID     two runs side by side\n"
+        "  plot              a figure of one column against another, in the folder --out\n"
+        "  export FILE.csv   write the runs as a table\n"
+        "  import FILE.csv   add the runs of such a table\n"
+        "  merge STORE...    add the runs of other stores\n"
+        "  prune             remove the runs of --where\n"
+        "  learn FILE.csv    fit the emulator's hyperparameters; as emulator.csv beside an atlas they "
+        "spare\n"
+        "                    other commands the fit",
         "  pendular runs list --where \"friction = 0.09 AND reduced_pressure IS NULL\"\n"
         "  pendular runs list --atlas\n"
         "  pendular runs list --where \"effects IS NULL\"\n"

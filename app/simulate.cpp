@@ -32,9 +32,9 @@ namespace {
 
 void print_result(Console& console, const dem::RunResult& run, const RunEffects& effects) {
     const auto& p = run.parameters;
-    console.line(
-        fmt::format("stress ratio {}, solid fraction {} at friction {:g}, inertial number {:g}, "
-                    "stiffness number {:g}",
+    console.answer(
+        fmt::format("Simulated: stress ratio {}, solid fraction {} at friction {:g}, inertial "
+                    "number {:g}, stiffness number {:g}.",
                     with_error(run[dem::Observable::stress_ratio].value,
                                run[dem::Observable::stress_ratio].standard_error),
                     with_error(run[dem::Observable::solid_fraction].value,
@@ -43,8 +43,8 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
     effects.print(console, p);
     if (p.wetting) {
         console.line(fmt::format(
-            "reduced pressure {:g}, bridge volume {:g} a^3: liquid content {}, {} of it in bridges "
-            "without contact",
+            "Reduced pressure {:g} and bridge volume {:g} a^3 give a liquid content of {}; {} of the "
+            "liquid is in bridges without contact.",
             p.wetting->reduced_pressure, p.wetting->bridge_volume,
             with_error(run[dem::Observable::liquid_content].value,
                        run[dem::Observable::liquid_content].standard_error),
@@ -53,29 +53,28 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
                                          run[dem::Observable::contact_coordination].value))));
         if (p.wetting->bridge_volume > dem::largest_pendular_volume) {
             console.note(fmt::format(
-                "a bridge volume of {:g} a^3 is above {:g} a^3, where the bridges between three "
-                "beads in contact merge: the model holds for separate bridges",
+                "The bridge volume {:g} a^3 is above {:g} a^3, where the bridges between three "
+                "grains in contact merge: the model holds for separate bridges.",
                 p.wetting->bridge_volume, dem::largest_pendular_volume));
         }
     }
     if (run.crystallised) {
         console.note(
-            "the sample crystallised: its averages are not those of a random packing; use another "
-            "seed, "
-            "more beads or a higher friction");
+            "The sample crystallised: its averages are not those of a random packing. Use another "
+            "seed, more grains or a higher friction.");
     }
     for (const dem::Precision& wanted : p.precision) {
         const double reached = run[wanted.which].standard_error;
         if (reached > wanted.standard_error) {
             console.note(fmt::format(
-                "the standard error of {} is {:.2g}, not the {:g} asked for, after an averaged "
-                "strain of {:.3g}: raise --strain or --beads",
+                "The standard error of {} is {:.2g} after an averaged strain of {:.3g}; the request "
+                "was {:g}: raise --strain or --beads.",
                 dem::observable_names[static_cast<std::size_t>(wanted.which)], reached,
-                wanted.standard_error, run.strain_averaged));
+                run.strain_averaged, wanted.standard_error));
         }
     }
     if (!run.steady) {
-        console.note("no steady state was found within the strain simulated; raise --strain");
+        console.note("No steady state was found within the simulated strain: raise --strain.");
     }
     for (std::size_t k = 0; k < dem::observable_count; ++k) {
         if (!p.wetting && dem::needs_bridges(static_cast<dem::Observable>(k))) {
@@ -87,9 +86,8 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
                                  about.meaning));
     }
     console.line(
-        fmt::format("{} beads, strain {:.2f} averaged after a transient of {:.2f}, {} steps of "
-                    "{:.3g} sqrt(m/(a "
-                    "s22)), {:.1f} s, {:.3g} bead-steps/s",
+        fmt::format("{} grains, averaged strain {:.2f} after a transient of {:.2f}, {} steps of "
+                    "{:.3g} sqrt(m/(a s22)), {:.1f} s, {:.3g} grain-steps/s.",
                     p.grains, run.strain_averaged, run.strain_transient, run.steps, run.time_step,
                     run.wall_seconds, run.particle_steps_per_second()));
 }
@@ -229,7 +227,7 @@ dem::RunResult shear(const dem::RunParameters& run, const dem::StoredSample* sta
         options.observers.push_back(
             [&, told = false](const dem::ShearCell&, double strain) mutable {
                 if (!std::exchange(told, true)) {
-                    fmt::print(stderr, "resumed at strain {:.2f} from {}\n", strain,
+                    fmt::print(stderr, "Resumed at strain {:.2f} from {}.\n", strain,
                                checkpoint->file().string());
                 }
             });
@@ -279,7 +277,7 @@ void simulate_and_report(dem::RunParameters run, const RunEffects& effects, cons
     }
     print_result(console, result, effects);
     if (start) {
-        console.line(fmt::format("started from run {}: friction {:.4g}, inertial number {:.4g}",
+        console.line(fmt::format("The run started from the final state of run {}: friction {:.4g}, inertial number {:.4g}.",
                                  start->id, start->run.parameters.friction,
                                  start->run.parameters.inertial_number));
     }
@@ -292,7 +290,7 @@ void simulate_and_report(dem::RunParameters run, const RunEffects& effects, cons
         write_fields(result, json, *common.out);
     }
     if (checkpoint) {
-        checkpoint->remove();  // only now: the results are where they were asked for
+        checkpoint->remove();  // only now: the results are written
     }
 }
 

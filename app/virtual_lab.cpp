@@ -81,20 +81,19 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
     for (const auto& recording : result.recordings) {
         steps += recording.steps.size();
     }
-    console.line(
-        fmt::format("{}: {} recordings of {} steps in all, at a hidden friction{} (truth.json has "
-                    "it) and noise "
-                    "{:g}",
-                    folder.string(), result.recordings.size(), steps,
-                    plan.effects.empty() ? "" : " and with hidden effects", plan.instrument.noise));
+    console.answer(fmt::format(
+        "{} holds {} recordings of {} steps in all with noise {:g}; truth.json states the hidden "
+        "friction{}.",
+        folder.string(), result.recordings.size(), steps, plan.instrument.noise,
+        plan.effects.empty() ? "" : " and the hidden effects"));
     console.line(fmt::format(
-        "{} beads each, stiffness number {:g}, strain {:g}, a run and a seed for each step; {} "
-        "pilot runs",
+        "Each step has its own simulation and seed: {} grains, stiffness number {:g}, averaged "
+        "strain {:g}; {} pilot runs.",
         result.recordings.front().steps.front().run.parameters.grains,
         plan.fidelity.stiffness_number, plan.fidelity.strain, result.pilots));
     if (!plan.liquid_contents.empty()) {
         console.line(fmt::format("  {:<16} {:>8} {:>8} {:>8} {:>10}   {}", "file", "s22 [Pa]", "P*",
-                                 "I", "V0/a^3", "liquid content wanted: reached"));
+                                 "I", "V0/a^3", "liquid content requested: reached"));
     }
     for (const auto& recording : result.recordings) {
         for (const auto& step : recording.steps) {

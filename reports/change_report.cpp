@@ -17,19 +17,6 @@ std::string number(double value) {
     return std::abs(value) < 1000 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
 }
 
-std::string percents(double before, double after) {
-    return fmt::format("{} % -> {} %", number(before), number(after));
-}
-
-std::string left_out_text(const LadderStep& before, const LadderStep& after) {
-    if (!before.left_out_percent || !after.left_out_percent) {
-        return "";
-    }
-    const auto &a = *before.left_out_percent, &b = *after.left_out_percent;
-    return fmt::format("; left-out conditions {} and {}", percents(a[0], b[0]),
-                       percents(a[1], b[1]));
-}
-
 std::string estimate(const LadderParameter* parameter) {
     return parameter ? with_error(parameter->value, parameter->standard_error) : "-";
 }
@@ -44,7 +31,7 @@ std::string parameter_line(const std::string& name, const std::string& unit,
     const std::string moved = before && after
                                   ? fmt::format("{:+.1f} standard errors", drift(*before, *after))
                               : after ? "new"
-                                      : "gone";
+                                      : "removed";
     return fmt::format("  {:<36} {:>24} {:>24}   {}",
                        unit == "1" ? name : fmt::format("{} [{}]", name, unit), estimate(before),
                        estimate(after), moved);
@@ -68,24 +55,24 @@ std::string left_out_rose(const LadderStep& before, const LadderStep& after) {
 std::string advice_on_added(const std::string& effect, const LadderStep& before, const LadderStep& after,
                             const std::string& study) {
     const std::string undo = fmt::format(
-        "'pendular drop {0} {1}' takes it out again, 'pendular diagnose {0}' says what may be "
-        "missing",
+        "remove it again with 'pendular drop {0} {1}', or find what is missing with 'pendular "
+        "diagnose {0}'",
         study, effect);
     if (after.chi2 >= before.chi2) {
-        return fmt::format("the error did not fall: chi2 {} -> {}; {} is not what is missing: {}",
+        return fmt::format("The error did not fall (chi2 {} -> {}): {} is not the missing effect; {}.",
                            number(before.chi2), number(after.chi2), effect, undo);
     }
     if (fell_by_chance(before, after)) {
         return fmt::format(
-            "the error fell by no more than chance: chi2 {} -> {} with {} more parameters; the "
-            "readings do not ask for {}: {}",
+            "The error fell by no more than chance (chi2 {} -> {} with {} more parameters): the "
+            "readings do not need {}; {}.",
             number(before.chi2), number(after.chi2), before.dof - after.dof, effect, undo);
     }
     if (const std::string which = left_out_rose(before, after); !which.empty()) {
         return fmt::format(
-            "chi2 fell, but of conditions left out of the fit the error of {} rose: {} serves the "
-            "readings it was fitted to and not others; measure at further conditions before you "
-            "trust it, or drop it: {}",
+            "The fit improved, but the error of {} rose at conditions left out of the fit: {} "
+            "describes the fitted readings and not others. Measure at further conditions before "
+            "you trust it; {}.",
             which, effect, undo);
     }
     return "";
@@ -94,34 +81,57 @@ std::string advice_on_added(const std::string& effect, const LadderStep& before,
 std::string advice_on_dropped(const std::string& effect, const LadderStep& before, const LadderStep& after,
                               const std::string& study) {
     if (after.chi2 <= before.chi2) {
-        return fmt::format("the error did not rise without {}: it was not needed", effect);
+        return fmt::format("The error did not rise without {}: the model does not need it.", effect);
     }
     if (fell_by_chance(after, before)) {
         return fmt::format(
-            "without {} the error rose by no more than chance: chi2 {} -> {}; the readings do not "
-            "ask for it",
+            "Without {} the error rose by no more than chance (chi2 {} -> {}): the readings do not "
+            "need it.",
             effect, number(before.chi2), number(after.chi2));
     }
     return fmt::format(
-        "the error rose without {0}: chi2 {1} -> {2}; the readings ask for it, or for something "
-        "like it: 'pendular add {3} {0}' puts it back",
+        "The error rose without {0} (chi2 {1} -> {2}): the readings need it, or an effect like it; "
+        "'pendular add {3} {0}' adds it again.",
         effect, number(before.chi2), number(after.chi2), study);
 }
 
 }  // namespace
 
 std::string verdict_of(const StudyChange& change, const LadderStep& before, const LadderStep& after) {
-    return fmt::format(
-        "{} {}: chi2/dof {} -> {}, RMS error of shear stress {}, of solid fraction {}{}",
-        change.effect, change.change == Action::add ? "added" : "dropped",
-        number(before.chi2_per_dof()), number(after.chi2_per_dof()),
-        percents(before.rms_percent[0], after.rms_percent[0]),
-        percents(before.rms_percent[1], after.rms_percent[1]), left_out_text(before, after));
+    const std::string from = number(before.chi2_per_dof()), to = number(after.chi2_per_dof());
+    const double ratio = after.chi2_per_dof() / before.chi2_per_dof();
+    const std::string moved = from == to  ? "stays at " + to
+                              : ratio < 1 ? fmt::format("falls from {} to {}", from, to)
+                                          : fmt::format("rises from {} to {}", from, to);
+    return fmt::format("{} {}: chi2/dof {}, the RMS error of shear stress goes from {:.2f} % to {:.2f} %.",
+                       change.effect, change.change == Action::add ? "added" : "dropped", moved,
+                       before.rms_percent[0], after.rms_percent[0]);
+}
+
+std::vector<std::string> error_changes(const LadderStep& before, const LadderStep& after) {
+    const auto row = [](const std::string& name, double first, double second) {
+        return fmt::format("  {:<52} {:>12.3f} {:>12.3f}", name, first, second);
+    };
+    std::vector<std::string> lines = {
+        fmt::format("  {:<52} {:>12} {:>12}", "error", "before", "after"),
+        row("chi2/dof [1]", before.chi2_per_dof(), after.chi2_per_dof())};
+    for (std::size_t o = 0; o < observables.size(); ++o) {
+        lines.push_back(row(fmt::format("RMS error of {} [%]", observables[o]),
+                            before.rms_percent[o], after.rms_percent[o]));
+    }
+    if (before.left_out_percent && after.left_out_percent) {
+        for (std::size_t o = 0; o < observables.size(); ++o) {
+            lines.push_back(row(fmt::format("RMS error of {}, left-out conditions [%]",
+                                            observables[o]),
+                                (*before.left_out_percent)[o], (*after.left_out_percent)[o]));
+        }
+    }
+    return lines;
 }
 
 std::vector<std::string> parameter_changes(const LadderStep& before, const LadderStep& after) {
     std::vector<std::string> lines = {
-        fmt::format("  {:<36} {:>24} {:>24}   {}", "parameter", "before", "after", "drift")};
+        fmt::format("  {:<36} {:>24} {:>24}   {}", "parameter", "before", "after", "change")};
     for (const LadderParameter& p : before.parameters) {
         lines.push_back(parameter_line(p.name, p.unit, &p, after.find(p.name)));
     }
@@ -144,9 +154,9 @@ std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& 
         const LadderParameter* const later = after.find(p.name);
         if (later && std::abs(drift(p, *later)) > 3) {
             lines.push_back(
-                fmt::format("{} moved by {:.1f} times the error it had: one of the two models took "
-                            "for {} what is something else",
-                            p.name, std::abs(drift(p, *later)), p.name));
+                fmt::format("The fitted {} changed by {:.1f} of its standard errors: one of the two "
+                            "models compensates with it for another effect.",
+                            p.name, std::abs(drift(p, *later))));
         }
     }
     return lines;

@@ -20,6 +20,17 @@ std::string joined(const std::vector<std::string>& words, const std::string& las
     return text;
 }
 
+/// "lid-slip, liquid-loss, torque-gain and 8 more": a list that one can read.
+std::string some_of(std::vector<std::string> names) {
+    constexpr std::size_t most_named = 4;
+    if (names.size() > most_named) {
+        const std::size_t others = names.size() - (most_named - 1);
+        names.resize(most_named - 1);
+        names.push_back(fmt::format("{} more", others));
+    }
+    return joined(names, "and");
+}
+
 double chi2_per_dof(double chi2, double dof) {
     return chi2 / std::max(1.0, dof);
 }
@@ -44,8 +55,9 @@ std::string with_estimates(const Explanation& explanation, const ModelSpace& spa
     return joined(texts, "and");
 }
 
-/// "; it grows with height": of the strongest significant trend.
-std::string carried_by(const Checks& checks) {
+/// ". Measured shear stress falls below the model as height grows.": the strongest significant
+/// trend as a sentence; "." where no trend is significant.
+std::string strongest_trend(const Checks& checks) {
     const Check* strongest = nullptr;
     for (const Check* check : significant_checks(checks)) {
         const bool trend = check->kind == Check::Kind::trend;
@@ -55,9 +67,10 @@ std::string carried_by(const Checks& checks) {
         }
     }
     return strongest == nullptr
-               ? ""
-               : fmt::format("; in {} it {} with {}", strongest->of,
-                             strongest->statistic > 0 ? "grows" : "falls", strongest->covariate);
+               ? "."
+               : fmt::format(". Measured {} {} the model as {} grows.", strongest->of,
+                             strongest->statistic > 0 ? "rises above" : "falls below",
+                             strongest->covariate);
 }
 
 const Explanation* best_of(const std::vector<Explanation>& explanations) {
@@ -65,9 +78,10 @@ const Explanation* best_of(const std::vector<Explanation>& explanations) {
     return best == explanations.end() ? nullptr : &*best;
 }
 
-std::string cut(const Diagnosis& d, const Explanation& by) {
+/// "brings chi2/dof from 7.79 to about 0.94".
+std::string reduction(const Diagnosis& d, const Explanation& by) {
     const auto dof = static_cast<double>(by.fit.dof);
-    return fmt::format("chi2/dof from {:.2f} to {:.2f}", chi2_per_dof(d.chi2, d.dof),
+    return fmt::format("chi2/dof from {:.2f} to about {:.2f}", chi2_per_dof(d.chi2, d.dof),
                        chi2_per_dof(by.chi2, dof));
 }
 
@@ -84,12 +98,12 @@ const EffectParameter& parameter_of(const ModelSpace& space, const Finding& find
 std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
     const Explanation& best = *best_of(d.confidence_set);
     std::string line =
-        fmt::format("Missing: {}. Adding {} should cut {}.", with_estimates(best, space),
-                    best.chosen.size() > 1 ? "them" : "it", cut(d, best));
+        fmt::format("Missing: {}. Adding {} brings {}.", with_estimates(best, space),
+                    best.chosen.size() > 1 ? "them" : "it", reduction(d, best));
     if (d.confidence_set.size() > 1) {
         line = fmt::format(
-            "Missing: {}, with something more that cannot be told: {} explain the readings alike. "
-            "Adding {} should cut {}.",
+            "Missing: {}, and something else that these readings do not identify: {} explain them "
+            "equally well. Adding {} brings {}.",
             joined(d.effects, "and"),
             joined(
                 [&] {
@@ -100,7 +114,7 @@ std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
                     return sets;
                 }(),
                 "or"),
-            joined(names_of(best, space), "and"), cut(d, best));
+            joined(names_of(best, space), "and"), reduction(d, best));
     }
     return line;
 }
@@ -111,23 +125,25 @@ std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) 
         sets.push_back(with_estimates(each, space));
     }
     return fmt::format(
-        "Something is missing, but these readings cannot tell what: {}. Any of them "
-        "cuts {} or so.",
-        joined(sets, "or"), cut(d, *best_of(d.confidence_set)));
+        "Something is missing, and these readings do not tell which effect: {}. Adding {} of them "
+        "brings {}.",
+        joined(sets, "or"), sets.size() == 2 ? "either" : "any one",
+        reduction(d, *best_of(d.confidence_set)));
 }
 
 std::string inconclusive_line(const Diagnosis& d) {
     if (d.effects.empty() && !d.errors_assumed) {
-        return "Nothing seems missing, but these readings could not show any of the known effects.";
+        return "No effect is missing as far as these readings show, but they would reveal none of the known "
+               "effects.";
     }
     if (d.effects.empty()) {
-        return "Nothing seems missing, but the errors of the readings are assumed, not measured: "
-               "that says nothing.";
+        return "The readings do not tell whether an effect is missing: their errors are assumed, not "
+               "measured.";
     }
     return fmt::format(
-        "Nothing seems missing, but {} effect{} that would matter could hide in "
-        "these readings: {}.",
-        d.effects.size(), d.effects.size() == 1 ? "" : "s", joined(d.effects, "and"));
+        "No effect is missing as far as these readings show, but {} effect{} of a size of interest "
+        "would stay unseen: {}.",
+        d.effects.size(), d.effects.size() == 1 ? "" : "s", some_of(d.effects));
 }
 
 std::string finding_line(const Finding& finding, const ModelSpace& space) {
@@ -146,10 +162,10 @@ std::string finding_line(const Finding& finding, const ModelSpace& space) {
         100 * finding.test.share_imitated, finding.power, p_text(finding.p, ""), finding.decision);
 }
 
-/// How alike are what the effects do, after the calibrated parameters.
+/// States how alike the changes by the effects are, beyond what the calibrated parameters imitate.
 std::string alike_line(const Diagnosis& d) {
     if (d.effects.size() == 2) {
-        return fmt::format("what they do to these readings is alike: cosine {:.3f}",
+        return fmt::format("Both change these readings alike (cosine {:.3f}; 1: no difference).",
                            d.cosines(0, 1));
     }
     Eigen::MatrixXd others = d.cosines;
@@ -158,8 +174,9 @@ std::string alike_line(const Diagnosis& d) {
     const double least = others.minCoeff(&one, &other);
     const auto name = [&](Eigen::Index k) { return d.effects[static_cast<std::size_t>(k)]; };
     return fmt::format(
-        "what they do to these readings is alike: cosines from {:.3f} ({} and {}) upwards", least,
-        name(other), name(one));
+        "All of them change these readings alike (cosines from {:.3f}, {} and {}; 1: no "
+        "difference).",
+        least, name(other), name(one));
 }
 
 }  // namespace
@@ -168,7 +185,7 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
     switch (d.verdict) {
         case Verdict::nothing_missing:
             return fmt::format(
-                "Nothing is missing that these readings could show (chi2/dof {:.2f}).",
+                "No physical effect is missing that these readings could show (chi2/dof {:.2f}).",
                 chi2_per_dof(d.chi2, d.dof));
         case Verdict::inconclusive:
             return inconclusive_line(d);
@@ -178,99 +195,114 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
             return indistinguishable_line(d, space);
         case Verdict::suspect_measurement:
             return fmt::format(
-                "Suspect measurement: no effect explains what one part of the "
-                "readings would: {}.",
+                "A measurement is suspect: an error in {} explains the residuals, and no physical "
+                "effect does.",
                 joined(d.suspects, "or"));
         default:
-            return fmt::format("Something is missing that no known effect explains{}.",
-                               carried_by(checks));
+            return fmt::format("Something is missing that no known effect explains{}",
+                               strongest_trend(checks));
     }
 }
 
-std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& space,
-                                         const Evidence& evidence) {
+std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& space) {
     std::vector<std::string> lines = {
-        fmt::format("chi2 = {:.1f} for {} degrees of freedom; lack of fit p {}; that nothing known "
-                    "is missing, p {}",
-                    d.chi2, d.dof, p_text(d.lack_of_fit_p), p_text(d.further_p)),
         fmt::format("  {:<24} {:>26} {:>9} {:>9} {:>10} {:>6} {:>8}   {}", "effect", "estimate",
-                    "drop", "refitted", "absorbed", "power", "p", "decision")};
+                    "chi2 falls", "refitted", "imitated", "power", "p", "decision")};
     for (const Finding& finding : d.scan) {
         lines.push_back(finding_line(finding, space));
     }
     lines.push_back(
-        "  (drop of chi2, predicted and refitted; absorbed: by the calibrated parameters; power to "
-        "see the size that matters; p of the best among so many)");
+        "  (chi2 falls: predicted, refitted; imitated: by the calibrated parameters; power: to see "
+        "the smallest effect of interest; p: for the best of all effects tested)");
     if (std::ranges::any_of(d.scan,
                             [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(
-            "  (a negative drop: chi2 counts the errors of the model's predictions too, and with "
-            "that effect they are smaller, while the curve passes the readings no closer)");
-    }
-    for (std::size_t k = 0; k < d.suspect_p.size(); ++k) {
-        if (d.suspect_p[k] < 0.05) {
-            lines.push_back(fmt::format("  {} stand out (p {})", evidence.suspects[k].name,
-                                        p_text(d.suspect_p[k])));
-        }
+            "  (chi2 may grow with an effect: the model's own errors, which chi2 includes, are then "
+            "smaller)");
     }
     return lines;
 }
 
-std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space,
-                                   const std::string& study) {
+std::string suspects_line(const Diagnosis& d, const Evidence& evidence) {
+    std::vector<std::pair<std::string, double>> measurements;
+    for (std::size_t k = 0; k < d.suspect_p.size(); ++k) {
+        if (d.suspect_p[k] < 0.05) {
+            measurements.emplace_back(evidence.suspects[k].name, d.suspect_p[k]);
+        }
+    }
+    return deviating_line(std::move(measurements));
+}
+
+std::string fit_line(const Diagnosis& d) {
+    return fmt::format(
+        "Without a further effect, chi2 = {:.1f} for {} degrees of freedom (lack of fit p {}; no "
+        "known effect missing p {}).",
+        d.chi2, d.dof, p_text(d.lack_of_fit_p), p_text(d.further_p));
+}
+
+namespace {
+
+/// What the readings would show of an effect that they do not exclude.
+std::string unseen_line(const Finding& finding, const EffectParameter& p,
+                        const std::string& effect) {
+    const std::string unit = p.unit == "1" ? "" : " " + p.unit;
+    return p.is_switch()
+               ? fmt::format("  {} would be seen in {:.0f} of 100 such studies.", effect,
+                             100 * finding.power)
+               : fmt::format("  {} is seen from {:.2g}{} on; the smallest of interest is {:.2g}{}.",
+                             effect, finding.detectable, unit, p.smallest_of_interest, unit);
+}
+
+}  // namespace
+
+std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& space) {
+    if (d.verdict != Verdict::inconclusive || d.effects.empty()) return {};
+    std::vector<std::string> lines = {"Effects that would stay unseen:"};
+    for (const std::string& effect : d.effects) {
+        const Finding& finding = finding_of(d, space, effect);
+        lines.push_back(unseen_line(finding, parameter_of(space, finding), effect));
+    }
+    return lines;
+}
+
+std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space) {
     std::vector<std::string> lines;
-    switch (d.verdict) {
-        case Verdict::missing:
-            for (const std::string& effect : d.effects) {
-                lines.push_back(fmt::format("next: pendular add {} {}", study, effect));
-            }
-            break;
-        case Verdict::indistinguishable:
-            lines.push_back(alike_line(d));
-            lines.push_back(fmt::format(
-                "next: 'pendular next {}' says what to measure to tell them apart", study));
-            break;
-        case Verdict::inconclusive:
-            for (const std::string& effect : d.effects) {
-                const Finding& finding = finding_of(d, space, effect);
-                const EffectParameter& p = parameter_of(space, finding);
-                const std::string unit = p.unit == "1" ? "" : " " + p.unit;
-                lines.push_back(
-                    p.is_switch()
-                        ? fmt::format("  {} would be seen in {:.0f} of 100 such studies", effect,
-                                      100 * finding.power)
-                        : fmt::format(
-                              "  {} is seen where it is off by {:.2g}{}; {:.2g}{} would matter",
-                              effect, finding.detectable, unit, p.smallest_of_interest, unit));
-            }
-            lines.push_back("next: more readings, replicates or conditions");
-            break;
-        case Verdict::suspect_measurement:
-            lines.push_back("next: repeat those readings, or look at their recordings");
-            break;
-        case Verdict::unknown:
-            if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
-                lines.push_back(fmt::format("the best of them, {}, cuts {}, which is not enough",
-                                            with_estimates(*best, space), cut(d, *best)));
-            }
-            lines.push_back(
-                "next: see where it fails above; an effect of your own can be written "
-                "as [[effect]] in the study");
-            break;
-        default:
-            break;
+    if (d.verdict == Verdict::indistinguishable) lines.push_back(alike_line(d));
+    if (d.verdict == Verdict::inconclusive) {
+        lines.push_back("More readings, replicates or conditions would decide.");
+    }
+    if (d.verdict == Verdict::unknown) {
+        if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
+            lines.push_back(fmt::format("The best of them, {}, brings {}, which is not enough.",
+                                        with_estimates(*best, space), reduction(d, *best)));
+        }
+        lines.push_back("An effect of your own can be written as [[effect]] in study.toml.");
     }
     if (!d.suspects.empty() && d.verdict != Verdict::suspect_measurement) {
         lines.push_back(fmt::format(
-            "{}, if off, would explain it as well: repeat {} before you trust an effect",
-            joined(d.suspects, "or"), d.suspects.size() == 1 ? "them" : "those"));
+            "An error in {} would explain the residuals as well: repeat {} before you trust an "
+            "effect.",
+            joined(d.suspects, "or"), d.suspects.size() == 1 ? "this measurement" : "these"));
     }
     if (d.errors_assumed) {
         lines.push_back(
-            "errors of readings are assumed (2 %), not measured: with replicates or "
-            "_sd columns the verdict would mean more");
+            "The errors of the readings are assumed (2 %): replicates or _sd columns make the "
+            "verdict firmer.");
     }
     return lines;
+}
+
+std::string next_step(const Diagnosis& d, const std::string& study) {
+    switch (d.verdict) {
+        case Verdict::missing:
+            return fmt::format("pendular add {} {}", study, d.effects.front());
+        case Verdict::unknown:
+            return fmt::format("pendular effects --study {}", study);
+        case Verdict::suspect_measurement:
+            return fmt::format("repeat the suspect readings, then pendular diagnose {}", study);
+        default:
+            return fmt::format("pendular next {}", study);
+    }
 }
 
 }  // namespace pendular

@@ -1,29 +1,32 @@
 #include "reports/failure_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pendular {
 namespace {
 
 std::string sentence(const Check& check) {
-    const std::string p = fmt::format("(p {})", p_text(check.p));
+    const std::string p = fmt::format("p {}", p_text(check.p));
     switch (check.kind) {
         case Check::Kind::lack_of_fit:
-            return fmt::format("the conditions' means are off the model {}", p);
+            return fmt::format(
+                "The model misses the mean of at least one condition (lack of fit, {}).", p);
         case Check::Kind::trend:
-            return fmt::format("{}: measured over modelled {} with {} {}", check.of,
-                               check.statistic > 0 ? "grows" : "falls", check.covariate, p);
+            return fmt::format("Measured {} {} the model as {} grows ({}).", check.of,
+                               check.statistic > 0 ? "rises above" : "falls below",
+                               check.covariate, p);
         case Check::Kind::score:
-            return fmt::format("{} would be another at one end of {} than at the other {}",
+            return fmt::format("The fitted {} depends on {} ({}): it should be constant.",
                                check.of, check.covariate, p);
         case Check::Kind::runs:
-            return fmt::format("{}: neighbouring readings lie on the same side of the model {}",
+            return fmt::format("Neighbouring readings of {} lie on one side of the model ({}).",
                                check.of, p);
         default:
-            return fmt::format("readings at neighbouring conditions are off alike ({}) {}",
-                               check.covariate, p);
+            return fmt::format("Residuals of neighbouring conditions are correlated ({}).", p);
     }
 }
 
@@ -45,21 +48,44 @@ std::vector<const Check*> significant_checks(const Checks& checks) {
 
 std::vector<std::string> checks_table(const Checks& checks) {
     std::vector<std::string> lines;
+    bool correlated = false;  // one sentence serves all correlation lengths
     for (const Check* check : significant_checks(checks)) {
-        lines.push_back("  " + sentence(*check));
+        const bool correlation = sentence(*check).starts_with("Residuals");
+        if (!correlation || !std::exchange(correlated, true)) {
+            lines.push_back("  " + sentence(*check));
+        }
     }
-    lines.insert(lines.begin(), fmt::format("where it fails, {} checks, p {} for all together{}",
-                                            checks.all.size(), p_text(checks.p),
-                                            lines.empty() ? ": none is significant" : ":"));
+    lines.insert(
+        lines.begin(),
+        lines.empty()
+            ? fmt::format("None of {} checks finds where the model fails (p {} for all together).",
+                          checks.all.size(), p_text(checks.p))
+            : fmt::format("Where the model fails ({} checks, p {} for all together):",
+                          checks.all.size(), p_text(checks.p)));
     return lines;
+}
+
+std::string deviating_line(std::vector<std::pair<std::string, double>> measurements) {
+    if (measurements.empty()) return "";
+    std::ranges::stable_sort(measurements, {}, &std::pair<std::string, double>::second);
+    constexpr std::size_t most_named = 3;
+    std::vector<std::string> named;
+    for (const auto& [name, p] : measurements) {
+        if (named.size() < most_named) named.push_back(fmt::format("{} (p {})", name, p_text(p)));
+    }
+    const std::size_t others = measurements.size() - named.size();
+    return fmt::format("Measurements that deviate most from the rest: {}{}.",
+                       fmt::join(named, "; "), others > 0 ? fmt::format("; and {} more", others)
+                                                          : "");
 }
 
 std::vector<std::string> failure_table(const WhereItFails& where) {
     std::vector<std::string> lines = checks_table(where.checks);
+    std::vector<std::pair<std::string, double>> measurements;
     for (const Offending& offending : where.offending) {
-        lines.push_back(
-            fmt::format("  {} stand out (p {})", offending.readings, p_text(offending.p)));
+        measurements.emplace_back(offending.readings, offending.p);
     }
+    if (!measurements.empty()) lines.push_back("  " + deviating_line(std::move(measurements)));
     return lines;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/diagnosis/where_it_fails.h"
@@ -16,7 +17,10 @@ std::vector<const Check*> significant_checks(const Checks& checks);
 /// Where a model fails, one line a check that is significant; before them that of all together.
 std::vector<std::string> checks_table(const Checks& checks);
 
-/// The same, then the conditions and files that stand out.
+/// Sentence that names the measurements with the least p; empty for an empty list.
+std::string deviating_line(std::vector<std::pair<std::string, double>> measurements);
+
+/// Checks that fail, one line each, then the conditions and files that deviate most.
 std::vector<std::string> failure_table(const WhereItFails& where);
 
 }  // namespace pendular

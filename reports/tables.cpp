@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
 
 #include "data/quantities/number.h"
 #include "reports/with_error.h"
@@ -45,19 +48,19 @@ std::vector<std::string> scatter_table(const Measurements& measurements) {
         std::vector<std::string> names;
         for (const std::string& file : group.files)
             names.push_back(std::filesystem::path(file).filename().string());
-        lines.push_back(fmt::format("  {:>8.2f} {:>8.2f}   from step to step in {}",
+        lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   from step to step in {}",
                                     100 * std::sqrt(group.excess(0, 0)),
                                     100 * std::sqrt(group.excess(1, 1)), fmt::join(names, ", ")));
     }
     if (lines.empty()) return lines;
     lines.insert(lines.begin(),
-                 fmt::format("scatter between repetitions [% of the value], at {} Pa{}:",
+                 fmt::format("Scatter between repetitions [% of the value], at {} Pa{}:",
                              short_text(scatter.reference_stress),
                              scatter.stated ? ", as stated in [scatter]" : ""));
-    lines.insert(lines.begin() + 1, fmt::format("  {:>8} {:>8}", "stress", "fraction"));
+    lines.insert(lines.begin() + 1, fmt::format("  {:>12} {:>14}", "shear stress", "solid fraction"));
     const auto& [stress, fraction] = scatter.filling;
     if (stress.variance > 0 || fraction.variance > 0) {
-        lines.push_back(fmt::format("  {:>8.2f} {:>8.2f}   shared by all steps of a filling",
+        lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   shared by all steps of a filling",
                                     100 * std::sqrt(stress.variance),
                                     100 * std::sqrt(fraction.variance)));
     }
@@ -70,12 +73,18 @@ std::vector<std::string> scatter_table(const Measurements& measurements) {
     return lines;
 }
 
-std::vector<std::string> predictions_table(const Comparison& comparison) {
+std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first) {
     std::vector<std::string> lines = {
         fmt::format("  {:<{}} {:>9} {:>9} | {:>9} {:>9} {:>6} | {:>9} {:>9} {:>6} | {:>6}",
-                    "reading", place_width, "s22 [Pa]", "I [1]", "s12 [Pa]", "model", "sigma",
+                    worst_first ? "reading (worst fit first)" : "reading", place_width, "s22 [Pa]", "I [1]",
+                    "s12 [Pa]", "model", "sigma",
                     "Phi_S [1]", "model", "sigma", "chi2")};
-    for (const auto& m : comparison.readings) {
+    std::vector<ReadingMisfit> misfits = comparison.readings;
+    if (worst_first) {
+        std::ranges::stable_sort(misfits, std::greater<>(),
+                                 [](const ReadingMisfit& m) { return m.chi2.sum(); });
+    }
+    for (const auto& m : misfits) {
         lines.push_back(fmt::format(
             "  {:<{}} {:>9.4g} {:>9.3g} | {:>9.4g} {:>9.4g} {:>6.2f} | {:>9.4f} {:>9.4f} {:>6.2f} "
             "| {:>6.2f}",
@@ -83,7 +92,7 @@ std::vector<std::string> predictions_table(const Comparison& comparison) {
             m.reading.condition.inertial_number, m.reading.value(0), m.predicted(0),
             m.normalised(0), m.reading.value(1), m.predicted(1), m.normalised(1), m.chi2.sum()));
     }
-    lines.push_back("  (sigma: measured minus model over the standard error of the difference)");
+    lines.push_back("  (sigma: measured minus model, over the standard error of the difference)");
     for (const DirectMisfit& direct : comparison.direct) {
         const DirectMeasurement& m = direct.measurement;
         lines.push_back(fmt::format(
@@ -95,11 +104,11 @@ std::vector<std::string> predictions_table(const Comparison& comparison) {
     return lines;
 }
 
-std::vector<std::string> comparison_table(const Comparison& comparison) {
-    std::vector<std::string> lines = predictions_table(comparison);
-    lines.push_back(fmt::format("chi2 by observable: shear stress {:.2f}, solid fraction {:.2f}",
+std::vector<std::string> misfit_table(const Comparison& comparison) {
+    std::vector<std::string> lines;
+    lines.push_back(fmt::format("Chi2 by observable: shear stress {:.2f}, solid fraction {:.2f}",
                                 comparison.by_observable[0], comparison.by_observable[1]));
-    lines.push_back("chi2 by condition:");
+    lines.push_back("Chi2 by condition:");
     for (const auto& group : comparison.by_condition) {
         lines.push_back(fmt::format(
             "  s22 {:>8.4g} Pa, I {:>8.3g}, liquid content {:>6.3g}: {:>7.2f} from {} reading{}",
@@ -108,7 +117,7 @@ std::vector<std::string> comparison_table(const Comparison& comparison) {
             group.readings.size() == 1 ? "" : "s"));
     }
     if (comparison.by_file.size() > 1) {
-        lines.push_back("chi2 by file:");
+        lines.push_back("Chi2 by file:");
         for (const auto& file : comparison.by_file) {
             lines.push_back(fmt::format("  {:<{}} {:>7.2f} from {} reading{}",
                                         std::filesystem::path(file.file).filename().string(),
@@ -150,6 +159,22 @@ std::string deviations(const std::vector<Overestimate>& points) {
 
 }  // namespace
 
+namespace {
+
+/// Cohesion lines in the order of liquid content and inertial number, so that the measured and the
+/// simulated line of a condition follow each other.
+std::vector<CohesionLine> measured_beside_simulated(std::vector<CohesionLine> lines) {
+    // Set points of replicates differ in their third digit.
+    const auto rounded = [](double x) { return fmt::format("{:.1e}", x); };
+    std::ranges::stable_sort(lines, {}, [&](const CohesionLine& line) {
+        return std::pair(std::stod(rounded(line.liquid_content)),
+                         std::stod(rounded(line.inertial_number)));
+    });
+    return lines;
+}
+
+}  // namespace
+
 std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines) {
     if (lines.empty()) {
         return {};
@@ -159,11 +184,11 @@ std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines) 
                            fmt::format(fmt::runtime(form), e.standard_error));
     };
     std::vector<std::string> table = {
-        "cohesion lines: stress ratio = intercept + c*/P*",
+        "Cohesion lines: stress ratio = intercept + c*/P*",
         fmt::format("  {:<10} {:>10} {:>9} {:>18} {:>18} {:>6} {:>16} {:>9} {:>6}", "source",
                     "liquid [1]", "I [1]", "intercept [1]", "c* [1]", "corr.", "cohesion [Pa]",
                     "P* from", "points")};
-    for (const auto& line : lines) {
+    for (const auto& line : measured_beside_simulated(lines)) {
         table.push_back(fmt::format(
             "  {:<10} {:>10.3g} {:>9.3g} {:>18} {:>18} {:>6.2f} {:>16} {:>9.3g} {:>6}", line.source,
             line.liquid_content, line.inertial_number,

@@ -18,10 +18,10 @@ std::vector<std::string> readings_table(const Measurements& measurements);
 std::vector<std::string> scatter_table(const Measurements& measurements);
 
 /// Measured and predicted values of each reading.
-std::vector<std::string> predictions_table(const Comparison& comparison);
+std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first = false);
 
 /// Misfit by observable, by condition and by covariate; the parts of chi2 add up to the total.
-std::vector<std::string> comparison_table(const Comparison& comparison);
+std::vector<std::string> misfit_table(const Comparison& comparison);
 
 /// Cohesion lines, measured beside simulated; empty where there are none.
 std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines);

@@ -173,16 +173,20 @@ TEST_F(StudyChanges, AreToldInOneLineWithTheErrorBeforeAndAfter) {
     const StudyChange change = plan(Action::add, "torque-offset");
     const LadderStep before = ladder_step(401.8, 41, 4.12, 4.31), after = with_torque(ladder_step(44, 40, 1, 1.1));
     EXPECT_EQ(verdict_of(change, before, after),
-              "torque-offset added: chi2/dof 9.8 -> 1.1, RMS error of shear stress 4.12 % -> 1 %, "
-              "of solid fraction 0.3 % -> 0.3 %; left-out conditions 4.31 % -> 1.1 % and 0.31 % -> "
-              "0.31 %");
+              "torque-offset added: chi2/dof falls from 9.8 to 1.1, the RMS error of shear stress "
+              "goes from 4.12 % to 1.00 %.");
+    const auto errors = error_changes(before, after);
+    ASSERT_EQ(errors.size(), 6u);
+    EXPECT_THAT(errors[2], AllOf(HasSubstr("shear stress [%]"), HasSubstr("4.120"),
+                                 HasSubstr("1.000")));
+    EXPECT_THAT(errors[4], AllOf(HasSubstr("left-out"), HasSubstr("4.310"), HasSubstr("1.100")));
     const auto lines = parameter_changes(before, after);
     ASSERT_EQ(lines.size(), 3u);
     EXPECT_THAT(lines[1], AllOf(HasSubstr("friction  "), HasSubstr("0.1000 +- 0.0020"),
                                 HasSubstr("0.0900 +- 0.0030"), HasSubstr("-5.0 standard errors")));
     EXPECT_THAT(lines[2], AllOf(HasSubstr("torque-offset.torque [N m]"),
                                 HasSubstr("0.001040 +- 0.000031"), HasSubstr("new")));
-    EXPECT_THAT(parameter_changes(after, before)[2], HasSubstr("gone"));
+    EXPECT_THAT(parameter_changes(after, before)[2], HasSubstr("removed"));
     const auto json = to_json(change, before, after, true);
     EXPECT_EQ(json["change"], "add");
     EXPECT_EQ(json["effect"], "torque-offset");
@@ -198,18 +202,18 @@ TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
     const auto added = [&](double chi2, double left_out) {
         return advice(Action::add, before, with_torque(ladder_step(chi2, 40, 3, left_out)));
     };
-    EXPECT_THAT(added(51, 4.3), AllOf(HasSubstr("did not fall: chi2 50 -> 51"),
+    EXPECT_THAT(added(51, 4.3), AllOf(HasSubstr("did not fall (chi2 50 -> 51)"),
                                       HasSubstr("'pendular drop beads torque-offset'")));
     EXPECT_THAT(added(48, 4.3), HasSubstr("fell by no more than chance"));
-    EXPECT_THAT(added(20, 5), HasSubstr("left out of the fit the error of shear stress rose"));
+    EXPECT_THAT(added(20, 5), HasSubstr("error of shear stress rose at conditions left out"));
     EXPECT_THAT(added(20, 2), AllOf(Not(HasSubstr("rose")), Not(HasSubstr("chance")),
-                                    HasSubstr("friction moved by 5.0 times the error it had")));
+                                    HasSubstr("friction changed by 5.0 of its standard errors")));
 }
 
 TEST(StudyChangeAdvice, SaysWhetherADroppedEffectIsMissed) {
     const LadderStep before = with_torque(ladder_step(44, 40, 1, 1.1));
     EXPECT_THAT(advice(Action::drop, before, ladder_step(402, 41, 4, 4.3)),
-                HasSubstr("'pendular add beads torque-offset' puts it back"));
+                HasSubstr("'pendular add beads torque-offset' adds it again"));
     EXPECT_THAT(advice(Action::drop, before, ladder_step(46, 41, 1, 1.1)),
                 HasSubstr("rose by no more than chance"));
     EXPECT_THAT(advice(Action::drop, before, ladder_step(43, 41, 1, 1.1)),

@@ -180,7 +180,8 @@ TEST_F(EffectsOfAStudy, SayWhetherTheyApply) {
                         HasSubstr(effect.at("touches") == "wet" ? "no [liquid]" : "no [cell]"));
         }
     }
-    EXPECT_THAT(run_pendular("effects --study " + path).output, HasSubstr("note: torque-offset"));
+    EXPECT_THAT(run_pendular("effects --all --study " + path).output,
+                HasSubstr("Note: torque-offset"));
 }
 
 TEST_F(EffectsOfAStudy, AreCheckedByEveryCommandThatReadsOne) {

@@ -103,7 +103,7 @@ TEST(Compare, SaysWhereTheModelFails) {
     EXPECT_LT(where.checks.p, 0.05);
     const auto lines = failure_table(where);
     EXPECT_THAT(lines, testing::Contains(HasSubstr(
-                           "shear stress: measured over modelled falls with normal stress")));
+                           "Measured shear stress falls below the model as normal stress grows")));
 }
 
 TEST(Compare, FindsAFailureOfAModelThatHoldsAsOftenAsItSays) {
@@ -328,10 +328,10 @@ TEST(Tables, SayOnceHowFarReplicatesAreFromACohesionLine) {
 
 TEST(Tables, NameEveryReadingAndUnit) {
     const Example e;
-    const auto lines = comparison_table(compare(e.readings, e.prediction, 1, e.readings.size()));
+    const auto lines = predictions_table(compare(e.readings, e.prediction, 1, e.readings.size()));
     EXPECT_THAT(lines.front(), HasSubstr("[Pa]"));
     EXPECT_THAT(lines[1], HasSubstr("points.csv:3"));
-    EXPECT_GT(lines.size(), 10u);
+    EXPECT_GT(lines.size(), 5u);
 }
 
 }  // namespace reports_test
