@@ -26,15 +26,15 @@ struct LadderStep {
     double chi2 = 0;  ///< of all readings, those only predicted included
     int dof = 0;
     std::array<double, 2> rms_percent{};  ///< of shear stress and solid fraction
-    /// The same for conditions left out of the fit, where there is more than one.
+    /// RMS errors at conditions left out of the fit [%], where there is more than one condition.
     std::optional<std::array<double, 2>> left_out_percent;
 
     double chi2_per_dof() const { return chi2 / dof; }
     const LadderParameter* find(const std::string& name) const;  ///< null: not fitted
 };
 
-/// What a study went through: rungs in the order of time. A rung "start" begins it anew where the
-/// study was changed by other means.
+/// History of a study: its steps in the order of time. A step "start" begins the ladder anew where
+/// the study was changed by other means.
 using Ladder = std::vector<LadderStep>;
 
 /// The rung of a finished calibration, a start.

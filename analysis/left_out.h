@@ -15,7 +15,8 @@ struct LeftOut {
     /// 100 sqrt(mean((predicted/measured - 1)^2)) of shear stress and solid fraction.
     std::array<double, 2> rms_percent{};
     std::size_t conditions = 0;  ///< left out of the fit one after the other
-    /// Those without which a parameter is not determined; it then keeps the value it starts with.
+    /// Number of conditions without which a parameter is not determined; it then keeps its starting
+    /// value.
     std::size_t undetermined = 0;
 };
 

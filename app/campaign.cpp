@@ -30,7 +30,7 @@ std::pair<int, int> share_from(const std::string& text) {
     return {share, shares};
 }
 
-/// What of a campaign a store has.
+/// Runs of a campaign that a store holds and those that it lacks.
 struct Survey {
     std::vector<dem::RunParameters> missing;
     std::vector<dem::RunResult> failed;
@@ -97,7 +97,7 @@ std::optional<double> estimate_duration(const Survey& found, const RunStore& sto
     return seconds;
 }
 
-/// What a campaign would do, without a new store.
+/// Prints the runs that a campaign would make; creates no store.
 void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOptions& common,
                  Console& console) {
     const bool there = std::filesystem::exists(common.store);
@@ -182,7 +182,7 @@ int campaign(const std::vector<std::string>& arguments) {
             return done;
         }
     }
-    const auto carry_out = [&] {
+    const auto simulate_missing = [&] {
         RunStore store(common->store);
         const Survey before = survey(runs, store);
         const Workers workers{
@@ -204,9 +204,9 @@ int campaign(const std::vector<std::string>& arguments) {
         report(runs.size(), before, survey(runs, store), store, console);
     };
     if (processes) {
-        or_abort(*processes, carry_out);
+        or_abort(*processes, simulate_missing);
     } else {
-        carry_out();
+        simulate_missing();
     }
     return done;
 }

@@ -1,4 +1,4 @@
-// `pendular effects`: what may be missing from a model.
+// `pendular effects`: the catalogue of effects that a model may lack.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,30 +22,31 @@ namespace pendular::app {
 namespace {
 
 const char* const about_effects =
-    R"(The catalogue of physical effects that a model may lack, of the instrument, the beads, the liquid
-and the forces between grains; with a name, one of them whole. A study switches them on by name,
-effects = ["torque-offset"] in [model], and may write its own, shown with --study:
+    R"(Lists the physical effects that a model may lack, of the instrument, the beads, the liquid and
+the forces between grains; with a name, describes one effect in full. A study lists its effects in
+[model], effects = ["torque-offset"]. It may also write effects of its own, which --study shows:
 
   [[effect]]
-  name = "speed-drag"                         # lower-case words
-  parameter = "drag"                          # what is fitted; "on": a switch, without bounds
+  name = "speed-drag"                         # lower-case words joined by hyphens
+  parameter = "drag"                          # the fitted parameter; "on": a switch, without bounds
   unit = "mN m s/rad"
   lower = -1
   upper = 1
-  torque = "torque + drag*angular_velocity"   # the torque shown; at drag = 0 the torque itself
+  torque = "torque + drag*angular_velocity"   # the shown torque; at drag = 0 the true torque
 
-Also: neutral (where the effect is gone, 0), matters (a size worth knowing, a tenth of the range),
-summary. Formulas give what the instrument shows: torque, normal_force, height, angular_velocity; or
-what the beads show: stress_ratio, solid_fraction. They know the parameter and, in SI units,
-  of the instrument  torque, normal_force, height, angular_velocity, liquid_content, bead_volume,
+Optional keys: neutral (value at which the effect vanishes, default 0), matters (smallest effect of
+interest, default a tenth of the range), summary. A formula sets a quantity that the instrument
+shows: torque, normal_force, height or angular_velocity; or one of the flow: stress_ratio or
+solid_fraction. A formula may use the parameter and, in SI units,
+  on the instrument  torque, normal_force, height, angular_velocity, liquid_content, bead_volume,
                      time, inner_radius, outer_radius, density, diameter, normal_stress
-  of the beads       stress_ratio, solid_fraction, normal_stress, inertial_number, liquid_content,
+  on the flow        stress_ratio, solid_fraction, normal_stress, inertial_number, liquid_content,
                      height, time
 with + - * / ^ ( ), comparisons, && ||, CONDITION ? A : B, pi, and abs acos asin atan atan2 avg cos
 cosh exp ln log (ln) log10 log2 max min rint sign sin sinh sqrt sum tan tanh.
 
-With --manual DIR, the catalogue as Markdown: DIR/index.md and a page an effect, with a figure of what
-it changes in readings, in DIR/figures, as the emulator of the atlas predicts it.)";
+With --manual DIR, writes the catalogue as Markdown: DIR/index.md and a page per effect, with a
+figure of the change in readings that the emulator predicts.)";
 
 const char* const effects_examples = R"(  pendular effects
   pendular effects torque-offset
@@ -82,10 +83,8 @@ void show_one(Console& console, const EffectEntry& entry) {
 }
 
 void show_all(Console& console, const std::vector<EffectEntry>& entries) {
-    console.line(
-        fmt::format("{} effects that a model may lack; 'pendular effects NAME' describes "
-                    "one",
-                    entries.size()));
+    console.answer(fmt::format(
+        "{} effects are known. To describe one: pendular effects NAME", entries.size()));
     for (const auto& line : effects_table(entries)) {
         console.line(line);
     }

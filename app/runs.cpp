@@ -29,7 +29,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What every action was given.
+/// Arguments of an action on the store.
 struct Request {
     CommonOptions common;
     std::vector<std::string> words;

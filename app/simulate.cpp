@@ -110,7 +110,7 @@ void refuse_impossible(const dem::RunParameters& run) {
     }
 }
 
-/// What a run yields or leaves behind besides its averages.
+/// Outputs of a run besides its averages.
 struct Extras {
     double snapshot_every = 0;  ///< strain; 0: none
     std::string checkpoint;
@@ -182,7 +182,7 @@ void write_fields(const dem::RunResult& result, const nlohmann::ordered_json& js
     }
 }
 
-/// What an interrupted run leaves, and how it goes on.
+/// Text on the files of an interrupted run and on how it resumes.
 std::string what_remains(const dem::Checkpoint* checkpoint, const dem::Snapshots* snapshots) {
     std::string text;
     if (snapshots) {

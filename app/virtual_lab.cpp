@@ -56,7 +56,7 @@ void take(const Words& words, bool dry, LabPlan& plan) {
     }
 }
 
-/// What was measured before must not be lost or mixed with.
+/// Refuses a folder that holds files, so that no earlier measurement is lost or mixed up.
 void demand_new(const std::filesystem::path& folder) {
     demand_writable(folder, "OUT", true);
     if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder)) {

@@ -15,11 +15,11 @@ struct EffectParameter {
     double neutral = 0;           ///< value at which the effect is gone [unit]
     double smallest_of_interest = 1;           ///< how far from neutral it would matter to a user [unit]
     std::string meaning;
-    /// What the effect grows with in proportion, as a function of the value; itself where empty. It
-    /// must not have a zero slope at neutral, as 1 - cos has.
+    /// Amplitude to which the effect is proportional, as a function of the parameter's value; the
+    /// value itself where empty. It must not have a zero slope at neutral, as 1 - cos has.
     double (*amplitude)(double value) = nullptr;
-    /// Of an effect on grains that acts only as far as friction lets it: what flow responds to in
-    /// proportion, 0 at neutral and greatest at `upper`. The emulator learns responses by it.
+    /// Effective amplitude of an effect on grains at a given friction, for effects that friction
+    /// limits; 0 at neutral and largest at `upper`. The emulator trains responses on it.
     double (*effective_amplitude)(double value, double friction) = nullptr;
 
     bool is_switch() const { return name == "on"; }

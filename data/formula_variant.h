@@ -6,10 +6,10 @@
 
 namespace pendular {
 
-/// Which form of a formula that the source misprints: the derived one or the printed one.
+/// Variant of a formula that Badetti et al. (2018) misprint: the derived or the printed one.
 enum class FormulaVariant { derived, as_printed };
 
-/// How forms are written in studies, on the command line and in JSON, the default first.
+/// Names of the variants in studies, on the command line and in JSON, the default first.
 const std::vector<std::string>& formula_variant_names();
 const std::string& to_string(FormulaVariant form);
 

@@ -12,7 +12,7 @@
 
 namespace pendular {
 
-/// What is imposed on a sample: one measured or simulated state of steady shear.
+/// Imposed conditions of one measured or simulated state of steady shear.
 struct Condition {
     double normal_stress = 0;           ///< s22 [Pa]
     double inertial_number = 0;         ///< I [1]; 0: the quasi-static limit
@@ -43,7 +43,8 @@ struct Reading {
     double shear_rate = 0;  ///< [1/s]; 0 where the inertial number was given instead
     Eigen::Vector2d value =
         Eigen::Vector2d::Zero();  ///< shear stress magnitude [Pa], solid fraction [1]
-    /// Of `value`: all errors, those of the scatter widened for how few replicates tell it.
+    /// Covariance of `value` with all errors; the scatter is widened where few replicates determine
+    /// it.
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
     /// Part of `covariance` that the widening added.
     Eigen::Matrix2d widened_by = Eigen::Matrix2d::Zero();
@@ -58,8 +59,8 @@ struct Reading {
     bool error_assumed = false;    ///< 2 % of a value was assumed, nothing was measured
     int replicates = 1;  ///< readings of the same liquid content and set points, this one included
 
-    /// Of `value`, with the scatter as it was estimated: for tests whose laws allow for how few
-    /// replicates tell it.
+    /// Covariance of `value` with the scatter as estimated, for tests that allow for the number of
+    /// replicates themselves.
     Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
     double stress_ratio() const { return value(0) / condition.normal_stress; }
 };

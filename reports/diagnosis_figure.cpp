@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_shown = 9;
 
-/// Those that the readings tell anything of, the most telling first.
+/// Findings that the readings carry information on, the most significant first.
 std::vector<const Finding*> most_telling(const Diagnosis& diagnosis) {
     std::vector<const Finding*> findings;
     for (const Finding& finding : diagnosis.scan) {

@@ -242,7 +242,7 @@ std::string fit_line(const Diagnosis& d) {
 
 namespace {
 
-/// What the readings would show of an effect that they do not exclude.
+/// Line on the size from which an effect would be seen.
 std::string unseen_line(const Finding& finding, const EffectParameter& p,
                         const std::string& effect) {
     const std::string unit = p.unit == "1" ? "" : " " + p.unit;

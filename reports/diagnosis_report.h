@@ -13,8 +13,7 @@ namespace pendular {
 /// grows with height."
 std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, const Checks& checks);
 
-/// What was tested and what came of it, one line a candidate, most telling first; then the suspects
-/// that stand out.
+/// Table of the tested effects, one line each, the largest reduction of chi2 first.
 std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const ModelSpace& space);
 
 /// Sentence with chi2 of the model as it is, its degrees of freedom and its probabilities.

@@ -24,7 +24,7 @@ std::vector<double> simulated_inertial_numbers(const Calibration& c) {
     return inertial_numbers_for(conditions_of(c.readings), c.fidelity.lowest_inertial_number);
 }
 
-/// What the dry figures are made from.
+/// Data of the dry figures.
 struct DryStudy {
     const StudyModel& model;
     const Calibration& calibration;

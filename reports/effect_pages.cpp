@@ -12,7 +12,7 @@
 namespace pendular {
 namespace {
 
-/// What effects change: groups of the catalogue.
+/// Groups of the catalogue, by the part of the experiment that an effect changes.
 struct Group {
     const char* name;                  ///< in JSON
     const char* heading;               ///< in the table

@@ -35,7 +35,7 @@ std::string manual_page(const EffectEntry& entry, const std::string& figure);
 /// The manual's first page: the catalogue, a row an effect, with links to NAME.md.
 std::string manual_index(const std::vector<EffectEntry>& entries);
 
-/// The same for programs.
+/// Entry of the catalogue as JSON.
 nlohmann::ordered_json to_json(const EffectEntry& entry);
 
 }  // namespace pendular

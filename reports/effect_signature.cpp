@@ -36,7 +36,7 @@ double reduced_pressure_per_pascal(const Study& study) {
     return 1 / inverse_pressure_of(wet, study);
 }
 
-/// What varies along the curves of a column of panels.
+/// Quantity that varies along the curves of a column of panels.
 struct Column {
     const char* label;
     double from, to;

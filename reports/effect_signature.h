@@ -17,16 +17,16 @@ Study signature_study(const std::vector<Effect>& effects);
 /// Some of the conditions at which signatures are drawn, dry and wet.
 std::vector<Condition> signature_conditions(const Study& study);
 
-/// What an effect of the size that matters (a switch: on) changes in readings of that study: shear
-/// stress [%] above, 1000 times the solid fraction below; against reduced pressure, liquid content,
-/// inertial number and height of the sample. Effects on grains come with the standard error of the
-/// change.
+/// Figure of the change of readings by an effect of the smallest size of interest (a switch: on):
+/// shear stress [%] above, 1000 times the solid fraction below; against reduced pressure, liquid
+/// content, inertial number and height of the sample. Effects on grains come with the standard
+/// error of the change.
 /// @throws std::invalid_argument where no run behind the simulation has the effect
 /// @throws std::domain_error where no true state is shown so
 Figure signature_figure(const Effect& effect, const Study& study,
                         const std::shared_ptr<const EmulatedSimulation>& simulation);
 
-/// What stays the same along the curves of those figures, in words.
+/// Caption: conditions that stay constant along the curves of those figures.
 std::string signature_caption(const Effect& effect, const Study& study);
 
 }  // namespace pendular

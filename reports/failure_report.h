@@ -11,7 +11,7 @@ namespace pendular {
 /// "= 0.02", "< 0.001"; with another word in place of "= ".
 std::string p_text(double p, const char* equals = "= ");
 
-/// Those with p < 0.05, the most telling first.
+/// Checks with p < 0.05, the smallest p first.
 std::vector<const Check*> significant_checks(const Checks& checks);
 
 /// Where a model fails, one line a check that is significant; before them that of all together.

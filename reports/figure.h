@@ -48,7 +48,7 @@ struct Panel {
     Key key = Key::none;
     double headroom = 0;  ///< share of the height kept free above the data, for the key
     std::optional<std::pair<double, double>> x_range = {};
-    /// What stands at x = 1, 2, ... in place of numbers; lines of words.
+    /// Labels at x = 1, 2, ... in place of numbers, each as lines of text.
     std::vector<std::vector<std::string>> x_names = {};
     bool y_from_zero = false;  ///< where it is not logarithmic
     double y_least = 0;        ///< the y axis reaches at least this far to both sides of zero

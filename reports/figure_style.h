@@ -24,7 +24,8 @@ struct Shown {
 };
 Shown shown(const Reading& reading);
 
-/// The same of what a model predicts of the reading at a place, whose normal stress [Pa] this is.
+/// Prediction of a reading with its standard errors, at a place of the prediction; normal stress in
+/// Pa.
 Shown shown(const Prediction& predicted, Eigen::Index place, double normal_stress);
 
 /// Mean weighted by the standard errors, where one value stands for several.
@@ -53,7 +54,7 @@ std::string names_of(const std::vector<const Effect*>& effects);
 /// Whether values span more than a decade and none of them is zero.
 bool spans_decade(const std::vector<double>& values);
 
-/// What a figure says of an inertial number.
+/// Inertial number as text in a figure.
 std::string inertial_text(double inertial_number);
 
 }  // namespace pendular

@@ -23,7 +23,7 @@ std::size_t characters(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::count_if(text, begins_character));
 }
 
-/// What stands before each place where the text may be broken: behind hyphens and line ends, and
+/// Pieces of a text between the places where it may be broken: behind hyphens and line ends, and
 /// after every so many characters of a longer word.
 std::vector<std::string> pieces_of(const std::string& text) {
     constexpr std::size_t longest = 24;

@@ -95,7 +95,7 @@ std::vector<Entry> entries_of(const Panel& panel) {
     return entries;
 }
 
-/// What an entry explains, about the middle of its sample.
+/// Draws the sample of an entry of the key, about its middle.
 void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
     const double reach = sample_width / 2, y = middle.y;
     const Outline stroke{{middle.x - reach, y}, {middle.x + reach, y}};

@@ -13,7 +13,7 @@ namespace pendular {
 // How figures draw the fitted model beside readings: what an instrument shows may depend on more
 // than a figure's axis, such as normal stress, height of the sample and time.
 
-/// What of a condition a curve runs along.
+/// Quantity of a condition along which a curve runs.
 struct Coordinate {
     double (*of)(const Condition&);
     void (*set)(Condition&, double);
@@ -34,7 +34,7 @@ class ConditionPath {
     std::vector<Condition> nodes_;  ///< by rising coordinate
 };
 
-/// What may set curves of the model apart.
+/// Quantity by which curves of the model are separated.
 enum class Apart { normal_stress, bead_volume, file };
 
 /// Readings that are drawn together.

@@ -65,7 +65,7 @@ std::string joined(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, "; "));
 }
 
-/// What each rival says of a point.
+/// Adds the forecast of each rival at a point.
 void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next, const Plan& plan) {
     if (const auto& direct = next.points[plan.point].direct) {
         lines.push_back(fmt::format("  {:<44} {:>30}", "if it is", direct->parameter));

@@ -12,7 +12,7 @@ namespace pendular {
 /// it.
 std::vector<std::string> next_lines(const NextMeasurement& next);
 
-/// What the rivals say along the normal stress, through the point to measure.
+/// Figure of the rivals' predictions along the normal stress, through the point to measure.
 Figure next_figure(const NextMeasurement& next);
 
 }  // namespace pendular

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* observables[] = {"shear stress", "solid fraction"};
 
-/// What an axis says of a covariate.
+/// Axis of a covariate: label and scale.
 struct Axis {
     std::string label;
     bool logarithmic = false;
@@ -101,7 +101,7 @@ std::string text_of(const Look& look, bool above) {
     return fmt::format("{} by {}", above ? "above" : "below", size);
 }
 
-/// Of an observable at a liquid content; `key`: what explains all looks, without data.
+/// Map of an observable's residuals at a liquid content; `key`: explains all symbols, without data.
 Panel map_panel(const Comparison& comparison, double liquid_content, std::size_t observable,
                 bool key) {
     const std::string liquid =

@@ -15,11 +15,11 @@ namespace pendular {
 /// are left out of dry runs.
 nlohmann::ordered_json fields_json(const dem::RunResult& run);
 
-/// The same as CSV: file name to content, a file per coordinate, headers `name [unit]`, each value
-/// followed by its standard error NAME_sd.
+/// Fields of a run as CSV: file name to content, a file per coordinate, headers `name [unit]`, each
+/// value followed by its standard error NAME_sd.
 std::map<std::string, std::string> field_tables(const dem::RunResult& run);
 
-/// The same as figures `profiles` and `distributions`.
+/// Fields of a run as the figures `profiles` and `distributions`.
 std::vector<Figure> field_figures(const dem::RunResult& run);
 
 }  // namespace pendular

@@ -15,7 +15,7 @@ enum class Shape { square, triangle, circle, star, downward_triangle, diamond, p
 /// How the inside of a symbol looks. A half is that of its height. A plus has no inside.
 enum class Filling { filled, bottom_half, hollow, crossed, top_half };
 
-/// What a point is drawn as; its colour belongs to the curve.
+/// Symbol of a point; its colour belongs to the curve.
 struct Symbol {
     Shape shape = Shape::circle;
     Filling filling = Filling::filled;

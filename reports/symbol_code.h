@@ -32,7 +32,7 @@ inline constexpr std::array<ContentCode, 5> content_code = {
      {0.030, "#111111", Filling::crossed},      // black
      {0.063, "#8e2fb5", Filling::top_half}}};   // purple
 
-/// What the source has no code for: grey.
+/// Symbols of dry readings, for which Badetti et al. (2018) give no code: grey.
 inline constexpr ContentCode dry_code{0, "#808080", Filling::filled};
 
 /// Shape of the nearest friction of the code.

@@ -10,11 +10,11 @@ namespace pendular {
 
 /// Text tables, one string a line, units in the header.
 
-/// What was measured, one line a reading.
+/// Table of the readings, one line each.
 std::vector<std::string> readings_table(const Measurements& measurements);
 
-/// What replicates say of the scatter between steps and between fillings [% of the value]; empty
-/// where there are none.
+/// Table of the scatter between steps and between fillings [% of the value], from replicates; empty
+/// without replicates.
 std::vector<std::string> scatter_table(const Measurements& measurements);
 
 /// Measured and predicted values of each reading.

@@ -17,7 +17,7 @@ namespace {
 
 const std::string liquid_content_label = "liquid content Φ_L/Φ_S";
 
-/// What all wet figures are made from.
+/// Data of the wet figures.
 struct WetStudy {
     const StudyModel& study_model;
     const Predictor& model;
@@ -59,7 +59,7 @@ struct WetStudy {
     }
 };
 
-/// Those of a list whose inertial number is the lowest of all, within the width of a group.
+/// Entries of a list with the lowest inertial number, within the width of a group.
 template <class Grouped>
 std::vector<Grouped> slowest(const std::vector<Grouped>& all, double least) {
     std::vector<Grouped> result;
@@ -215,7 +215,7 @@ void draw_lines(Panel& panel, const WetStudy& study, double end) {
     }
 }
 
-/// What a look means for all liquid contents, in the key alone.
+/// Entry of the key that explains a line style or symbol for all liquid contents.
 Curve kind(const std::string& label, Curve::Style style, const Symbol& symbol = {}) {
     return {.label = label, .style = style, .colour = explaining_colour, .symbol = symbol};
 }
@@ -304,9 +304,9 @@ void draw_cohesions(Panel& panel, const WetStudy& study) {
     }
 }
 
-/// What effects on the instrument add to the cohesions that its readings show: the slope of the
-/// line through the predictions less that of the line through what the same grains show on an
-/// instrument that shows the truth. By liquid content; none where there is no such effect or line.
+/// Contribution of effects on the instrument to the measured cohesions: the slope of the line
+/// through the predictions less that of the line through what the same grains show on an instrument
+/// that shows the truth. By liquid content; none where there is no such effect or line.
 std::map<double, double> cohesions_by_instrument(const WetStudy& study) {
     const Calibration& c = study.calibration;
     std::map<double, double> added;

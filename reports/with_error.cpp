@@ -13,7 +13,7 @@ struct Prefix {
     const char* letter;
 };
 
-/// Of units that people scale; angles, ratios and rates stay as they are.
+/// Prefix of a unit that people scale; none for angles, ratios and rates.
 Prefix prefix_of(double size, const std::string& unit) {
     const bool scaled = unit == "N m" || unit == "N" || unit == "m" || unit == "N/m" ||
                         unit == "Pa" || unit == "Pa s";

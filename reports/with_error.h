@@ -7,7 +7,7 @@ namespace pendular {
 /// Value with its standard error to two digits: "0.097 +- 0.011", "(1.032 +- 0.012)e-6".
 std::string with_error(double value, double error);
 
-/// The same with its unit, as people write it: "0.41 +- 0.03 mN m" of 4.1e-4 and "N m".
+/// Value with its error and unit, as people write it: "0.41 +- 0.03 mN m" for 4.1e-4 and "N m".
 std::string with_error(double value, double error, const std::string& unit);
 
 }  // namespace pendular

@@ -13,7 +13,7 @@ packages=(
   # figures
   gnuplot-nox fonts-dejavu-core
   # tests, benchmarks, style
-  libgtest-dev libgmock-dev libvalijson-dev libbenchmark-dev clang-format clang-tidy doxygen
+  libgtest-dev libgmock-dev libvalijson-dev libbenchmark-dev clang-format clang-tidy doxygen codespell
 )
 
 missing=()

@@ -58,7 +58,7 @@ nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace&
     return json;
 }
 
-/// Of each effect that the verdict points at with each other.
+/// Cosines between the effects that the verdict names.
 nlohmann::ordered_json cosines_of(const Diagnosis& d) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (Eigen::Index i = 0; i < d.cosines.rows(); ++i) {

@@ -12,7 +12,7 @@ namespace pendular {
 /// The candidates that an explanation has in the model.
 std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space);
 
-/// What `diagnose` prints and `out/diagnosis.json` holds.
+/// JSON that `diagnose` prints and `out/diagnosis.json` holds.
 nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& space,
                                const Evidence& evidence, const Checks& checks);
 

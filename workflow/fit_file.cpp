@@ -73,7 +73,7 @@ Json direct_json(const std::vector<DirectMeasurement>& direct) {
     return json;
 }
 
-/// What of a study, besides its readings, a calibration rests on.
+/// JSON of the parts of a study, besides its readings, that a calibration rests on.
 Json basis_json(const GrainProperties& grains, const std::optional<Liquid>& liquid, const ModelSettings& model,
                 const std::vector<WrittenEffect>& written,
                 const std::vector<DirectMeasurement>& direct) {

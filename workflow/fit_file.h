@@ -9,7 +9,7 @@
 
 namespace pendular {
 
-/// What `calibrate` prints and `out/fit.json` holds.
+/// JSON that `calibrate` prints and `out/fit.json` holds.
 nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
 
 /// Writes FOLDER/fit.json, and beside it FOLDER/fit_runs.csv with the runs that the atlas lacks.

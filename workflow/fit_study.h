@@ -20,7 +20,7 @@ struct SessionOptions {
     Listener listener = {};
 };
 
-/// What a fit rests on.
+/// Options of a fit.
 struct FitOptions {
     bool confirm = false;  ///< by fresh runs at the optimum, until prediction and simulation agree
     bool cold = false;     ///< from neither the atlas nor earlier runs: all of its own
@@ -37,7 +37,7 @@ bool begins_cold(const Study& study, const SessionOptions& session, const FitOpt
 Calibration fit_study(const ResolvedStudy& study, const Measurements& measurements,
                       const SessionOptions& session, const FitOptions& options);
 
-/// What is said where work that keeps its runs is interrupted; `store` may be null.
+/// Interruption of work that keeps its runs; `store` may be null.
 dem::Interrupted interrupted_with(const RunStore* store);
 
 }  // namespace pendular

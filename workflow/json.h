@@ -10,10 +10,10 @@
 
 namespace pendular {
 
-/// What `import` prints: every reading, what was excluded and why, notes.
+/// JSON that `import` prints: every reading, every exclusion with its reason, notes.
 nlohmann::ordered_json to_json(const Measurements& measurements);
 
-/// What `compare` prints and `out/compare.json` holds.
+/// JSON that `compare` prints and `out/compare.json` holds.
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 

@@ -10,9 +10,9 @@
 
 namespace pendular {
 
-/// What an emulator knows of the beads of a study: the runs that come with the program and those of
-/// the store that can serve, the latest of them where there are more than `most_known`, which the
-/// listener is told; none where they are too few to begin with.
+/// Training runs for the grains of a study: the atlas and the runs of the store that can serve, the
+/// latest ones where there are more than `most_known`, of which the listener is told; none where
+/// they are too few.
 /// @throws InputError for an atlas that cannot be read
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
                                     const RunStore* store, const Listener& listener = {});

@@ -9,7 +9,7 @@
 
 namespace pendular {
 
-/// What happens while a study is worked on, for whoever shows it.
+/// Event of the work on a study, for whoever shows it.
 struct Event {
     enum class Kind {
         note,   ///< `text` is worth a word

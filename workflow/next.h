@@ -8,7 +8,7 @@
 
 namespace pendular {
 
-/// What to measure next, and why, of one study.
+/// Next measurement of one study, with its reasons.
 struct NextMeasurement {
     const Study& study;
     std::vector<Rival> rivals;  ///< models that stand; one: nothing to tell apart

@@ -6,7 +6,7 @@
 
 namespace pendular {
 
-/// What `next` prints and `out/next.json` holds.
+/// JSON that `next` prints and `out/next.json` holds.
 nlohmann::ordered_json to_json(const NextMeasurement& next);
 
 }  // namespace pendular

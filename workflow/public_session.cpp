@@ -17,7 +17,7 @@
 namespace pendular::v1 {
 namespace {
 
-/// The same errors, as the public interface names them.
+/// Runs work and turns its errors into those of the public interface.
 template <typename Work>
 auto translated(const Work& work) {
     try {

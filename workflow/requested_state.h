@@ -26,7 +26,7 @@ struct RequestedState {
 
     /// "friction 0.3, inertial number 0.01, reduced pressure 1, liquid content 0.03".
     std::string text() const;
-    /// The same as options of `pendular predict`.
+    /// Options of `pendular predict` that request this state.
     std::string options() const;
 };
 
@@ -35,7 +35,7 @@ struct RequestedState {
 dem::RunParameters run_of(const FlowState& state, const Fidelity& fidelity,
                           double stiffness_number);
 
-/// What is wrong with a run, as `dem::check_run_parameters` says it; empty where it can be carried out.
+/// Message of `dem::check_run_parameters` for a run; empty where the run can be simulated.
 std::string why_impossible(const dem::RunParameters& run);
 
 /// The command that carries out a run of `run_of`.

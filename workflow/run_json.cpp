@@ -39,7 +39,7 @@ Json run_effects_json(const std::vector<EffectValues>& effects) {
     return effects_json(active);
 }
 
-/// The same back, by name as a run has them.
+/// Reads effects back from JSON, by name as a run has them.
 std::vector<EffectValues> read_run_effects(const Json& json) {
     std::vector<EffectValues> effects;
     for (const auto& [key, value] : json.items()) {

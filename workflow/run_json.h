@@ -19,7 +19,7 @@ nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 /// stand under `effects_in_run_units`.
 nlohmann::ordered_json to_json(const dem::RunResult& run);
 
-/// The same back.
+/// Reads a run back from JSON.
 dem::RunResult run_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace pendular

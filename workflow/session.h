@@ -43,7 +43,7 @@ class Session {
     ///         would replace or become an input
     explicit Session(const std::filesystem::path& study, SessionOptions options = {},
                      OutputPlaces outputs = {});
-    /// The same of a study that was read, with results in `folder`.
+    /// Session on a study that was read already, with results in `folder`.
     Session(StudyInput input, SessionOptions options, std::filesystem::path folder);
 
     const Study& study() const { return input_.study; }

@@ -11,7 +11,7 @@
 
 namespace pendular {
 
-/// What the known runs predict at one state.
+/// Prediction of the known runs at one state.
 struct StatePrediction {
     FlowState state;
     std::vector<EmulatedObservable> observables;

@@ -26,7 +26,7 @@ std::string name_of(const Explanation& explanation, const StudyModels& models) {
     return name.empty() ? "the model as it is" : name;
 }
 
-/// What may be wrong where an implausible value of this quantity was kept.
+/// Possible causes of an implausible value of this quantity that was kept.
 std::string cause_of(const std::string& quantity) {
     if (quantity == "solid_fraction") return "the gap or the bead mass (solid fraction)";
     if (quantity == "stress_ratio") return "the torque or the normal force (stress ratio)";

@@ -79,7 +79,7 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs) {
 
 namespace {
 
-/// What cannot be used is refused before any work.
+/// Measurements of a study; refuses it before any work if it cannot be used.
 StudyInput with_measurements(const Study& read) {
     ResolvedStudy resolved(read);
     const Study& study = resolved;

@@ -24,7 +24,7 @@ std::vector<double> steps(const Span& span, int count) {
     return values;
 }
 
-/// Of one rival at all points, with the slopes by its parameters.
+/// Forecasts of one rival at all points, with their derivatives by the parameters.
 struct Forecasts {
     std::vector<Forecast> at;
     std::vector<Eigen::MatrixXd> slopes;  ///< 2 x parameters each
@@ -53,7 +53,7 @@ double cost_of(const Point& point, int readings) {
     return point.first_cost + point.wait_cost + point.cost * readings;
 }
 
-/// What n readings tell of two rivals.
+/// Separation of two rivals by n readings.
 struct Separation {
     double criterion, noncentrality;
 };

@@ -10,9 +10,9 @@
 
 namespace pendular {
 
-/// What a rig can be set to, on a grid: normal stresses and rates in even steps of their logarithm,
-/// every liquid content and filling, after every wait from `time` [s] on; and then what can be
-/// measured directly.
+/// Conditions that a rig can be set to, on a grid: normal stresses and rates in even steps of their
+/// logarithm, every liquid content and filling, after every wait from `time` [s] on; and then what
+/// can be measured directly.
 /// @throws InputError for a direct measurement that the study's effects do not know
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& study, double time);
 
@@ -23,7 +23,7 @@ Rig rig_of(const std::vector<Reading>& readings);
 /// square of those that were made.
 Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 
-/// What measuring at one point would tell.
+/// Expected result of measuring at one point.
 struct Plan {
     std::size_t point = 0;
     std::vector<Forecast> forecasts;  ///< of each rival
@@ -50,13 +50,13 @@ std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
                                    const std::vector<Point>& points,
                                    const Eigen::Vector2d& relative_noise, int most_repeats);
 
-/// What to measure: at the point of the first plan alone, or a series where that tells more pairs
-/// apart. Of a rig: repeats at one point, readings in all.
+/// Measurements to make: the point of the first plan alone, or a series where that separates more
+/// pairs apart. Of a rig: repeats at one point, readings in all.
 Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& rivals,
                    const std::vector<Point>& points, const Eigen::Vector2d& relative_noise,
                    const Rig& rig);
 
-/// What a number of readings at one point would make of a model's parameters.
+/// Expected standard errors of a model's parameters after a number of readings at one point.
 struct Sharpening {
     std::size_t point = 0;
     Forecast forecast;
@@ -64,7 +64,7 @@ struct Sharpening {
     double gain = 0;  ///< sum over parameters of ln(standard error before/after), per cost
 };
 
-/// Of all points, the most gainful first:
+/// Sharpening at all points, the largest gain first:
 ///     C' = (C^-1 + J' (V/n + C_f)^-1 J)^-1.
 std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<Point>& points,
                                          const Eigen::Vector2d& relative_noise, int repeats);

@@ -11,8 +11,8 @@ inline Eigen::Index entries_at(const Point& point) {
     return point.direct ? 1 : 2;
 }
 
-/// What a rival says of some points, one after the other: their entries, and their covariance by
-/// the simulation.
+/// Prediction of a rival at several points: the entries of the points in turn, with the covariance
+/// from simulation.
 Prediction predicted_at(const Rival& rival, const std::vector<Point>& points);
 
 /// Variances of one reading at each of some points, where this is what they would show: readings of

@@ -29,8 +29,8 @@ struct Point {
     double cost = 1;                               ///< of each reading
 };
 
-/// What a rival says of a point: (shear stress [Pa], solid fraction [1]), or the one number of a
-/// direct measurement [its unit].
+/// Forecast of a rival at one point: (shear stress [Pa], solid fraction [1]), or the one number of
+/// a direct measurement [its unit].
 struct Forecast {
     Eigen::VectorXd value;
     Eigen::MatrixXd from_parameters;  ///< covariance by errors of its parameters

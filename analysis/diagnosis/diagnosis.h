@@ -19,7 +19,8 @@ enum class Verdict {
 /// "nothing-missing".
 std::string_view to_string(Verdict verdict);
 
-/// What is missing from a model, if anything.
+/// Result of a diagnosis: whether the model is complete and, if not, which effects explain the
+/// residuals.
 struct Diagnosis {
     Verdict verdict = Verdict::inconclusive;
     std::vector<std::string> effects;   ///< that the verdict points at
@@ -35,7 +36,7 @@ struct Diagnosis {
     double lack_of_fit_p = 0, further_p = 0;
     bool errors_assumed = false;
 
-    /// Of the model as it is.
+    /// Weighted residuals of the model without further effects.
     WeightedResiduals residuals(const Evidence& evidence) const {
         return {evidence.measured, fit.prediction};
     }

@@ -43,7 +43,7 @@ struct Explanation {
     bool accepted = false;
 };
 
-/// What the scan found of one candidate.
+/// Result of the scan for one candidate.
 struct Finding {
     std::size_t candidate = 0;
     ScoreTest test;

@@ -8,7 +8,7 @@
 
 namespace pendular {
 
-/// What the scan of a fitted model says, by candidate.
+/// Results of the scan of a fitted model, by candidate.
 struct Scanned {
     const Explanation& base;
     const WeightedResiduals& residuals;

@@ -24,7 +24,7 @@ class Explanations {
     /// Parameters at the end of their range take nothing over: they cannot move.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
     double lack_of_fit_p(const WeightedResiduals& residuals) const;
-    /// Of each suspect but this one.
+    /// Score tests of each suspect measurement except the given one.
     std::vector<ScoreTest> suspect_tests(const WeightedResiduals& residuals,
                                          std::optional<std::size_t> but = {}) const;
     /// A candidate on top of a refitted model.

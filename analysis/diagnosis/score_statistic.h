@@ -44,7 +44,7 @@ struct ScoreTest {
     double detectable(double wanted, double limit) const;
 };
 
-/// Of a change with its errors, both in the units of the readings.
+/// Score test of a change with its errors, both in the units of the readings.
 ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signature,
                      bool is_switch);
 

@@ -8,13 +8,13 @@
 
 namespace pendular {
 
-/// What a candidate adds to the predictions of a model: a column for each of its parameters, per
-/// amplitude. An amplitude is 1 where the parameter is off neutral by the size that matters (or the
-/// switch is on), and in between goes with the parameter, or with what the candidate says that it
-/// grows with, as the square of a deviation.
+/// Change of a model's predictions by a candidate: a column for each of its parameters, per
+/// amplitude. An amplitude is 1 where the parameter differs from neutral by the smallest effect of
+/// interest (or the switch is on). In between, the amplitude is proportional to the parameter, or
+/// to the function of it that the candidate declares, such as the square of a deviation.
 struct Signature {
     Eigen::MatrixXd change;  ///< in the units of the readings
-    /// Of that by the model's errors, where they count: in the units of the readings.
+    /// Covariance that comes from model error, if it is included, in the units of the readings.
     ModelSpace::ChangeErrors errors;
     /// The amplitude cannot be negative: at neutral the parameter is at its bound, or the other
     /// direction does much the same.
@@ -31,7 +31,7 @@ class Addition {
 
     /// Its signature about neutral, at the size that matters.
     Signature signature(bool with_errors) const;
-    /// The same at another amplitude, other than zero, within the bounds.
+    /// Computes the signature at another amplitude, other than zero, within the bounds.
     void retake(Signature& signature, double amplitude) const;
 
     /// Value of the parameter at an amplitude, within its bounds.

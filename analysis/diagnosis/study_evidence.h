@@ -15,9 +15,9 @@ namespace pendular {
 Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                      const std::vector<DirectMeasurement>& direct = {});
 
-/// What varied between readings, by a tenth at least: less is the scatter of set points, or, for
-/// the height, the solid fraction seen again. So many direct measurements, which have none of them,
-/// follow.
+/// Quantities that vary between readings, by a tenth at least: smaller differences are the scatter
+/// of set points or, for the height, follow from the solid fraction. `direct` direct measurements,
+/// which have no such quantities, follow.
 std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct = 0);
 
 /// The entries of readings, and of as many direct measurements, fitted with these parameters.

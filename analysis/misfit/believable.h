@@ -34,8 +34,8 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
 /// Number of doubts for which import set readings, or rows of recordings, aside.
 std::size_t doubts_that_set_aside(const Measurements& measurements);
 
-/// What the errors of the readings rest on, as in "errors from 22 repeated readings"; for the first
-/// line of an answer.
+/// Basis of the readings' errors, as in "errors from 22 repeated readings"; for the first line of
+/// an answer.
 std::string error_basis(const Measurements& measurements);
 
 }  // namespace pendular

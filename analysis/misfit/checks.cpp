@@ -72,7 +72,7 @@ class Checking {
     }
 
   private:
-    /// Of the residuals and of each draw of them.
+    /// Adds a check of the residuals and of each draw of them.
     void add(Check check, const Eigen::VectorXd& drawn) {
         check.p = NullDraws::p(check.statistic, drawn);
         result_.all.push_back(std::move(check));

@@ -38,7 +38,7 @@ struct Checks {
     double p = 1;
 };
 
-/// What the entries of the readings are.
+/// Observable and condition of each entry of the readings.
 struct EntryKinds {
     /// Observable of each entry, into `observables`.
     std::vector<std::size_t> observable;

@@ -86,7 +86,7 @@ struct Comparison {
 Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction,
                    int parameters, std::size_t fitted);
 
-/// The same for all readings and direct measurements of a calibration.
+/// Compares all readings and direct measurements of a calibration with the model.
 Comparison compare(const Calibration& calibration);
 
 }  // namespace pendular

@@ -33,7 +33,7 @@ struct ErrorKnowledge {
     /// with `correlation_freedom` degrees of freedom.
     Eigen::Index readings = 0;
     double correlation_freedom = INFINITY;
-    /// What is known of the dependence on load: in a draw, errors are multiplied by exp(z column)
+    /// Uncertainty of the dependence on load: in a draw, errors are multiplied by exp(z column)
     /// with one standard normal z for each column.
     std::vector<Eigen::VectorXd> log_sizes;
 

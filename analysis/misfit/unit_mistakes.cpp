@@ -48,7 +48,7 @@ std::vector<Factor> with_powers_of_ten(std::vector<Factor> factors, int most) {
     return factors;
 }
 
-/// What a factor on a column of the recording makes of a reading.
+/// Effect of a factor on a column of the recording on the readings.
 struct Column {
     std::string_view name;
     std::vector<Factor> factors;

@@ -62,7 +62,8 @@ class Design {
         return (found == all.end() ? effect.parameters : found->parameters).front();
     }
 
-    /// What an effect of this size changes, in standard errors, the friction refitted.
+    /// Change of the readings by an effect of this size, in standard errors, with the friction
+    /// refitted.
     Eigen::VectorXd change(const Effect& effect, const std::vector<double>& values) const {
         const auto model = assemble_model(study_, simulation_, {&effect});
         std::vector<double> parameters = {plan_.friction};
@@ -73,7 +74,7 @@ class Design {
             residuals_->whiten(model->predict(all, conditions_, PredictionPart::values).value - base_));
     }
 
-    /// What the best pair of the catalogue's effects leaves of a change.
+    /// Part of a change that the best pair of the catalogue's effects does not explain.
     double beyond_pairs(const Eigen::VectorXd& changed) const {
         double least = changed.squaredNorm();
         for (std::size_t i = 0; i < signatures_.size(); ++i) {

@@ -95,7 +95,7 @@ double wanted(const LabStudy& s) {
     return at == std::string::npos ? 0 : std::stod(s.truth->name.substr(at + 4));
 }
 
-/// What a confusion matrix has a column for.
+/// Column of the confusion matrix to which a study belongs.
 std::string said(const LabStudy& s) {
     if (!alarms(s)) return "nothing";
     if (verdict_is(s, "missing")) return fmt::format("{}", fmt::join(s.outcome->named, " + "));
@@ -269,8 +269,9 @@ std::vector<std::string> figures_of(const Studies& every) {
     return lines;
 }
 
-/// What further measurements settled, by how they were chosen. `next` says itself where its rig
-/// does not tell the truth from all others; the same studies count for the random choice.
+/// Lines on the result of further measurements, by the way they were chosen. `next` says itself
+/// where its rig does not tell the truth from all others; the same studies count for the random
+/// choice.
 std::vector<std::string> resolved_lines(const std::vector<Resolution>& resolutions) {
     std::vector<std::string> lines;
     const auto hopeless = [&](const Resolution& r) {

@@ -149,7 +149,7 @@ bool tells_apart(const Series& series, std::size_t rival, std::size_t rivals) {
     return static_cast<std::size_t>(with_it) + 1 == rivals;
 }
 
-/// What `next` says of the truth at first.
+/// First forecast of `next` about the truth.
 void ask_next(const Campaign& campaign, const Truth& truth, int most_measurements,
               Resolution& result) {
     const auto rivals = campaign.rivals();

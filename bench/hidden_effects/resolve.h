@@ -12,7 +12,7 @@ namespace pendular::bench {
 /// How the next measurement is chosen.
 enum class Policy { next, random };
 
-/// What further measurements made of a study whose effects could not be told apart.
+/// Result of further measurements on a study whose effects could not be told apart.
 struct Resolution {
     std::string truth;
     int study = 0;

@@ -8,11 +8,12 @@
 
 namespace pendular::bench {
 
-/// Of the truth and of the model fitted to it: as stiff as its beads, which the atlas' are not.
+/// Fidelity of the truth and of the model fitted to it: its grains have their own stiffness, which
+/// differs from that of the atlas.
 Fidelity truth_fidelity();
 
-/// What every laboratory of the benchmark measures, complete. Set points, bead number (1.5 times
-/// the fidelity's), stiffness and seeds are none of the atlas'. `world`: seeds of the simulations.
+/// Plan of every laboratory of the benchmark. Set points, number of grains (1.5 times the
+/// fidelity's), stiffness and seeds are none of the atlas'. `world`: seeds of the simulations.
 LabPlan rig(double friction, std::uint64_t world);
 
 /// The conditions it asks for, a reading each, as `import` will describe them.

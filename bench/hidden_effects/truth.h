@@ -8,7 +8,7 @@
 
 namespace pendular::bench {
 
-/// What a laboratory hides.
+/// Truth that a laboratory hides.
 struct Truth {
     enum class Kind { complete, effect, pair, outside };
     Kind kind = Kind::complete;

@@ -13,7 +13,7 @@
 
 namespace pendular::bench {
 
-/// What became of one laboratory in the hands of a user who follows the program.
+/// Result of a user who follows the program through one laboratory.
 struct Outcome {
     std::string truth;  ///< its name
     int study = 0;      ///< number of the recordings' noise

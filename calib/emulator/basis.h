@@ -7,7 +7,7 @@
 
 namespace pendular {
 
-/// What determines one simulated state of steady shear.
+/// State of steady shear that the emulator predicts: the quantities that determine it.
 struct FlowState {
     double friction = 0;
     double inertial_number = 0;

@@ -10,8 +10,8 @@ namespace pendular {
 /// and how far the effect goes, each of the order of 1 over the range of the studies.
 using ResponsePlace = Eigen::Vector<double, 5>;
 
-/// What an effect on grains adds to an observable, from runs with the effect less what the emulator
-/// says of the same states without:
+/// Change of an observable by an effect on grains, trained on the differences between runs with the
+/// effect and the emulator's prediction of the same states without it:
 ///     change = b y(z, b),  b the effect's amplitude,
 /// times 1/P* where it acts through capillary forces,
 /// y a Gaussian process: a plane with coefficients hardly known plus a squared exponential. It

@@ -11,7 +11,7 @@ constexpr double reference_stiffness = 1000;
 
 /// Whether a run can teach.
 bool usable(const dem::RunResult& run);
-/// What a run says of an observable, as emulated.
+/// Training value of an observable from a run, with its standard error.
 Mean training_value(const dem::RunResult& run, dem::Observable which);
 FlowState flow_state_of(const dem::RunParameters& run);
 /// Whether an observable says nothing of dry beads.
@@ -33,9 +33,9 @@ bool in_pair(dem::Observable which);
 /// Both at these states, one after the other.
 std::vector<Query> pairs_at(const std::vector<FlowState>& states);
 
-/// What an observable is emulated over, so that what is left changes little: value = offset + size
-/// x process. Capillary stresses over s22 go with 1/P*, the gap of distant pairs with the rupture
-/// distance.
+/// Scaling of an observable before emulation, chosen so that the emulated remainder varies little:
+/// value = offset + size x process. Capillary stresses over s22 go with 1/P*, the gap of distant
+/// pairs with the rupture distance.
 struct Unit {
     double offset = 0, size = 1;
     double by_inverse_pressure = 0, by_bridge_volume = 0;  ///< derivatives of `size`

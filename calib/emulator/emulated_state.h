@@ -9,8 +9,8 @@
 
 namespace pendular {
 
-/// What the emulator says of one observable at one state, as a run of a stiffness number would have
-/// measured it.
+/// Emulated value of one observable at one state, with its error, as a run of the given stiffness
+/// number would measure it.
 struct EmulatedObservable {
     dem::Observable which;
     Estimate value;
@@ -27,7 +27,7 @@ std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const Flow
                                             double stiffness_number,
                                             const std::vector<dem::Observable>& which);
 
-/// Those that beads at this state have.
+/// Observables that are defined at this state: those of bridges only where the grains are wet.
 std::vector<dem::Observable> observables_of(const FlowState& state);
 
 }  // namespace pendular

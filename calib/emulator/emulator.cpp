@@ -43,7 +43,7 @@ double response_amplitude(const EffectValues& values, double friction) {
     return p.amplitude ? p.amplitude(value) - p.amplitude(p.neutral) : value - p.neutral;
 }
 
-/// What the response of an observable to an effect goes in proportion to.
+/// Factor to which the response of an observable to an effect is proportional.
 double response_size(const EffectValues& values, const FlowState& state, Observable which) {
     const bool with_pressure = domain_of(which) == Domain::all_flow &&
                                built_in_effect(values.effect).fades_with_capillarity;

@@ -15,10 +15,10 @@
 
 namespace pendular {
 
-/// What runs say of all the states between them: a `PlainEmulator` and, for each effect on grains,
-/// its response, learned from the runs that have it alone (EffectResponse). Changes by several
-/// effects add up; derivatives are those without effects. It is a value: any number of threads may
-/// ask it at once.
+/// Emulator of all states between the training runs: a `PlainEmulator` and, for each effect on
+/// grains, its response, trained on the runs that have this effect alone (EffectResponse). Changes
+/// by several effects add up; derivatives are those without effects. It is a value: any number of
+/// threads may ask it at once.
 class Emulator {
   public:
     /// As `PlainEmulator`.
@@ -26,7 +26,7 @@ class Emulator {
              double structure_stiffness = emulated::reference_stiffness)
         : plain_(runs, std::move(hyperparameters), structure_stiffness) {}
 
-    /// The same with more runs; nothing is learned anew.
+    /// Returns the emulator with further training runs and unchanged hyperparameters.
     Emulator with(const std::vector<dem::RunResult>& more) const;
 
     /// Scales in use, those learned so far included.
@@ -43,7 +43,7 @@ class Emulator {
     /// not. Slower flow than any run is extrapolated, with its error, and no matter of this.
     std::string beyond(const FlowState& state) const;
 
-    /// Those that teach.
+    /// Training runs.
     const std::vector<dem::RunResult>& runs() const { return plain_.runs(); }
 
     /// Covariance of what a run says of stress ratio and solid fraction about what a longer one

@@ -11,8 +11,8 @@ namespace pendular {
 /// @throws std::invalid_argument where no place is known
 Hyperparameters fit_hyperparameters(Domain domain, const Observations& known, double unit);
 
-/// What that minimises, -ln(likelihood) - ln(prior) up to a constant, with its derivatives by the
-/// logarithms of the scales in the order of `Hyperparameters::names`.
+/// Objective of the fit, -ln(likelihood) - ln(prior) up to a constant, with its derivatives by the
+/// logarithms of the hyperparameters in the order of `Hyperparameters::names`.
 double hyperparameter_cost(Domain domain, const Observations& known, double unit, const Hyperparameters& hyperparameters,
                    double* gradient);
 

@@ -19,7 +19,7 @@ struct Functional {
     int derivative = value;
 };
 
-/// What an emulated quantity is about.
+/// Kind of an emulated quantity, which decides its dry limit.
 enum class Domain {
     all_flow,  ///< defined for dry beads too, which it goes over into as 1/P* -> 0
     contacts,  ///< likewise, but with a step: beads that touched nothing now hang in bridges
@@ -71,7 +71,7 @@ class Kernel {
     double operator()(const Prepared& a, const Prepared& b) const {
         return coefficient_variance_ * a.polynomial.dot(b.polynomial) + of_processes(a, b);
     }
-    /// What of it is not the polynomial's.
+    /// Covariance of the Gaussian processes alone, without the polynomial.
     double of_processes(const Prepared& a, const Prepared& b) const;
     /// Variance of each coefficient of the polynomial, whose terms are uncorrelated.
     double coefficient_variance() const { return coefficient_variance_; }

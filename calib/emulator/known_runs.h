@@ -9,7 +9,7 @@
 
 namespace pendular {
 
-/// What an emulator begins with.
+/// Training runs, with hyperparameters where they are known already.
 struct KnownRuns {
     std::vector<dem::RunResult> runs;  ///< none: the planner makes a first design of its own
     EmulatorHyperparameters hyperparameters;             ///< those missing are learned

@@ -28,7 +28,7 @@ Observable process_for(Observable which) {
     return in_pair(which) ? pair[0] : which;
 }
 
-/// What the process of an observable knows: of the pair, both.
+/// Training observations of an observable's process; of both for the pair.
 Observations observations_of(const std::vector<dem::RunResult>& runs, Observable which,
                              double structure_stiffness) {
     std::vector<Observable> quantities = {which};

@@ -13,13 +13,13 @@
 
 namespace pendular {
 
-/// What runs of beads without effects say of all the states between them: for each observable a
-/// Gaussian process over friction, inertial number, reduced pressure and bridge volume, whose noise
-/// is the runs' own. The stress ratio and the solid fraction of one run are correlated, and so are
-/// what is said of them. Observables are those of runs but for two that depend on stiffness in a
-/// known way, so that runs of any stiffness serve: the solid fraction is that of rigid beads and
-/// the overlap is that at the stiffness number `emulated::reference_stiffness`. What else is told
-/// of structure is that of runs of about one stiffness, on which it depends weakly.
+/// Emulator of grains without effects: for each observable a Gaussian process over friction,
+/// inertial number, reduced pressure and bridge volume, whose noise is the runs' own. The stress
+/// ratio and the solid fraction of one run are correlated, and so are what is said of them.
+/// Observables are those of runs but for two that depend on stiffness in a known way, so that runs
+/// of any stiffness serve: the solid fraction is that of rigid beads and the overlap is that at the
+/// stiffness number `emulated::reference_stiffness`. What else is told of structure is that of runs
+/// of about one stiffness, on which it depends weakly.
 ///
 /// A process is trained when it is first asked for, once for all threads.
 class PlainEmulator {
@@ -46,7 +46,7 @@ class PlainEmulator {
     /// Variance of what a run says about what a longer one would: of the error it states and of the
     /// scatter between runs beyond that.
     double noise_variance(const dem::RunResult& run, dem::Observable which) const;
-    /// The same of stress ratio and solid fraction together.
+    /// Covariance of the noise of stress ratio and solid fraction of one run [1].
     Eigen::Matrix2d noise(const dem::RunResult& run) const;
 
     /// Stiffness number of the runs that tell of structure, but for a factor 2.
@@ -63,7 +63,7 @@ class PlainEmulator {
     const GaussianProcess& process_of(dem::Observable which) const;
     std::unique_ptr<const GaussianProcess> trained(dem::Observable which) const;
 
-    /// What is learned when it is first needed.
+    /// State that is computed when it is first needed.
     struct Learned {
         struct Process {
             std::once_flag once;

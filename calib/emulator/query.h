@@ -8,7 +8,7 @@
 
 namespace pendular {
 
-/// What an emulated observable may be differentiated by.
+/// Variable by which an emulated observable is differentiated.
 enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
 
 /// An observable at a state, or its derivative there.

@@ -48,7 +48,7 @@ void check_wet(const Reading& reading, const Study& study, const Fidelity& fidel
     }
 }
 
-/// What was set aside because it cannot be right; empty if nothing was.
+/// Readings and rows that import set aside as impossible, as a sentence; empty if there are none.
 std::string set_aside(const Measurements& measurements) {
     const auto doubt = std::ranges::find_if(measurements.doubts, &Doubt::set_aside);
     return doubt == measurements.doubts.end()
@@ -56,7 +56,7 @@ std::string set_aside(const Measurements& measurements) {
                : "readings were set aside, the first for: " + doubt->what;
 }
 
-/// What to do about a study without any reading.
+/// Advice for a study without any reading.
 std::string why_no_reading(const Measurements& measurements) {
     if (std::string aside = set_aside(measurements); !aside.empty()) return aside;
     return measurements.excluded.empty()
@@ -153,7 +153,7 @@ bool learn_wet(PlannedModel& model, const Calibration& c) {
     return false;
 }
 
-/// What direct measurements know of parameters: J' Sigma^-1 J.
+/// Information of direct measurements on the parameters: J' Sigma^-1 J.
 Eigen::MatrixXd information_of(const std::vector<DirectMeasurement>& direct,
                                const std::vector<Parameter>& parameters) {
     const auto count = static_cast<Eigen::Index>(parameters.size());

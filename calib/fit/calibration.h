@@ -32,7 +32,7 @@ struct Calibration {
     bool cold = false;  ///< whether it began without any known run
     std::vector<Parameter> parameters;
     Fit fit;
-    /// Of all readings; those only predicted as by `predict_unseen`.
+    /// Predictions of all readings; readings that are predicted only follow `predict_unseen`.
     Prediction prediction;
     CohesionOptions cohesion;
     std::vector<CohesionLine> cohesion_lines;  ///< measured, then simulated; none where dry

@@ -19,9 +19,9 @@
 namespace pendular {
 namespace {
 
-/// Below this reduced pressure the source saw the flow localise.
+/// Below this reduced pressure Badetti et al. (2018) saw the flow localise.
 constexpr double uniform_reduced_pressure = 0.5;
-/// What lowers the errors of a model whose runs know too little of the readings.
+/// Advice on lowering the model's errors where the training runs are too few near the readings.
 std::string remedy(const Calibration& c) {
     return c.orders.empty() ? "fresh runs there help, which 'calibrate' and 'add --confirm' make"
                             : "a higher fidelity helps";
@@ -79,8 +79,8 @@ std::optional<std::string> unsure_note(const Calibration& c) {
     return std::nullopt;
 }
 
-/// What a parameter at a bound of its range means: that an effect is not needed where the bound is
-/// its neutral value, else that the readings ask for more than it can give.
+/// Note on a parameter that ends at a bound: the effect is not needed where the bound is its
+/// neutral value; elsewhere the fit would go beyond the bound.
 std::string bound_note(const Parameter& parameter, double value, const ResolvedStudy& resolved) {
     const Study& study = resolved;
     const auto dot = parameter.name.rfind('.');

@@ -43,7 +43,7 @@ std::string name_of(const WetGroup& group) {
                              group.inertial_number);
 }
 
-/// What a kind of lines needs beside the readings.
+/// Values to which one kind of line is fitted.
 struct Task {
     std::string source;
     Measured values;            ///< stacked as those of a model

@@ -39,7 +39,7 @@ struct CohesionLine {
 double stress_ratio(const CohesionLine& line, double reduced_pressure);
 
 struct CohesionOptions {
-    /// Points of a lower P* are not fitted: the source's choice; the straight line is too high for
+    /// Points of a lower P* are not fitted: choice of Badetti et al. (2018); the straight line is too high for
     /// P* <= 1.
     double lowest_reduced_pressure = 2.3;
 
@@ -58,11 +58,12 @@ std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, c
                                          const Liquid& liquid, const CohesionOptions& options,
                                          std::vector<std::string>& notes);
 
-/// The same for what a model predicts of these readings: the line that the same procedure, with the
-/// weights of the readings, draws through the predictions; its errors are those that the full
-/// covariance of the predictions causes. (Weights by that covariance itself would go wrong: points
-/// whose errors are nearly common decide a line by their small differences, and simulated stress
-/// ratios are not exactly straight.) chi2 says whether the readings' errors would show the bend.
+/// Cohesion lines through the model's predictions of these readings: the line that the same
+/// procedure, with the weights of the readings, draws through the predictions; its errors are those
+/// that the full covariance of the predictions causes. (Weights by that covariance itself would go
+/// wrong: points whose errors are nearly common decide a line by their small differences, and
+/// simulated stress ratios are not exactly straight.) chi2 says whether the readings' errors would
+/// show the bend.
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          const Prediction& predicted, const GrainProperties& grains,
                                          const Liquid& liquid, const CohesionOptions& options,

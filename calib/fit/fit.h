@@ -17,7 +17,8 @@ namespace pendular {
 struct Measured {
     Eigen::VectorXd value;
     Eigen::MatrixXd covariance;  ///< with the scatter of replicates as it was estimated
-    /// What standard errors count beyond that, since few replicates tell the scatter; empty: none.
+    /// Widening of the covariance of the readings for standard errors, since few replicates
+    /// determine the scatter; empty: none.
     Eigen::MatrixXd widening = {};
 };
 Measured stack(const std::vector<Reading>& readings,
@@ -26,7 +27,7 @@ Measured stack(const std::vector<Reading>& readings,
 /// Outcome of one least-squares fit.
 struct Fit {
     Eigen::VectorXd parameters;
-    /// Of the parameters, (J' J)^-1 of the whitened derivatives; not scaled by chi2/dof.
+    /// Covariance of the parameters, (J' J)^-1 of the whitened derivatives; not scaled by chi2/dof.
     Eigen::MatrixXd covariance;
     Eigen::MatrixXd widening;  ///< of the parameters, beyond `covariance`: see Measured::widening
     Eigen::MatrixXd measurement_part;  ///< what of it the measurement alone causes
@@ -38,7 +39,8 @@ struct Fit {
     Prediction prediction;       ///< at the parameters
     std::string message;         ///< what Ceres said
 
-    /// Of a parameter, in its unit, widened where few replicates tell the scatter.
+    /// Standard error of a parameter, in its unit, widened where few replicates determine the
+    /// scatter.
     double standard_error(Eigen::Index k) const;
     double measurement_error(Eigen::Index k) const;
     double simulation_error(Eigen::Index k) const;
@@ -87,7 +89,7 @@ class LearningModel {
   public:
     virtual ~LearningModel() = default;
 
-    /// What it says by now.
+    /// Model with all runs that were simulated so far.
     virtual const Model& model() const = 0;
     /// Learns more about the neighbourhood of `parameters`, where a fit has arrived. `excess` is
     /// the factor by which the variance that simulation causes in the fit is too large: above 1,

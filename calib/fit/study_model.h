@@ -19,12 +19,12 @@ class StudyModel {
     /// The model of a finished calibration, made again from its runs.
     StudyModel(const ResolvedStudy& study, const Calibration& calibration);
 
-    /// What the instrument shows, all effects included.
+    /// Model of the readings as the instrument shows them, with all effects.
     const EffectModel& model() const { return *model_; }
     std::shared_ptr<const EffectModel> predictor() const { return model_; }
     const EmulatedSimulation& simulation() const { return *simulation_; }
-    /// The same model on an instrument that shows the truth: without the study's effects on the
-    /// instrument. What grains and liquid do is all in it.
+    /// Model on an ideal instrument: with the study's effects on grains and liquid, without those
+    /// on the instrument.
     const EffectModel& flow() const { return *flow_; }
     /// model() at readings and, after them, the study's direct measurements.
     ModelOfReadings at(const std::vector<Reading>& readings) const;

@@ -8,7 +8,7 @@
 namespace pendular {
 
 std::vector<std::string> undetermined(const Fit& fit, const std::vector<Parameter>& parameters) {
-    /// Of the largest component, from which on a parameter counts as part of a combination.
+    /// Share of the largest component from which a parameter counts as part of a combination [1].
     constexpr double smallest_of_interest = 0.01;
     const auto n = static_cast<Eigen::Index>(parameters.size());
     Eigen::VectorXd ranges(n);

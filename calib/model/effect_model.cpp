@@ -16,7 +16,7 @@ constexpr double start_share = 0.3;
 /// Step of the difference quotients, of the size that matters.
 constexpr double step_share = 1e-3;
 
-/// Of readings that tell no height: what they are taken at.
+/// Solid fraction and stress ratio assumed for readings without a height [1].
 constexpr double typical_solid_fraction = 0.6, typical_stress_ratio = 0.3;
 
 double start_of(const Effect& effect, const EffectParameter& p, const Study& study) {
@@ -28,7 +28,7 @@ double start_of(const Effect& effect, const EffectParameter& p, const Study& stu
 
 }  // namespace
 
-/// What is truly there where readings are shown.
+/// True states of the cell at the conditions that the instrument shows.
 struct EffectModel::Truths {
     std::vector<ActiveEffect> effects;
     std::vector<InstrumentMap> maps;          ///< one a reading; empty where none touches it

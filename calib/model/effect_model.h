@@ -29,10 +29,10 @@ class EffectModel : public Predictor {
                        PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override;
 
-    /// What errors of the model inside make of the change from a model on the same inside, with
-    /// fewer effects, to this one. An effect on grains is known from runs of its own, whose errors
-    /// have nothing to do with those of the model without; what others change follows from
-    /// predictions at neighbouring conditions, whose errors are much the same.
+    /// Errors of the change from a model on the same inner model, with fewer effects, to this one.
+    /// An effect on grains is known from runs of its own, whose errors have nothing to do with
+    /// those of the model without; what others change follows from predictions at neighbouring
+    /// conditions, whose errors are much the same.
     ModelSpace::ChangeErrors change_errors(const Eigen::VectorXd& parameters,
                                            const EffectModel& without,
                                            const Eigen::VectorXd& parameters_without,
@@ -48,7 +48,7 @@ class EffectModel : public Predictor {
 
   private:
     struct Truths;
-    /// Of readings at these conditions at these parameters.
+    /// True states of the cell for readings at these conditions and parameters.
     Truths truths_at(const Eigen::VectorXd& parameters,
                      const std::vector<Condition>& conditions) const;
     Eigen::VectorXd inside_parameters(const Eigen::VectorXd& parameters) const {

@@ -43,7 +43,7 @@ class EmulatedSimulation : public FlowPredictor {
     double allowed(double friction) const;
 
   private:
-    /// What the errors of predictions are made of.
+    /// Contributions to the errors of predictions.
     struct Errors;
     Prediction predict_slopes(const std::vector<FlowState>& states,
                               const std::vector<EffectiveCondition>& conditions,
@@ -52,8 +52,8 @@ class EmulatedSimulation : public FlowPredictor {
                                    const std::vector<EffectiveCondition>& conditions) const;
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
-    /// Of the shift of the solid fraction at the reference stiffness, the part that the beads of a
-    /// reading do not show.
+    /// Share of the stiffness correction of the solid fraction that a reading at this condition
+    /// still needs [1].
     double stiffness_left(const EffectiveCondition& condition) const;
     StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;
 

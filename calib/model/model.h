@@ -19,13 +19,12 @@ struct Parameter {
     double start = 0;
 };
 
-/// What of a prediction is wanted; each includes those before it.
+/// Requested part of a prediction; each part includes the ones before it.
 enum class PredictionPart { values, slopes, covariance };
 
-/// What a model says of n readings, and how sure it is. Entries 2 k and 2 k + 1 belong to reading
-/// k: its shear stress magnitude [Pa] and its solid fraction [1]. Where a model is asked for a
-/// study's direct measurements too, m entries follow, one each in its unit. What was not asked for
-/// is empty.
+/// Prediction of n readings with its errors. Entries 2 k and 2 k + 1 belong to reading k: its shear
+/// stress magnitude [Pa] and its solid fraction [1]. Where a model is asked for a study's direct
+/// measurements too, m entries follow, one each in its unit. What was not asked for is empty.
 struct Prediction {
     Eigen::VectorXd value;     ///< 2 n + m
     Eigen::MatrixXd jacobian;  ///< 2 n + m x parameters
@@ -38,8 +37,8 @@ struct Prediction {
 std::optional<Eigen::Index> place_of(const DirectMeasurement& direct,
                                      const std::vector<Parameter>& parameters);
 
-/// What a model with these parameters at these values says of a direct measurement: the parameter,
-/// or neutral where it has none of that name.
+/// Prediction of a direct measurement by a model with these parameters: the parameter's value, or
+/// its neutral value where the model lacks it.
 double predicted_value(const DirectMeasurement& direct, const std::vector<Parameter>& parameters,
                        const Eigen::VectorXd& values);
 

@@ -43,8 +43,8 @@ class ModelSpace {
         Eigen::MatrixXd change;        ///< Cov(g, g)
         Eigen::MatrixXd with_without;  ///< Cov(f(without), g)
     };
-    /// Of the change from the model with `chosen` at `parameters` to that with candidate `added` at
-    /// `value` of its first parameter (1 for a switch).
+    /// Errors of the change from the model with `chosen` at `parameters` to the model with
+    /// candidate `added` at `value` of its first parameter (1 for a switch).
     virtual ChangeErrors change_errors(const EffectSet& /*chosen*/,
                                        const Eigen::VectorXd& /*parameters*/, std::size_t /*added*/,
                                        double /*value*/) const {

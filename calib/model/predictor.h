@@ -36,12 +36,12 @@ class Predictor {
     Point predict_at(const Eigen::VectorXd& parameters, const Condition& condition) const;
 };
 
-/// What lies behind an instrument: predicts what is truly there.
+/// Predictor of the true flow in the cell, before an instrument shows it.
 class FlowPredictor : public Predictor {
   public:
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                        PredictionPart what = PredictionPart::covariance) const final;
-    /// The same for grains and liquid as effects make them.
+    /// Prediction of the true flow for grains and liquid as changed by effects.
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
                                     PredictionPart what = PredictionPart::covariance) const = 0;

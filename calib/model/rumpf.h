@@ -31,7 +31,7 @@ class RumpfModel : public FlowPredictor {
     ParameterBounds bounds() const override { return simulation_->bounds(); }
 
   private:
-    /// What the closure makes of a wet condition.
+    /// Closure applied to a wet condition: its stresses and their derivatives.
     struct Closure {
         StructureResponse z, shear;  ///< Z* and a^2 s12cap/F0
         double pressure = 0;         ///< P*

@@ -42,7 +42,7 @@ constexpr double extrapolation_factor = 10, fastest_extrapolated = 0.3;
 constexpr double fitted_width = 0.4, whole_width = 1.4, volume_width = 0.4;
 constexpr std::size_t fewest_wet = 8;
 
-/// What counts as equally grave an error of stress ratio and of solid fraction [1].
+/// Errors of stress ratio and solid fraction that count as equally large [1].
 const Eigen::Vector2d grave(0.01, 0.002);
 
 /// The noise of a run to come, from the mean of those known.

@@ -41,7 +41,7 @@ class RunPlanner {
     /// it orders what lies beyond the known runs, later what confirms. `excess` is the factor by
     /// which the variance that simulation causes in a fit is too large.
     void improve(double friction, const std::vector<EffectiveCondition>& conditions, double excess);
-    /// The same for the wet ones alone, `turns` times as many for each wet setting.
+    /// Improves the wet predictions alone, with `turns` times as many runs for each wet setting.
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
     /// Whether the last fresh runs agreed with what the emulator said of them before, at 1 %.
@@ -68,8 +68,8 @@ class RunPlanner {
     void order_beyond(double friction, const std::vector<EffectiveCondition>& conditions, bool wet);
     void confirm(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                  double excess);
-    /// Those states, one after the other and some more than once, where a run lowers the variance
-    /// at the targets most; until it has fallen by a factor `excess`.
+    /// States at which a run reduces the variance at the targets most, one after the other, some
+    /// repeatedly, until the variance has fallen by a factor `excess`.
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;

@@ -29,7 +29,7 @@ class StudyModels : public ModelSpace {
 
     const std::vector<Candidate>& candidates() const override { return candidates_; }
     std::shared_ptr<const Model> with(const EffectSet& chosen) const override;
-    /// The same model of any conditions.
+    /// Model with this effect set for any conditions.
     std::shared_ptr<const EffectModel> predictor(const EffectSet& chosen) const;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;

@@ -30,7 +30,7 @@ class Columns {
 
     /// @throws InputError naming the column and those that were found, if it is not there
     void require(std::string_view name) const;
-    /// The same for the one of several columns that is there.
+    /// Returns the one of two columns that the table has.
     /// @throws InputError if none or more than one is
     std::string_view require_one_of(std::string_view first, std::string_view second) const;
 

@@ -5,7 +5,7 @@
 
 namespace pendular {
 
-/// What a header cell such as "Torque_sd [mN m]" says.
+/// Content of a header cell such as "Torque_sd [mN m]": name and unit.
 struct HeaderCell {
     std::string name;        ///< "Torque", without the mark of a standard deviation
     std::string unit;        ///< "mN m"; empty if none is given

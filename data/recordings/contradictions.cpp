@@ -81,7 +81,7 @@ std::vector<std::size_t> rows_off(const ColumnPair& pair, double factor) {
     return rows;
 }
 
-/// What a factor between two columns may come from.
+/// Likely cause of a constant factor between two columns, as text.
 std::string cause_of(const ColumnPair& pair, double factor) {
     const auto is = [&](double other) { return std::abs(factor / other - 1) < factor_tolerance; };
     if (pair.quantity == "shear_stress" && (is(2) || is(0.5)))

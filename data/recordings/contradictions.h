@@ -11,7 +11,7 @@
 
 namespace pendular {
 
-/// What of a recording contradicts itself.
+/// Contradictions between the columns of one recording.
 struct Contradictions {
     std::set<int> lines;              ///< of rows that are at odds with the rest of the file
     std::optional<std::string> file;  ///< why none of the file can be relied on

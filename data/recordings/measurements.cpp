@@ -28,7 +28,7 @@ void append(Measurements& to, const Measurements& from) {
     append(to.notes, from.notes);
 }
 
-/// What the files of a study have in common, in run order.
+/// State that the files of a study share, in run order.
 struct FilesBefore {
     RunClock clock;
     KnownRows rows;

@@ -25,7 +25,7 @@ double greatest_stress_ratio(double reduced_pressure) {
 
 namespace {
 
-/// What is wrong with one value of a reading.
+/// One value of a reading that is impossible, with the limit that it violates.
 struct Impossible {
     std::string_view quantity;
     std::string words;  ///< "solid fraction"

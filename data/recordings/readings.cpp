@@ -144,7 +144,7 @@ std::optional<double> bead_volume(const Points& points, const Row& row) {
     return of_cell > 0 ? std::optional(of_cell) : std::nullopt;
 }
 
-/// What the cell and its beads were at a reading, as far as it is known.
+/// Sets time, height and bead volume of a reading, as far as they are known.
 void set_cell(const Points& points, const Row& row, Reading& reading) {
     Condition& condition = reading.condition;
     condition.time = points.columns.value_if_any(row, "time").value_or(0);

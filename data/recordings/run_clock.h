@@ -6,7 +6,7 @@ namespace pendular {
 /// times go on they count as they stand, and where they restart, the new stretch follows the last.
 class RunClock {
   public:
-    /// What to add to the times of the next stretch, from its first to its last [s].
+    /// Offset for the times of the next stretch, given its first and last time [s].
     double shift(double first, double last) {
         if (first < last_) shift_ += last_;
         last_ = last;

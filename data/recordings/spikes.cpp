@@ -20,7 +20,7 @@ double local_median(std::span<const double> series, std::size_t at) {
     return median({series.begin() + first, series.begin() + last});
 }
 
-/// Those of the places that follow each other in runs of at most `longest`.
+/// Places that follow each other in runs of at most `longest`.
 std::vector<std::size_t> short_runs(const std::vector<std::size_t>& places) {
     std::vector<std::size_t> result;
     for (std::size_t begin = 0; begin < places.size();) {

@@ -14,7 +14,7 @@
 namespace pendular {
 namespace {
 
-/// What the steps of one recording have in common.
+/// Quantities that all steps of one recording share.
 struct Setting {
     const Recording& recording;
     const AnnularCell& cell;

@@ -36,7 +36,7 @@ Measurements reduce_recording(const Recording& recording, const AnnularCell& cel
                               const GrainProperties& grains, double liquid_content, RunClock& clock,
                               const ImportSettings& choice = {});
 
-/// The same of a recording that is the first.
+/// Reduces a recording that is the first of its study.
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content);
 

@@ -10,7 +10,7 @@ namespace pendular {
 /// Strain of a series [1]: mean shear rate times the time from its first to its last sample.
 double strain_of(const StepSeries& series, const AnnularCell& cell);
 
-/// What a step too short for steady shear looks like: loading or unloading (the normal force
+/// Describes a step that is too short for steady shear: loading or unloading (the normal force
 /// changes by more than a fifth), consolidation (the gap shrinks by more than 1 %), shear to
 /// failure (the torque peaks and drops), preshear (it levels off), or shear that was stopped while
 /// it rose.

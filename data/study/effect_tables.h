@@ -33,8 +33,8 @@ struct WrittenEffect {
     bool of_instrument() const;
 };
 
-/// What a formula of an [[effect]] can give: of the instrument, and of the beads. An effect has
-/// formulas of one of the two.
+/// Quantities that a formula of an [[effect]] can set: on the instrument and on the beads. An
+/// effect sets quantities of one of the two.
 const std::vector<std::string>& instrument_targets();
 const std::vector<std::string>& flow_targets();
 

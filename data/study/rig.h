@@ -15,13 +15,13 @@ struct Span {
     double least = 0, greatest = 0;
 };
 
-/// What can be measured next on a study's rig: [rig] in study.toml.
+/// Range of conditions that a rig can be set to: [rig] in study.toml.
 struct Rig {
     Span normal_stress;                         ///< [Pa]
     std::optional<Span> inertial_number;        ///< [1]; one of these two
     std::optional<Span> shear_rate;             ///< [1/s]
     std::vector<double> liquid_contents = {0};  ///< Phi_L/Phi_S [1]
-    /// Of the beads in the cell [m^3]; empty: what the study's cell holds.
+    /// Volumes of beads in the cell [m^3]; empty: the volume of the study's cell.
     std::vector<double> bead_volumes = {};
     int repeats = 5;          ///< most readings at one point
     int readings = 12;        ///< most in all, where one point is not enough

@@ -119,7 +119,8 @@ Source read_source(const StudyTable& table, Source::Kind kind, const Study& stud
     return source;
 }
 
-/// What only raw recordings need: a cell, its beads, and in a wet study how wet they are.
+/// Checks the entries that only raw recordings need: the cell, its beads and, in a wet study, the
+/// liquid content.
 void check_recording(const Source& source, const Study& study) {
     if (!study.cell)
         throw InputError(source.position,

@@ -33,7 +33,7 @@ struct ListedEffect {
     Position position;  ///< in the list
 };
 
-/// What to do with the model.
+/// Settings of the model: [model] in study.toml.
 struct ModelSettings {
     std::string base = "dem";
     std::vector<std::string> calibrate = {"friction"};
@@ -42,7 +42,7 @@ struct ModelSettings {
     FormulaVariant bridge_force = FormulaVariant::derived;
 };
 
-/// What import believes: [import] in study.toml.
+/// Settings of import: [import] in study.toml.
 struct ImportSettings {
     bool keep_implausible = false;  ///< doubted readings are used all the same
     double least_strain = 1;        ///< of the steady part of a step [1]; less is no steady shear

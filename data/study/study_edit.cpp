@@ -280,7 +280,7 @@ Edit new_key(const StudyText& study, const toml::table& model, const std::string
                 (dotted ? "model." : "") + list};
 }
 
-/// The same where there is no [model].
+/// Edit that adds an effect to a study without [model].
 Edit new_table(const StudyText& study, const std::string& name) {
     const std::string end = study.line_break();
     const std::string& text = study.text();

@@ -13,7 +13,7 @@ namespace pendular {
 ///         out in a way that only its author can change; it says what to write
 std::string with_effect(const std::string& text, const std::string& file, std::string_view name);
 
-/// The same without the effect.
+/// Returns the text of study.toml without the effect in its list.
 /// @throws InputError likewise, and where the effect is not listed, with what is
 std::string without_effect(const std::string& text, const std::string& file, std::string_view name);
 

@@ -35,12 +35,12 @@ class StudyTable {
     static StudyTable parse(const std::string& file, const std::string& text,
                             const std::vector<std::string>& keys);
 
-    /// The same of a file.
+    /// Reads a table from a file.
     /// @throws InputError also where it cannot be read
     static StudyTable read(const std::filesystem::path& file, const std::vector<std::string>& keys);
 
     bool has(std::string_view key) const;
-    /// Of a key's value, or of the table where the key is not there.
+    /// Position of a key's value, or of the table where the key is missing.
     Position at(std::string_view key) const;
     const Position& position() const { return position_; }
     /// As the file has it: "[grains]", "[[effect]]"; empty of the whole file.
@@ -55,11 +55,11 @@ class StudyTable {
 
     /// Value in SI units of a string with its unit, or of a plain number where `unit` is "1".
     std::optional<double> quantity(std::string_view key, std::string_view unit) const;
-    /// The same where a plain number counts in `unit`.
+    /// Value of a key in SI units; a plain number counts in `unit`.
     std::optional<double> quantity_in(std::string_view key, const Unit& unit) const;
     /// Like `quantity` where the key must be there.
     double required_quantity(std::string_view key, std::string_view unit) const;
-    /// The same where the value must be positive too.
+    /// Value of a key in SI units, which must be positive.
     double positive_quantity(std::string_view key, std::string_view unit) const;
 
     /// Values in SI units, one or an array of them, each as for `quantity`; empty where the key is

@@ -53,7 +53,7 @@ struct Fit {
     std::vector<Reading> readings;  ///< with their predictions
 };
 
-/// What a diagnosis says.
+/// Verdict of a diagnosis.
 struct Verdict {
     /// "nothing-missing", "inconclusive", "missing", "indistinguishable", "unknown" or
     /// "suspect-measurement".
@@ -93,7 +93,7 @@ struct SetPoint {
     double liquid_content = 0;   ///< liquid over solid volume [1]; 0: dry
 };
 
-/// What a fitted model predicts at a set point, as the instrument shows it.
+/// Prediction of a fitted model at a set point, as the instrument shows it.
 struct Prediction {
     SetPoint at;                      ///< where
     double shear_stress = 0;          ///< [Pa]
@@ -109,7 +109,7 @@ struct NextReading {
     int repeats = 1;     ///< how often
 };
 
-/// What to measure next.
+/// Suggested next measurement.
 struct Suggestion {
     std::vector<std::string> rivals;    ///< models that are left; one: nothing to tell apart
     std::vector<NextReading> readings;  ///< empty: the rig tells none of the rivals apart
@@ -137,10 +137,10 @@ class Session {
     ~Session();
     /// Sessions are moved, not copied: each has its files open.
     Session(Session&&) noexcept;
-    /// Likewise.
+    /// Moves a session.
     Session& operator=(Session&&) noexcept;
 
-    /// What was measured, as stresses and solid fractions.
+    /// Measured stresses and solid fractions.
     std::vector<Reading> readings() const;
 
     /// Fits the study's parameters, the friction among them, by simulation, and writes fit.json to

@@ -20,13 +20,13 @@ struct DirectMeasurement {
     double standard_error = 0;  ///< [unit]
 };
 
-/// What a study or its rig states, in the terms of the effect.
+/// Direct measurement as a study or its rig states it, in the unit of the effect's parameter.
 /// @throws InputError for an effect that is unknown, a switch, or does not apply to the study, and
 ///         for a value or error in another unit than the effect's
 DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
                                      const EffectCatalogue& catalogue);
 
-/// Those of a study, [[direct]].
+/// Direct measurements of a study, from [[direct]].
 /// @throws InputError likewise
 std::vector<DirectMeasurement> direct_measurements(const Study& study,
                                                    const EffectCatalogue& catalogue);

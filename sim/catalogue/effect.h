@@ -36,7 +36,7 @@ struct ChangeClosure {
     bool closures::Terms::*term = nullptr;  ///< that is on with the effect
 };
 
-/// What beads of a state show: mu* and Phi_S [1].
+/// Stress ratio mu* and solid fraction Phi_S of a state [1].
 struct FlowPoint {
     double stress_ratio = 0, solid_fraction = 0;
 };
@@ -63,8 +63,9 @@ struct Effect {
     std::vector<EffectParameter> parameters;
     Change change;
     Touches touches = Touches::all;
-    /// Of an effect on grains: it changes what capillary forces do, so that what it adds to flow
-    /// goes with 1/P*. One that adds forces of its own between wet beads, as viscosity, does not.
+    /// Whether an effect on grains changes capillary forces, so that its change of the flow is
+    /// proportional to 1/P*. An effect with its own forces between wet grains, such as viscosity,
+    /// does not.
     bool fades_with_capillarity = false;
     /// The property of a liquid that is the effect's parameter: the effect is on, at that value,
     /// wherever there is a liquid, without being listed. None: off unless listed.
@@ -105,7 +106,7 @@ struct ActiveEffect {
 /// "lid-slip (fraction 0.1)", for messages.
 std::string to_string(const ActiveEffect& active);
 
-/// Those of some effects that touch beads with or without liquid.
+/// Effects that touch dry grains, or wet ones.
 std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects, bool dry);
 
 /// A condition as the effects on beads and liquid make it: those of type ChangeCondition are

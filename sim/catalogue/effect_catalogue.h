@@ -32,7 +32,7 @@ class EffectCatalogue {
     /// Whether it comes from the study.
     bool is_written(const Effect& effect) const;
 
-    /// Those that the study lists, in its order.
+    /// Effects that the study lists, in its order.
     /// @throws InputError at the name in the list where it is unknown, with the nearest one, or
     ///         does not apply to the study
     std::vector<const Effect*> active(const Study& study) const;

@@ -30,13 +30,13 @@ std::string place(const std::string& text, std::size_t byte) {
     return fmt::format("at character {}", characters + 1);
 }
 
-/// What muParser says without the places it gives, which count from 0.
+/// Message of muParser without its positions, which count from 0.
 std::string without_places(const std::string& message) {
     static const std::regex said("( found)? at( expression)? position [0-9]+|[.]$");
     return std::regex_replace(message, said, "");
 }
 
-/// What is wrong, in a user's words where muParser knows only tokens.
+/// Error of a formula in a user's terms, where muParser names only tokens.
 std::string explained(const mu::ParserError& error, const std::string& text,
                       const std::vector<std::string>& variables) {
     if (error.GetCode() == mu::ecEMPTY_EXPRESSION) {

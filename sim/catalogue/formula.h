@@ -8,7 +8,7 @@
 
 namespace pendular {
 
-/// What a formula that cannot be read ends in: what is wrong, where in it, what to do.
+/// Error of a formula that cannot be read: the mistake, its place, the remedy.
 class FormulaError : public std::runtime_error {
     using runtime_error::runtime_error;
 };

@@ -121,7 +121,7 @@ std::string cell_state_text(const CellState& state) {
         state.normal_force, 1e3 * state.height, 1e6 * state.bead_volume);
 }
 
-/// What of a state cannot be, in words; empty where it can.
+/// Impossible quantity of a state, as text; empty where the state is possible.
 std::string impossible(const CellState& state) {
     return !(state.normal_force > 0) ? fmt::format("normal force is {:.4g} N", state.normal_force)
            : !(state.height > 0)     ? fmt::format("gap is {:.4g} mm", 1e3 * state.height)

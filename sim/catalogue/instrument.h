@@ -21,7 +21,8 @@ class InstrumentMap {
     /// Whether what is shown is the truth.
     bool empty() const { return effects_.empty(); }
 
-    /// What the instrument shows of a true state; the state itself, bit for bit, without effects.
+    /// State that the instrument shows for a true state; without effects the state itself, bit for
+    /// bit.
     CellState show(CellState truth) const;
 
     /// The true state that is shown so, by Newton's method to 1e-12 of the size of each value:

@@ -17,7 +17,7 @@ class ResolvedStudy {
     /// @throws InputError for an effect that the study writes or lists, and for a direct
     ///         measurement, that cannot be used
     ResolvedStudy(Study study);
-    /// The same study after a change of its text, with the effects that it writes unchanged.
+    /// Returns the study after a change of its text; its written effects stay unchanged.
     /// @throws InputError likewise
     ResolvedStudy changed_to(Study changed) const;
 

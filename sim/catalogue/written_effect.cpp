@@ -15,27 +15,28 @@
 namespace pendular {
 namespace {
 
-/// What beads show at a condition.
+/// Stress ratio and solid fraction of grains at a condition, with the condition.
 struct GrainState {
     FlowPoint shown;
     Condition condition;
 };
 
-/// What a formula can read of a state.
+/// Variable that a formula can read from a state.
 template <typename State>
 struct Variable {
     const char* name;
     double (*value)(const State&);
 };
 
-/// What a formula can give of a state.
+/// Quantity of a state that a formula can set.
 template <typename State>
 struct Target {
     const char* name;
     double& (*value)(State&);
 };
 
-/// Of the instrument and of the beads: variables, targets, and states on which formulas are tried.
+/// Variables and targets of formulas, on the instrument and on the grains, and states on which
+/// formulas are tried.
 template <typename State>
 struct Field;
 
@@ -156,7 +157,7 @@ class ShownValue {
     double of(const State& state, double parameter) const {
         return compiled_(values(state, parameter));
     }
-    /// What is there before the formula.
+    /// Value of the target before the formula is applied.
     double before(const State& state) const {
         State copy = state;
         return target_(copy);

@@ -28,7 +28,7 @@ std::string archived(const State& state) {
     return std::move(stream).str();
 }
 
-/// The same back into a state made alike.
+/// Reads the bits back into a state of the same layout.
 /// @return false where the bits are those of another layout
 template <typename State>
 bool restore(const std::string& bits, State& state) {

@@ -31,7 +31,7 @@ struct PairBatch {
     double* const* contact_history = nullptr;  ///< memory[word][pair]
 };
 
-/// What is the same for all pairs of a run.
+/// Quantities that all pairs of a run share.
 struct PairContext {
     const Material& material;
     const BridgeLaw& bridges;

@@ -42,7 +42,7 @@ std::string value_of(const std::string& name, std::istringstream lines) {
     return "";
 }
 
-/// What of a run differs from the run of a file: "friction 0.2, not 0.3".
+/// First difference between a run and the run of a checkpoint file: "friction 0.2, not 0.3".
 std::string difference(const std::string& run, const std::string& saved) {
     std::istringstream lines(run);
     for (std::string line; std::getline(lines, line);) {

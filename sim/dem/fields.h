@@ -14,10 +14,10 @@
 
 namespace pendular::dem {
 
-/// What a field depends on. Names, units and meanings stand in `coordinates`.
+/// Coordinate that a field depends on. Names, units and meanings stand in `coordinates`.
 enum class Coordinate { height, angle, relative_force, gap };
 
-/// What a run measures as a function of one coordinate. Names, units and meanings stand in
+/// Quantity that a run measures as a function of one coordinate. Names, units and meanings stand in
 /// `fields`.
 enum class Field {
     velocity,

@@ -9,7 +9,7 @@
 
 namespace pendular::dem {
 
-/// What one step of a range of beads says of all of them.
+/// Sums over the grains of a range after one step.
 struct MotionSums {
     Vector squares;              ///< sums of m v1^2, m v2^2, m v3^2 after the step
     double shear = 0;            ///< sum of m v1 v2

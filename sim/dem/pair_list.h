@@ -51,7 +51,7 @@ struct Pairs : Neighbours {
     }
 };
 
-/// What effects on grains want of the lists.
+/// Requirements of effects on grains for the neighbour lists.
 struct ListWants {
     std::size_t contact_history = 0;     ///< words that a pair remembers
     bool all_in_reach = false;  ///< the distant list has all pairs that a bridge could join
@@ -82,7 +82,8 @@ class PairList {
     /// Notes the displacement and affine strain of a step just made, and renews what they make
     /// invalid. Wraps the beads into the cell when the wide list is renewed.
     void update(Grains& grains, Cell& cell, double affine_strain);
-    /// The same with the largest squared displacement since the narrow list was made, if known.
+    /// Updates the lists, given the largest squared displacement since the narrow list was made, if
+    /// it is known.
     void update(Grains& grains, Cell& cell, double affine_strain, double largest_squared);
 
     /// Renews both lists now, keeping what contacts remember.
@@ -134,7 +135,8 @@ class PairList {
 /// Done in `parts` side by side, which does not change the result.
 Neighbours find_pairs(const Grains& grains, const Cell& cell, double gap, int parts = 1);
 
-/// The same by looking at every pair of beads: slow, and the truth the other is tested against.
+/// Neighbours found by testing every pair of grains: slow; the reference for the tests of
+/// `find_pairs`.
 Neighbours find_pairs_by_brute_force(const Grains& grains, const Cell& cell, double gap);
 
 }  // namespace pendular::dem

@@ -78,7 +78,7 @@ constexpr int most_threads = 1024;
 /// Solid fraction above which a monosized sample has crystallised, once corrected to rigid beads.
 constexpr double crystal_solid_fraction = 0.645;
 
-/// Localization above which the shear is not taken for uniform (the source finds less in every flow
+/// Localization above which the shear is not taken for uniform (Badetti et al. (2018) finds less in every flow
 /// it reports).
 constexpr double localised_above = 0.05;
 

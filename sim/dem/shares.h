@@ -16,9 +16,9 @@ struct Section {
     Range grains, near, distant;
 };
 
-/// What one of several threads does of every step while the lists are valid. It sums the forces of
-/// its pairs in loads of its own and moves its beads; as beads are numbered in rows, hardly any
-/// other thread touches those.
+/// Work of one of several threads in every step while the lists are valid. The thread sums the
+/// forces of its pairs in loads of its own and moves its beads; as beads are numbered in rows,
+/// hardly any other thread touches those.
 struct Share {
     std::vector<Section> sections;
     std::vector<std::int32_t> ghosts;  ///< beads of other shares that its pairs push, ascending

@@ -30,8 +30,9 @@ constexpr double servo_modulus = 0.05;
 /// 0.6 to 0.8 in a flowing sample. The servo is stable while the true gain is below twice this one
 /// plus 1.
 constexpr double contact_viscosity = 0.6;
-/// The same of a damping that an effect brings in, over its coefficient: 0.2 (6 Phi/pi) (Z/2) with
-/// the 7 bridges of a bead. More than the true gain makes the servo slower, never unstable.
+/// Gain of the height servo for damping by an effect, over the effect's coefficient: 0.2 (6 Phi/pi)
+/// (Z/2) with the 7 bridges of a bead. More than the true gain makes the servo slower, never
+/// unstable.
 constexpr double effect_viscosity = 0.8;
 constexpr int steps_between_time_steps = 20;
 

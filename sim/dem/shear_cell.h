@@ -80,13 +80,13 @@ class ShearCell {
     /// As effects have changed it.
     const BridgeLaw& bridges() const { return bridges_; }
     const GrainEffects& effects() const { return effects_; }
-    /// Of the last step, with the forces at its beginning.
+    /// Stress of the last step, from the forces at its beginning.
     const Stress& stress() const { return stress_; }
     const Flow& flow() const { return flow_; }
     double shear_rate() const { return flow_.shear_rate; }
     /// Energies of the last step, if it was made with energy accounting.
     const PairEnergy& energy() const { return energy_; }
-    /// Of the peculiar motion, half a step after the last forces.
+    /// Kinetic energy of the peculiar motion, half a step after the last forces.
     double kinetic_energy() const { return motion_.energy(); }
     double strain() const { return strain_; }
     double time_step() const { return time_step_; }
@@ -115,7 +115,8 @@ class ShearCell {
     void adjust_height_rate();
     void check_state() const;
     PairSums sum_forces(const PairLaws& laws);
-    /// Of one share; moves its beads too where asked to, each once its last pair is done.
+    /// Sums the forces of one share; moves its grains too where requested, each grain once its last
+    /// pair is done.
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces, const PairLaws& laws,
                         MotionSums* moved = nullptr);
     /// Adds to the loads that a part has of its own beads what the others have of them.

@@ -34,9 +34,9 @@ void roll(const dem::PairBatch& batch, const dem::PairContext& context) {
     }
 }
 
-/// What of a coefficient flow feels: contacts slide rather than roll once that takes less, so that
-/// it saturates with the coefficient over the friction. The factor is that of the greatest
-/// likelihood for the runs of the atlas, both of stress ratio and of solid fraction.
+/// Effective coefficient at a given friction: contacts slide before they roll once sliding takes
+/// less work, so that it saturates with the coefficient over the friction. The factor is that of
+/// the greatest likelihood for the runs of the atlas, both of stress ratio and of solid fraction.
 double effective_amplitude(double coefficient, double friction) {
     constexpr double sliding = 3;
     return friction > 0 ? -friction / sliding * std::expm1(-sliding * coefficient / friction) : 0;

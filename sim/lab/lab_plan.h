@@ -12,7 +12,7 @@
 
 namespace pendular {
 
-/// What a virtual laboratory measures, with which instrument, and the truth it hides; SI units.
+/// Plan of a virtual laboratory: conditions, instrument and hidden truth; SI units.
 struct LabPlan {
     double friction = 0.09;
     GrainProperties grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
@@ -42,7 +42,7 @@ struct PlannedRecording {
 /// its steady part, as `import` finds it; effects of time act on a step as they do then.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
-/// What is truly imposed where the instrument shows the condition asked for: effects of the
+/// True conditions behind the requested condition that the instrument shows: effects of the
 /// instrument undone, those on beads and liquid applied, those on grains listed.
 ///
 /// The height of the sample is not known before it has been simulated, so that here it is that of a
@@ -52,7 +52,8 @@ std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 /// @throws InputError where no true state is shown so
 EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked);
 
-/// What the instrument shows, without noise, of beads that flow so at a condition asked for.
+/// State that the instrument shows, without noise, for grains with this flow at a requested
+/// condition.
 /// @throws InputError as imposed_condition
 CellState shown_at_set_points(const LabPlan& plan, const Condition& asked, const FlowPoint& flow);
 

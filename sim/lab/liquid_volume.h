@@ -20,7 +20,7 @@ using MeasureLiquidContents = std::function<std::vector<double>(
 std::vector<double> bridge_volumes(std::span<const double> liquid_contents,
                                    const MeasureLiquidContents& measure);
 
-/// What the first simulation starts from.
+/// Bridge volume over a^3 of the first simulation [1].
 double first_bridge_volume(double liquid_content);
 
 }  // namespace pendular

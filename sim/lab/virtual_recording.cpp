@@ -73,7 +73,7 @@ struct Level {
     double torque, normal_force, height, angular_velocity, shear_rate;
 };
 
-/// What an instrument without effects shows.
+/// State that an ideal instrument shows.
 CellState as_it_is(const TrueState& state, const AnnularCell& cell, const GrainProperties& grains) {
     const Condition& c = state.condition;
     const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);

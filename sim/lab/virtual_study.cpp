@@ -56,7 +56,7 @@ std::string study_toml(const LabResult& result) {
            "effects = []\n";
 }
 
-/// What a step is to show, with the laboratory's typical errors.
+/// True state of a step, with the laboratory's typical errors.
 TrueState true_state(const LabPlan& plan, const LabStep& step, double ratio_error,
                      double fraction_error) {
     Mean ratio = step.run[dem::Observable::stress_ratio];

@@ -43,7 +43,7 @@ RunColumn column_of(const Effect& effect, std::size_t which) {
             }};
 }
 
-/// Those of all effects on grains.
+/// Columns of the parameters of all effects on grains.
 const std::vector<RunColumn>& effect_parameters() {
     static const std::vector<RunColumn> all = [] {
         std::vector<RunColumn> columns;
@@ -57,8 +57,8 @@ const std::vector<RunColumn>& effect_parameters() {
     return all;
 }
 
-/// What a campaign may set: the columns of numbers that determine a run, but for those it chooses
-/// itself, and the parameters of effects on grains.
+/// Columns that a campaign file may set: the numbers that determine a run, without those that the
+/// campaign chooses itself, and the parameters of effects on grains.
 const std::vector<const RunColumn*>& parameters() {
     static const std::vector<const RunColumn*> all = [] {
         std::vector<const RunColumn*> columns;
@@ -229,7 +229,7 @@ dem::RunParameters run_at(const Point& point) {
     return run.parameters;
 }
 
-/// Of what determines a run but its seed.
+/// Fingerprint of all that determines a run except its seed.
 std::uint64_t own_fingerprint(dem::RunParameters run) {
     run.seed = 0;
     return fingerprint(run_description(run));

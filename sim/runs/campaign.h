@@ -29,8 +29,8 @@ namespace pendular {
 /// @throws InputError at the line of what is wrong: syntax, an unknown key, a value out of range
 std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file);
 
-/// Those of one share of several, as equal in cost as the runs allow; which do not depend on what
-/// is stored already. `share` counts from 1.
+/// Runs of one of several shares of about equal cost; the shares do not depend on the stored runs.
+/// `share` counts from 1.
 std::vector<dem::RunParameters> share_of(const std::vector<dem::RunParameters>& runs, int share,
                                          int shares);
 

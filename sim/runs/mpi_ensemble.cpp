@@ -20,7 +20,7 @@ namespace {
 
 enum Tag { job = 1, result = 2, no_more = 3 };
 
-/// What travels: the cells of a run's columns with its trace and final state.
+/// Message between processes: the cells of a run's columns with its trace and final state.
 struct Message {
     std::vector<RunCell> cells;
     dem::Trace trace;

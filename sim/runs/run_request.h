@@ -26,8 +26,8 @@ std::vector<EffectValues> effects_from(const std::string& text);
 /// @throws std::invalid_argument naming the parameter that is out of range
 void check_run(const dem::RunParameters& run);
 
-/// What determines a run, a line "name = value" each, numbers as short as tells them apart. Its
-/// threads are part of it: rounding differs.
+/// Text that determines a run, one line "name = value" each, numbers in their shortest exact form.
+/// Its threads are part of it: rounding differs.
 std::string run_description(const dem::RunParameters& run, int threads = 1);
 
 /// FNV-1a of a text; of `run_description` it tells runs apart.

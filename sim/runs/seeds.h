@@ -4,8 +4,8 @@
 
 namespace pendular {
 
-/// What random numbers are drawn for. A calibration whose runs started from the very samples that
-/// made its measurement would test nothing, so each purpose has seeds of its own.
+/// Purpose of random numbers. A calibration whose runs started from the very samples that made its
+/// measurement would test nothing, so each purpose has seeds of its own.
 enum class SeedDomain : std::uint64_t { calibration, instrument, virtual_lab, run_places };
 
 /// Seed of one of many runs, well mixed from the user's seed and the run's number.

@@ -8,7 +8,7 @@
 namespace pendular {
 namespace {
 
-/// What effects see of a run. How much liquid there is they may only take away.
+/// Condition of a run as effects see it. Effects may only reduce its liquid content.
 EffectiveCondition condition_of(const dem::RunParameters& run, const RunScale& scale) {
     EffectiveCondition condition;
     condition.normal_stress = scale.normal_stress;

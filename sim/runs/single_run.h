@@ -16,7 +16,7 @@ struct RunScale {
     Liquid liquid{.surface_tension = 20.6e-3};
     double normal_stress = 1000;  ///< [Pa] of dry beads
 
-    /// The same with the normal stress [Pa] that follows in a wet run: s22 = P* F0/a^2.
+    /// Scale with the normal stress [Pa] of a wet run: s22 = P* F0/a^2.
     RunScale of(const dem::RunParameters& run) const;
 };
 

@@ -22,7 +22,7 @@ constexpr Eigen::Index draws = 4000;
 
 /// Values far above their errors of 1, so that what is in proportion to them is the same for all.
 constexpr double level = 1e7;
-/// What is lost by that, with residuals of order 10.
+/// Rounding error of that, with residuals of order 10.
 constexpr double rounding = 1e-5;
 
 /// Readings of one observable about a constant that was fitted, with these residuals.

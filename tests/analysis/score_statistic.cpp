@@ -306,7 +306,7 @@ class FamilyOfScores : public testing::Test {
         measured, exact_prediction(Eigen::VectorXd::Zero(entries), Eigen::VectorXd::Zero(entries))};
     const NullDraws null_draws{measured, ErrorKnowledge::known(entries), 11, draws};
 
-    /// Of orthogonal directions in whitened units.
+    /// Score tests of orthogonal directions in whitened units.
     std::vector<ScoreTest> independent(int count, bool one_sided = false) const {
         std::vector<ScoreTest> tests;
         for (Eigen::Index k = 0; k < count; ++k) {

@@ -31,8 +31,7 @@ class Terminal {
                               std::filesystem::copy_options::recursive);
     }
 
-    /// What a command prints, standard output and errors in one, and its exit code if that is not
-    /// 0.
+    /// Output of a command, standard output and errors in one, and its exit code if it is not 0.
     std::string run(const std::string& command) const {
         const auto script = folder_.write("command.sh", command + "\n");
         const auto printed = folder_.path() / "printed";

@@ -22,7 +22,7 @@ const std::string longer_run =
     "simulate --quiet --beads 150 --stiffness-number 300 --inertial-number 0.01 --strain 8 "
     "--friction 0.2 --seed 7 ";
 
-/// The same program, sent a signal once it has written that checkpoint.
+/// Runs the program and sends it a signal once it has written that checkpoint.
 Outcome interrupted_at(const fs::path& checkpoint, const std::string& words) {
     const TemporaryFolder folder;
     const std::string command = fmt::format(

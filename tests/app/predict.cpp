@@ -12,7 +12,7 @@ using pendular::TemporaryFolder;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// The source's dry reading and its wet ones, as in examples/polystyrene.
+/// The dry reading of Badetti et al. (2018) and its wet ones, as in examples/polystyrene.
 Outcome calibrate_example(const TemporaryFolder& folder, const std::string& words) {
     fs::copy(PENDULAR_SOURCE_DIR "/examples/polystyrene", folder.path() / "study",
              fs::copy_options::recursive | fs::copy_options::skip_existing);
@@ -25,7 +25,7 @@ TEST(Predict, TellsADryStateWithErrors) {
     const Outcome run = run_pendular("predict --friction 0.09 --json -");
     ASSERT_EQ(run.code, 0) << run.errors;
     const json said = json::parse(run.output);
-    // The source's simulation in the quasi-static limit: 0.257 +- 0.002.
+    // Simulation of Badetti et al. (2018) in the quasi-static limit: 0.257 +- 0.002.
     EXPECT_NEAR(said["stress_ratio"]["value"], 0.257, 0.008);
     EXPECT_LT(said["stress_ratio"]["stderr"], 0.004);
     EXPECT_GT(said["stress_ratio"]["by"]["friction"]["value"], 0.5);

@@ -28,7 +28,7 @@ json schema_named(const std::string& kind) {
     return json::parse(content_of(reference / (kind + ".schema.json")));
 }
 
-/// What a document violates of a schema, a line each; empty: nothing.
+/// Violations of a schema by a document, one line each; empty: none.
 std::string violations(const json& document, const json& schema) {
     valijson::Schema parsed;
     valijson::SchemaParser(valijson::SchemaParser::kDraft7)

@@ -97,7 +97,7 @@ RunResult in_pieces(const RunParameters& p, const std::filesystem::path& file, i
     return simulate(p, {.threads = threads, .checkpoint = &checkpoint});
 }
 
-/// What taking a run up from this file says against it.
+/// Error message of resuming a run from this file.
 std::string complaint(const RunParameters& p, const std::filesystem::path& file, int threads = 1) {
     const std::string before = content_of(file);
     try {

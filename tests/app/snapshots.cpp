@@ -64,8 +64,9 @@ struct ReadFrame {
     std::map<int, int> coordination;
 };
 
-/// What the LAMMPS manual says of a dump of a triclinic cell, "Howto triclinic": the bounds are
-/// those of the box around the cell, xlo_bound = xlo + min(0, xy), xhi_bound = xhi + max(0, xy).
+/// Frame of a LAMMPS dump of a triclinic cell, by the LAMMPS manual, "Howto triclinic": the bounds
+/// are those of the box around the cell, xlo_bound = xlo + min(0, xy), xhi_bound = xhi + max(0,
+/// xy).
 ReadFrame read_frame(std::istream& text) {
     ReadFrame frame;
     std::string line;

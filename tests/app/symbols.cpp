@@ -1,4 +1,4 @@
-// Symbols: the source's code, their geometry, and what really arrives on paper.
+// Symbols: Badetti et al.'s code, their geometry, and what really arrives on paper.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -39,7 +39,7 @@ void replace(std::string& text, const std::string& what, const std::string& by) 
     }
 }
 
-/// What an SVG file shows in words; sub- and superscripts are marked by '<' and '>'.
+/// Texts that an SVG file shows; sub- and superscripts are marked by '<' and '>'.
 std::vector<std::string> words_in(const fs::path& svg) {
     const std::string drawing = content_of(svg);
     std::vector<std::string> words;

@@ -210,7 +210,7 @@ TEST(CohesionLines, CoverTheTruthAsOftenAsTheirErrorsSay) {
 }
 
 TEST(CohesionLines, LeaveOutPointsBelowTheLimitAndSayByHowMuchTheyAreOverestimated) {
-    // The source's own case: readings at P* = 1 and 0.5 lie below the line.
+    // The case of Badetti et al. (2018): readings at P* = 1 and 0.5 lie below the line.
     auto readings = on_line({2.3, 4, 10});
     readings.push_back(reading(1, 0.52, 0.004));
     readings.push_back(reading(0.5, 0.72, 0.005));

@@ -29,7 +29,7 @@ double dry_process(const Hyperparameters& s, const Coordinates& a, const Coordin
     return s.dry_amplitude * s.dry_amplitude * bell(a.x - b.x, s.dry_x) * bell(a.q - b.q, s.dry_q);
 }
 
-/// Of g_wet alone, without the factors that make it vanish where dry.
+/// Covariance of g_wet alone, without the factors that make it vanish for dry grains.
 double wet_process(const Hyperparameters& s, const Coordinates& a, const Coordinates& b) {
     return s.wet_amplitude * s.wet_amplitude * bell(a.x - b.x, s.wet_x) * bell(a.q - b.q, s.wet_q) *
            bell(pressure_scale(a.u) - pressure_scale(b.u), s.wet_u) * bell(a.v - b.v, s.wet_v);
@@ -41,7 +41,7 @@ double dry_polynomial(const Coordinates& a, const Coordinates& b) {
            std::pow(a.q * b.q, 2);
 }
 
-/// Of the terms 1, x, q, u, v.
+/// Product of the terms 1, x, q, u, v.
 double wet_polynomial(const Coordinates& a, const Coordinates& b) {
     return 1 + a.x * b.x + a.q * b.q + a.u * b.u + a.v * b.v;
 }

@@ -80,7 +80,7 @@ TEST(GrainProperties, GiveMassInertialAndStiffnessNumber) {
 TEST(GrainProperties, GivePullOffForceAndReducedPressure) {
     const GrainProperties grains{.diameter = 500e-6, .density = 1050};
     constexpr double degree = std::numbers::pi / 180;
-    // The source's system, polystyrene and silicone oil at a contact angle of 2 to 5 degrees: P* =
+    // Badetti et al.'s system, polystyrene and silicone oil at a contact angle of 2 to 5 degrees: P* =
     // 1 is 0.129 kPa as printed, three digits.
     for (const double angle : {2 * degree, 5 * degree}) {
         const Liquid oil{.surface_tension = 20.6e-3, .contact_angle = angle};
@@ -95,7 +95,7 @@ TEST(GrainProperties, GivePullOffForceAndReducedPressure) {
     const GrainProperties small{.diameter = 250e-6, .density = 1050};
     EXPECT_NEAR(reduced_pressure(600, small, wetting), reduced_pressure(300, grains, wetting),
                 1e-12);
-    // 0.3 kPa is the source's lowest fitted P* of 2.3.
+    // 0.3 kPa is Badetti et al.'s lowest fitted P* of 2.3.
     EXPECT_NEAR(reduced_pressure(300, grains, wetting), 2.32, 0.005);
 }
 

@@ -13,7 +13,7 @@ const GrainProperties grains{.diameter = 500e-6, .density = 1050};
 // 10 g in the cell: M g/A = 20 Pa, 2 % of the 1 kPa that 5 N make.
 const AnnularCell cell{.inner_radius = 0.021, .outer_radius = 0.045, .bead_volume = 0.01 / 1050};
 
-/// What a synthetic recording is made of; noises are relative standard deviations.
+/// Parameters of a synthetic recording; noises are relative standard deviations.
 struct Truth {
     std::size_t rows = 300;
     double torque = 0.03;
@@ -195,7 +195,7 @@ TEST(ReduceRecording, LeavesOutWhatIsNoShear) {
                 HasSubstr("zero within twice its standard error"));
 }
 
-/// What is said of a recording of 0.07 strains, shaped by a function of the way through it.
+/// Reason given for a recording of 0.07 strains, shaped by a function of the way through it.
 std::string short_recording(const std::function<void(Recording&, std::size_t, double)>& shape) {
     Recording recording = record({.speed = 0.0003});
     for (std::size_t i = 0; i < recording.size(); ++i)

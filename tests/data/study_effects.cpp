@@ -44,7 +44,7 @@ class StudyEffects : public testing::Test {
     std::string error(const std::string& content) {
         return input_error([&] { read(content); });
     }
-    /// What an error at this place of the study begins with.
+    /// Beginning of an error at this place of the study.
     auto at(const std::string& position) const {
         return StartsWith((folder_.path() / "study.toml").string() + position);
     }

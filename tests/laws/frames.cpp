@@ -47,7 +47,7 @@ ShearCell sheared(const Sample& sample, bool wet, int steps = 200, double rate =
     return cell;
 }
 
-/// What a bead does, by the number it was called at first.
+/// Motion of a grain, by its first number.
 struct State {
     std::vector<Vector> velocity, angular_velocity, force, torque;
 

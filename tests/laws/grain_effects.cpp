@@ -20,7 +20,7 @@ using namespace pendular::dem;
 constexpr Material material{.modulus = 31622.8, .friction = 0.3};  // stiffness number 1000
 const Wetting wetting{.reduced_pressure = 1, .bridge_volume = 4e-3};
 
-/// What a bead feels.
+/// Net forces and torques on grains.
 using Loads = std::vector<Grains::ForceAndTorque>;
 
 /// Beads at random in a sheared cell, some of them overlapping, some joined by bridges, with
@@ -64,7 +64,7 @@ struct State {
         grains.net_force.assign(grains.size(), {});
         return pair_forces(grains, pairs, {0, pairs.size()}, laws, grains.net_force);
     }
-    /// The same forces by the loop for these needs.
+    /// Forces of the sample by the loop for these needs.
     PairSums forces(EnergyAccounting accounting, PairNeeds needs) {
         const PairLaws laws{cell, flow, material, bridges, 1e-3, accounting, &effects};
         grains.net_force.assign(grains.size(), {});

@@ -36,7 +36,7 @@ struct Positions {
                     cell.width * std::nearbyint(r[2] / cell.width));
         return dot(r, r);
     }
-    /// Of all pairs, in order.
+    /// Pairs that are closer than a range, in order.
     std::vector<std::pair<int, int>> closer_than(double range) const {
         std::vector<std::pair<int, int>> result;
         const int count = static_cast<int>(at.size());

@@ -19,7 +19,7 @@ namespace pendular::error_models_test {
 constexpr int studies = 100;
 constexpr std::uint64_t first_seed = 13000;  // not those that the scatter model was built with
 
-/// What an instrument and its fillings do to (stress ratio, solid fraction), relative [1].
+/// Errors of an instrument and its fillings in (stress ratio, solid fraction), relative [1].
 struct ErrorKind {
     const char* name;
     /// Standard deviation of a step in file 0 to 5 at this normal stress.

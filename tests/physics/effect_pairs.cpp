@@ -12,8 +12,8 @@ namespace effect_pairs_test {
 
 using namespace pendular;
 
-/// What an effect does to the readings, over their errors: its derivative, or its change where it
-/// is a switch, with what the friction can do taken out; of length 1.
+/// Change of the readings by an effect over their errors: its derivative, or its change where it is
+/// a switch, with what the friction can do taken out; of length 1.
 struct Signature {
     Eigen::VectorXd direction;
     double share_imitated = 0;  ///< rho^2: share of it that friction takes over

@@ -125,7 +125,7 @@ struct PairOfRuns {
     Input by;
 };
 
-/// Those of the unseen runs that were made in pairs.
+/// Unseen runs that were made in pairs.
 std::vector<PairOfRuns> pairs_of_runs() {
     std::vector<PairOfRuns> pairs;
     std::vector<dem::RunResult> runs;

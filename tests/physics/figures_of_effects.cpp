@@ -206,7 +206,8 @@ double interpolated(const Curve& curve, double x) {
     return std::nan("");
 }
 
-/// What a panel draws as the model beside a measured point: a point of its own, else its curve.
+/// Value of the model that a panel draws beside a measured point: a point of its own, else its
+/// curve.
 double drawn_model(const Panel& panel, const Curve& measured, std::size_t k) {
     const std::string of = measured.label.substr(std::string("measured").size());
     if (const Curve* points =

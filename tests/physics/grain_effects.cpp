@@ -25,7 +25,7 @@ void add(PairSet& set, const Grains& grains, const Neighbours& pairs, std::size_
                             grains.number[static_cast<std::size_t>(pairs.second[k])]}));
 }
 
-/// Those whose gap is below this now, by looking at all of them.
+/// Pairs whose gap is below this now, found by testing all of them.
 PairSet closer_than(double gap, const ShearCell& sample) {
     Grains wrapped = sample.grains();
     Cell cell = sample.cell();
@@ -41,7 +41,7 @@ PairSet closer_than(double gap, const ShearCell& sample) {
     return result;
 }
 
-/// Those that bridges joined at the last step.
+/// Pairs that bridges joined at the last step.
 PairSet joined(const ShearCell& sample) {
     PairSet result;
     for (const Pairs* list : {&sample.pairs().narrow(), &sample.pairs().distant()}) {

@@ -75,7 +75,7 @@ inline Eigen::VectorXd truth_of(const Planted& planted, const Model& model) {
     return parameters;
 }
 
-/// What is read where the effect is on; without one, where nothing is missing. `simulation_errs`:
+/// Readings with the effect on; without an effect, readings of a complete model. `simulation_errs`:
 /// the truth is off the emulator as its own errors allow.
 inline std::vector<Reading> readings_with(const Planted& planted, std::uint64_t seed,
                                           bool simulation_errs = false) {

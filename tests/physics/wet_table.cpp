@@ -1,6 +1,6 @@
 // Bridge volume against liquid content and the structure of the bridge network, friction 0.09 and
-// P* = 3, against the source's table and ranges. Five runs of 1000 beads at kappa 1000 and inertial
-// number 0.01; docs/validation.md has the same at the source's stiffness.
+// P* = 3, against Badetti et al.'s table and ranges. Five runs of 1000 beads at kappa 1000 and inertial
+// number 0.01; docs/validation.md has the same at Badetti et al.'s stiffness.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ using dem::Observable;
 
 struct Row {
     double bridge_volume;   ///< V0/a^3
-    double liquid_content;  ///< as printed in the source's table, at P* = 3
+    double liquid_content;  ///< as printed in Badetti et al.'s table, at P* = 3
     double rounding;        ///< half a unit of its last digit
 };
 constexpr Row table[] = {{5e-4, 0.003, 5e-4},
@@ -44,7 +44,7 @@ TEST(WetShear, HoldsThePublishedLiquidContents) {
         EXPECT_TRUE(run.steady);
         EXPECT_NEAR(value(Observable::liquid_content), table[k].liquid_content,
                     std::max(0.07 * table[k].liquid_content, table[k].rounding));
-        // The source's ranges over all its states; lengths depend on the stiffness and are held
+        // Badetti et al.'s ranges over all its states; lengths depend on the stiffness and are held
         // against theirs in docs/validation.md.
         EXPECT_GT(value(Observable::distant_coordination), 1.0);
         EXPECT_LT(value(Observable::distant_coordination), 3.2);

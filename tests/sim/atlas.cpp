@@ -179,7 +179,7 @@ TEST(Atlas, ReproducesThePublishedWetNumbers) {
         "P\\* = 1, friction 0.09: solid fraction", "0.594 (independently 0.588 to 0.592)",
         grid([](const auto& p) { return p.friction == 0.09 && p.wetting->reduced_pressure == 1; }),
         rigid, 0.588, 0.600);
-    // Structure depends on stiffness: the source's beads are eight times as stiff.
+    // Structure depends on stiffness: Badetti et al.'s beads are eight times as stiff.
     range("Z_d", "1 to 3.2", whole, value(Observable::distant_coordination), 0.5, 3.3);
     range("F_d/F0, P\\* >= 2", "0.48 to 0.60", strong, value(Observable::distant_force), 0.38,
           0.61);
@@ -202,7 +202,7 @@ TEST(Atlas, ReproducesThePublishedWetNumbers) {
                    run[Observable::capillary_pressure].value;
         },
         0.97, 1.03);
-    // Each from one run; the source's is of a sample four times as large.
+    // Each from one run; Badetti et al.'s is of a sample four times as large.
     range("localization, P\\* >= 0.5", "at most 0.05", whole, value(Observable::localization), 0,
           0.12);
     const auto strongest = grid([](const auto& p) {

@@ -25,7 +25,7 @@ TrueState state(double ratio_error, double fraction_error) {
             {0.6, 0.6 * fraction_error, 1}};
 }
 
-/// What `import` makes of a recording, written to a file and read again.
+/// Result of `import` for a recording, written to a file and read again.
 Measurements imported(const Recording& recording) {
     const TemporaryFolder folder;
     return reduce_recording(read_recording(folder.write("run.csv", recording_csv(recording))), cell,

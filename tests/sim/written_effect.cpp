@@ -17,8 +17,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// What the study's reader makes of an [[effect]] with parameter `x` from -2 to 2; its formula is
-/// in line 6, column 10 on.
+/// Effect that the study's reader makes from an [[effect]] with parameter `x` from -2 to 2; its
+/// formula is in line 6, column 10 on.
 WrittenEffect written(const std::string& formulas, const std::string& parameter = "x") {
     const std::string text =
         fmt::format("[[effect]]\nname = \"mine\"\nparameter = \"{}\"\nlower = -2\nupper = 2\n{}\n",

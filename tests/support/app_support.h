@@ -19,7 +19,7 @@ inline std::string content_of(const std::filesystem::path& file) {
     return text.str();
 }
 
-/// What the real program did.
+/// Result of a run of the real program.
 struct Outcome {
     int code = -1;
     std::string output, errors;

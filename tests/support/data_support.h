@@ -43,7 +43,7 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-/// What the InputError that an action ends in says; a failure and "" if there is none.
+/// Message of the InputError that an action ends in; a failure and "" if there is none.
 inline std::string input_error(const std::function<void()>& action) {
     try {
         action();

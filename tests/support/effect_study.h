@@ -25,7 +25,7 @@ inline Study study_with(const std::string& base) {
     return study;
 }
 
-/// What the virtual laboratory measures, and some lower content besides.
+/// Conditions of the virtual laboratory, and some lower contents besides.
 inline std::vector<Condition> conditions() {
     std::vector<Condition> all;
     double time = 0;

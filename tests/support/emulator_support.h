@@ -22,7 +22,7 @@ inline std::vector<dem::RunResult> all_shipped_runs() {
     return runs;
 }
 
-/// Those of plain beads.
+/// Atlas runs of grains without effects.
 inline std::vector<dem::RunResult> shipped_runs() {
     std::vector<dem::RunResult> runs = all_shipped_runs();
     std::erase_if(runs, [](const auto& run) { return !run.parameters.effects.empty(); });

@@ -7,7 +7,7 @@
 
 namespace pendular {
 
-/// What models of flow in closed form have in common: parameters whose whole range is supported.
+/// Base of models of flow in closed form: parameters whose whole range is supported.
 template <typename Kind>
 class Known : public Kind {
   public:

@@ -11,7 +11,7 @@
 #include "tests/support/emulator_support.h"
 
 /// A calibrated wet study whose runs and readings follow a law made up for the purpose, close to
-/// the source's numbers, so that no simulation is needed and every answer is known.
+/// Badetti et al.'s numbers, so that no simulation is needed and every answer is known.
 namespace planted {
 
 using namespace pendular;
@@ -44,7 +44,7 @@ inline double capillary_shear_stress(double mu, double volume) {
 inline double solid_fraction(double mu, double u) {
     return 0.615 - 0.02 * friction_coordinate(mu) - 0.021 * u;
 }
-/// Bends below a straight line as the source's data do below P* = 2.3.
+/// Bends below a straight line as Badetti et al.'s data do below P* = 2.3.
 inline double stress_ratio(double mu, double u, double volume) {
     const double cohesion = 0.29 + 0.035 * std::log(volume / bridge_volume_unit);
     return dry_ratio(mu) + cohesion * u - 0.028 * u * u;

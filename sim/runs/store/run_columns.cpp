@@ -53,7 +53,7 @@ class Columns {
                 });
         }
     }
-    /// The same of the liquid bridges; empty where there are none.
+    /// Adds a column of the liquid bridges; empty for a dry run.
     void wet_number(const std::string& name, double dem::Wetting::*member) {
         add(
             name, RunColumn::Type::real, true,

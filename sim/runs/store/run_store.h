@@ -56,8 +56,8 @@ class RunStore {
     std::optional<StoredRun> nearest(const dem::RunParameters& parameters) const;
 
     std::size_t size() const;
-    /// Those for which an SQL condition on the columns holds ("friction = 0.09 AND reduced_pressure
-    /// IS NULL"), all where it is empty, as they were added.
+    /// Stored runs for which an SQL condition on the columns holds ("friction = 0.09 AND
+    /// reduced_pressure IS NULL"), all where it is empty, as they were added.
     /// @throws InputError for a condition that SQLite does not understand
     std::vector<StoredRun> select(const std::string& condition = "") const;
     /// One run, whole. @throws InputError where there is none

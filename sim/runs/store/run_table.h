@@ -17,8 +17,8 @@ void write_runs(const std::filesystem::path& file, const std::vector<StoredRun>&
 /// results, whether it comes from a table, from a store or from the simulation.
 std::string run_fingerprint(const StoredRun& stored);
 
-/// The same back. Columns may stand in any order; of those that do not determine a run any may be
-/// missing.
+/// Reads runs back from a table. Columns may stand in any order; columns that do not determine a
+/// run may be missing.
 /// @throws InputError at the cell that is wrong
 std::vector<StoredRun> read_runs(const std::filesystem::path& file);
 
