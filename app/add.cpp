@@ -57,10 +57,12 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
     std::vector<std::string> words;
     options.take(&words);
     options.add("seed", &own.seed, "seed of the simulations (default 1)");
-    options.add_switch("confirm", &own.fit.confirm,
-                       "confirm the new optimum by simulations, until they agree with the emulator");
-    options.add_switch("cold", &own.fit.cold,
-                       "use neither the atlas nor earlier runs: simulate all states that the fit needs");
+    options.add_switch(
+        "confirm", &own.fit.confirm,
+        "confirm the new optimum by simulations, until they agree with the emulator");
+    options.add_switch(
+        "cold", &own.fit.cold,
+        "use neither the atlas nor earlier runs: simulate all states that the fit needs");
     auto common = options.parse(arguments);
     if (!common) {
         return std::nullopt;
@@ -82,7 +84,8 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
     console.line(fmt::format("Chi2 goes from {:.2f} for {} degrees of freedom to {:.2f} for {}.",
                              before.ladder_step.chi2, before.ladder_step.dof,
                              after.ladder_step.chi2, after.ladder_step.dof));
-    for (const auto& line : advice_on(change, before.ladder_step, after.ladder_step, common.study.string())) {
+    for (const auto& line :
+         advice_on(change, before.ladder_step, after.ladder_step, common.study.string())) {
         console.note(line);
     }
     if (!before.calibration.fit.converged) {
@@ -102,9 +105,9 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
 
 int refuse_fit(Console& console, const StudyChange& change, const Fitted& after) {
     console.answer(fmt::format("{} not {}: the fit {} it did not converge ({}). {} is unchanged.",
-                             change.effect, change.change == Action::add ? "added" : "dropped",
-                             change.change == Action::add ? "with" : "without",
-                             after.calibration.fit.message, change.study.study().file.string()));
+                               change.effect, change.change == Action::add ? "added" : "dropped",
+                               change.change == Action::add ? "with" : "without",
+                               after.calibration.fit.message, change.study.study().file.string()));
     for (const auto& note : after.calibration.notes) {
         console.note(note);
     }

@@ -27,9 +27,10 @@ std::string basis_of(const Calibration& c) {
         ordered += order.runs;
         why += fmt::format("{}{} {}", why.empty() ? ": " : ", ", order.runs, order.why);
     }
-    return fmt::format("The emulator was trained on {} runs; {} of them were simulated for this study at {} "
-                       "fidelity{}.",
-                       c.runs.size(), ordered, c.fidelity.name, why);
+    return fmt::format(
+        "The emulator was trained on {} runs; {} of them were simulated for this study at {} "
+        "fidelity{}.",
+        c.runs.size(), ordered, c.fidelity.name, why);
 }
 
 void print_result(Console& console, const Calibration& c, const Comparison& comparison,
@@ -38,24 +39,26 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
         const auto i = static_cast<Eigen::Index>(k);
         const std::string estimate = fmt::format(
             "{}{} = {} (measurement {:.2g}, simulation {:.2g}){}", k == 0 ? "Fitted: " : "",
-            c.parameters[k].name,
-            with_error(c.fit.parameters(i), c.fit.standard_error(i)), c.fit.measurement_error(i),
-            c.fit.simulation_error(i), k == 0 ? verdict_on(belief, basis) : "");
+            c.parameters[k].name, with_error(c.fit.parameters(i), c.fit.standard_error(i)),
+            c.fit.measurement_error(i), c.fit.simulation_error(i),
+            k == 0 ? verdict_on(belief, basis) : "");
         k == 0 ? console.answer(estimate) : console.line(estimate);
     }
     print_doubts(console, belief, 1);
     if (c.profile) {
-        console.line(fmt::format("The 68 % profile likelihood interval is {:.4g} to {:.4g}.", c.profile->first,
-                                 c.profile->second));
+        console.line(fmt::format("The 68 % profile likelihood interval is {:.4g} to {:.4g}.",
+                                 c.profile->first, c.profile->second));
     }
-    console.line(fmt::format(
-        "The fit has chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); errors are not scaled by "
-        "chi2/dof.",
-        comparison.fitted.chi2, comparison.fitted.dof, comparison.fitted.p()));
+    console.line(
+        fmt::format("The fit has chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); errors are "
+                    "not scaled by "
+                    "chi2/dof.",
+                    comparison.fitted.chi2, comparison.fitted.dof, comparison.fitted.p()));
     console.line(basis_of(c));
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format(
-            "{} wet readings are predicted by {} without any further parameter: chi2 = {:.2f} for {} "
+            "{} wet readings are predicted by {} without any further parameter: chi2 = {:.2f} for "
+            "{} "
             "degrees of freedom (p = {:.2g}).",
             c.readings.size() - c.fitted,
             c.model.base == "rumpf" ? "Rumpf's cohesion on the simulated dry law" : "simulation",
@@ -122,9 +125,9 @@ int calibrate(const std::vector<std::string>& arguments) {
         console.note(note);
     }
     if (!measurements.excluded.empty()) {
-        console.note(fmt::format(
-            "Import left out {} ranges of rows. To list them: pendular import {}",
-            measurements.excluded.size(), common->study.string()));
+        console.note(
+            fmt::format("Import left out {} ranges of rows. To list them: pendular import {}",
+                        measurements.excluded.size(), common->study.string()));
     }
     auto json = to_json(c, comparison);
     add_belief(json, belief);

@@ -104,8 +104,8 @@ void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOption
     const RunStore store(there ? common.store : std::filesystem::path(RunStore::in_memory), there);
     const Survey found = survey(runs, store);
     console.answer(fmt::format("{} of {} runs are in {}, {} are to do.",
-                             runs.size() - found.missing.size(), runs.size(), common.store.string(),
-                             found.missing.size()));
+                               runs.size() - found.missing.size(), runs.size(),
+                               common.store.string(), found.missing.size()));
     const auto seconds = estimate_duration(found, store, common.threads, console);
     nlohmann::ordered_json json = {{"runs", runs.size()},
                                    {"stored", runs.size() - found.missing.size()},
@@ -122,14 +122,15 @@ void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOption
 void report(std::size_t runs, const Survey& before, const Survey& after, const RunStore& store,
             Console& console) {
     for (const auto& run : after.failed) {
-        console.note(fmt::format("The run with friction {}, inertial number {} and seed {} failed: {}",
-                                 run.parameters.friction, run.parameters.inertial_number,
-                                 run.parameters.seed, run.failure));
+        console.note(
+            fmt::format("The run with friction {}, inertial number {} and seed {} failed: {}",
+                        run.parameters.friction, run.parameters.inertial_number,
+                        run.parameters.seed, run.failure));
     }
     const std::size_t stored = runs - after.missing.size(),
                       made = before.missing.size() - after.missing.size();
     console.answer(fmt::format("{} of {} runs are in {}: {} new, {} failed.", stored, runs,
-                             store.file().string(), made, after.failed.size()));
+                               store.file().string(), made, after.failed.size()));
     console.json({{"runs", runs},
                   {"stored", stored},
                   {"new", made},

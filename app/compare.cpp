@@ -38,8 +38,10 @@ std::string with_effects(const ModelSettings& model) {
 /// is described and what was only predicted is not.
 std::string verdict_on_predicted(const Calibration& c, const Comparison& comparison) {
     if (c.fitted == c.readings.size() || comparison.predicted.p() >= incredible_p) return "";
-    return fmt::format("; the model does not describe the {} readings that were predicted, not fitted (p = {:.2g})",
-                       c.readings.size() - c.fitted, comparison.predicted.p());
+    return fmt::format(
+        "; the model does not describe the {} readings that were predicted, not fitted (p = "
+        "{:.2g})",
+        c.readings.size() - c.fitted, comparison.predicted.p());
 }
 
 }  // namespace
@@ -58,8 +60,9 @@ int compare(const std::vector<std::string>& arguments) {
         "  pendular compare my-study --out results --json -\n",
         true);
     CohesionOptions cohesion;
-    options.add("lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
-                "least P* of the points that cohesion lines are fitted to [1] (default: as calibrated)");
+    options.add(
+        "lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
+        "least P* of the points that cohesion lines are fitted to [1] (default: as calibrated)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

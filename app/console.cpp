@@ -32,8 +32,8 @@ std::string pattern_of(const std::string& text) {
             word += c;
             continue;
         }
-        const bool varies = std::ranges::any_of(
-            word, [](unsigned char each) { return std::isdigit(each) != 0; });
+        const bool varies =
+            std::ranges::any_of(word, [](unsigned char each) { return std::isdigit(each) != 0; });
         pattern += (varies ? "#" : word) + " ";
         word.clear();
     }
@@ -72,8 +72,8 @@ Console::~Console() {
 }
 
 void Console::answer(const std::string& text) {
-    const bool bold = options_.json != "-" && isatty(STDOUT_FILENO) != 0 &&
-                      std::getenv("NO_COLOR") == nullptr;
+    const bool bold =
+        options_.json != "-" && isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
     line(bold ? "\033[1m" + text + "\033[0m" : text);
 }
 

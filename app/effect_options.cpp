@@ -122,7 +122,8 @@ std::string example_of(const std::function<bool(const Effect&)>& wanted) {
         return "";
     }
     const EffectParameter& parameter = found->parameters.front();
-    return fmt::format("--{} {:g}", key(*found, parameter), parameter.neutral + parameter.smallest_of_interest);
+    return fmt::format("--{} {:g}", key(*found, parameter),
+                       parameter.neutral + parameter.smallest_of_interest);
 }
 
 }  // namespace pendular::app

@@ -60,9 +60,8 @@ EffectEntry entry_of(const Effect& effect, const EffectCatalogue& catalogue,
     EffectEntry entry{&effect, catalogue.is_written(effect)};
     if (study) {
         const auto& listed = study->model.effects;
-        entry.status = {
-            std::ranges::find(listed, effect.name, &ListedEffect::name) != listed.end(),
-            why_not(effect, *study)};
+        entry.status = {std::ranges::find(listed, effect.name, &ListedEffect::name) != listed.end(),
+                        why_not(effect, *study)};
     }
     return entry;
 }
@@ -83,8 +82,8 @@ void show_one(Console& console, const EffectEntry& entry) {
 }
 
 void show_all(Console& console, const std::vector<EffectEntry>& entries) {
-    console.answer(fmt::format(
-        "{} effects are known. To describe one: pendular effects NAME", entries.size()));
+    console.answer(fmt::format("{} effects are known. To describe one: pendular effects NAME",
+                               entries.size()));
     for (const auto& line : effects_table(entries)) {
         console.line(line);
     }

@@ -92,8 +92,9 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
     std::string json, out, fidelity, store, study;
     po::options_description common("Common options", 100);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    common.add_options()("json", po::value(&json)->value_name("FILE"),
-                         "file for the result as JSON; '-': standard output, with JSON alone on it")(
+    common.add_options()(
+        "json", po::value(&json)->value_name("FILE"),
+        "file for the result as JSON; '-': standard output, with JSON alone on it")(
         "out", po::value(&out)->value_name("DIR"), out_meaning_.c_str())(
         "fidelity", po::value(&fidelity)->default_value("standard")->value_name("NAME"),
         "quick, standard or paper: beads / stiffness number / lowest inertial number / averaged "
@@ -108,7 +109,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
             ->value_name("N"),
         threads_meaning_.c_str())("quiet", po::bool_switch(&result.quiet),
                                   "no progress on standard error")(
-        "all", po::bool_switch(&result.all), "all rows of tables and all notes")("help", "this text");
+        "all", po::bool_switch(&result.all), "all rows of tables and all notes")("help",
+                                                                                 "this text");
     po::options_description all, hidden;
     std::vector<std::string> words;
     if (takes_study_) {

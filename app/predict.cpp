@@ -102,12 +102,11 @@ void predict_one(const RequestedState& requested, const StatePredictor& predicto
     for (const auto& one : prediction.observables) {
         console.line(observable_line(one.which, one.value.value, one.value.standard_error));
     }
-    console.line(
-        fmt::format("The emulator was trained on {} runs{}; the solid fraction holds for stiffness "
-                    "number {:.4g}.",
-                    prediction.runs,
-                    simulates ? ", which support this state: nothing was simulated" : "",
-                    prediction.stiffness_number));
+    console.line(fmt::format(
+        "The emulator was trained on {} runs{}; the solid fraction holds for stiffness "
+        "number {:.4g}.",
+        prediction.runs, simulates ? ", which support this state: nothing was simulated" : "",
+        prediction.stiffness_number));
     console.json(to_json(prediction));
 }
 
@@ -135,9 +134,9 @@ void predict_along(const RequestedState& requested, const VariedQuantity& varied
     write_whole(folder / "prediction.csv", prediction_table(curve));
     draw(prediction_figure(curve, predictor.emulator()), folder / "figures");
     console.answer(fmt::format("{} states from {} runs are written to {} and {}.", curve.at.size(),
-                             predictor.emulator().runs().size(),
-                             (folder / "prediction.csv").string(),
-                             (folder / "figures" / "prediction.png").string()));
+                               predictor.emulator().runs().size(),
+                               (folder / "prediction.csv").string(),
+                               (folder / "figures" / "prediction.png").string()));
     note_left_out(curve, varied.points, console);
     console.json(to_json(curve));
 }

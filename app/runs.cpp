@@ -190,8 +190,8 @@ int plot(const Request& request, Console& console) {
     const auto runs = request.selected();
     const Figure figure = runs_figure(runs, request.x, request.y);
     draw(figure, folder);
-    console.line(
-        fmt::format("{} runs are drawn in {}", runs.size(), (folder / figure.name).string() + ".png"));
+    console.line(fmt::format("{} runs are drawn in {}", runs.size(),
+                             (folder / figure.name).string() + ".png"));
     return done;
 }
 
@@ -253,8 +253,8 @@ int prune(const Request& request, Console& console) {
         ids.push_back(run.id);
     }
     if (!request.yes) {
-        console.line(fmt::format("{} of {} runs would be removed. Add --yes to remove them.", ids.size(),
-                                 store.size()));
+        console.line(fmt::format("{} of {} runs would be removed. Add --yes to remove them.",
+                                 ids.size(), store.size()));
         return done;
     }
     const std::size_t removed = store.remove(ids);
@@ -280,13 +280,14 @@ int learn(const Request& request, Console& console) {
             hyperparameters[which] = PlainEmulator::learn(runs, which);
         }
         if (!request.common.quiet) {
-            fmt::print(stderr, "Hyperparameters fitted for {} of {} observables.\n", hyperparameters.size(),
-                       emulated::observables().size());
+            fmt::print(stderr, "Hyperparameters fitted for {} of {} observables.\n",
+                       hyperparameters.size(), emulated::observables().size());
         }
     }
     write_hyperparameters(request.words[0], hyperparameters);
-    console.line(fmt::format("Hyperparameters of {} observables, fitted from {} runs, are written to {}.", hyperparameters.size(),
-                             runs.size(), request.words[0]));
+    console.line(
+        fmt::format("Hyperparameters of {} observables, fitted from {} runs, are written to {}.",
+                    hyperparameters.size(), runs.size(), request.words[0]));
     return done;
 }
 
@@ -310,7 +311,8 @@ int runs(const std::vector<std::string>& arguments) {
         "  import FILE.csv   add the runs of such a table\n"
         "  merge STORE...    add the runs of other stores\n"
         "  prune             remove the runs of --where\n"
-        "  learn FILE.csv    fit the emulator's hyperparameters; as emulator.csv beside an atlas they "
+        "  learn FILE.csv    fit the emulator's hyperparameters; as emulator.csv beside an atlas "
+        "they "
         "spare\n"
         "                    other commands the fit",
         "  pendular runs list --where \"friction = 0.09 AND reduced_pressure IS NULL\"\n"

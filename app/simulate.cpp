@@ -43,7 +43,8 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
     effects.print(console, p);
     if (p.wetting) {
         console.line(fmt::format(
-            "Reduced pressure {:g} and bridge volume {:g} a^3 give a liquid content of {}; {} of the "
+            "Reduced pressure {:g} and bridge volume {:g} a^3 give a liquid content of {}; {} of "
+            "the "
             "liquid is in bridges without contact.",
             p.wetting->reduced_pressure, p.wetting->bridge_volume,
             with_error(run[dem::Observable::liquid_content].value,
@@ -66,11 +67,12 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
     for (const dem::Precision& wanted : p.precision) {
         const double reached = run[wanted.which].standard_error;
         if (reached > wanted.standard_error) {
-            console.note(fmt::format(
-                "The standard error of {} is {:.2g} after an averaged strain of {:.3g}; the request "
-                "was {:g}: raise --strain or --beads.",
-                dem::observable_names[static_cast<std::size_t>(wanted.which)], reached,
-                run.strain_averaged, wanted.standard_error));
+            console.note(
+                fmt::format("The standard error of {} is {:.2g} after an averaged strain of "
+                            "{:.3g}; the request "
+                            "was {:g}: raise --strain or --beads.",
+                            dem::observable_names[static_cast<std::size_t>(wanted.which)], reached,
+                            run.strain_averaged, wanted.standard_error));
         }
     }
     if (!run.steady) {
@@ -243,7 +245,7 @@ dem::RunResult shear(const dem::RunParameters& run, const dem::StoredSample* sta
 }
 
 void simulate_and_report(dem::RunParameters run, const RunEffects& effects, const Extras& extras,
-               const CommonOptions& common, Console& console) {
+                         const CommonOptions& common, Console& console) {
     std::optional<dem::Checkpoint> checkpoint;
     if (!extras.checkpoint.empty()) {
         checkpoint.emplace(extras.checkpoint,
@@ -277,9 +279,10 @@ void simulate_and_report(dem::RunParameters run, const RunEffects& effects, cons
     }
     print_result(console, result, effects);
     if (start) {
-        console.line(fmt::format("The run started from the final state of run {}: friction {:.4g}, inertial number {:.4g}.",
-                                 start->id, start->run.parameters.friction,
-                                 start->run.parameters.inertial_number));
+        console.line(fmt::format(
+            "The run started from the final state of run {}: friction {:.4g}, inertial number "
+            "{:.4g}.",
+            start->id, start->run.parameters.friction, start->run.parameters.inertial_number));
     }
     nlohmann::ordered_json json = to_json(result);
     effects.add_to(json);

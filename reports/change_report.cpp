@@ -52,15 +52,16 @@ std::string left_out_rose(const LadderStep& before, const LadderStep& after) {
     return which;
 }
 
-std::string advice_on_added(const std::string& effect, const LadderStep& before, const LadderStep& after,
-                            const std::string& study) {
+std::string advice_on_added(const std::string& effect, const LadderStep& before,
+                            const LadderStep& after, const std::string& study) {
     const std::string undo = fmt::format(
         "remove it again with 'pendular drop {0} {1}', or find what is missing with 'pendular "
         "diagnose {0}'",
         study, effect);
     if (after.chi2 >= before.chi2) {
-        return fmt::format("The error did not fall (chi2 {} -> {}): {} is not the missing effect; {}.",
-                           number(before.chi2), number(after.chi2), effect, undo);
+        return fmt::format(
+            "The error did not fall (chi2 {} -> {}): {} is not the missing effect; {}.",
+            number(before.chi2), number(after.chi2), effect, undo);
     }
     if (fell_by_chance(before, after)) {
         return fmt::format(
@@ -78,10 +79,11 @@ std::string advice_on_added(const std::string& effect, const LadderStep& before,
     return "";
 }
 
-std::string advice_on_dropped(const std::string& effect, const LadderStep& before, const LadderStep& after,
-                              const std::string& study) {
+std::string advice_on_dropped(const std::string& effect, const LadderStep& before,
+                              const LadderStep& after, const std::string& study) {
     if (after.chi2 <= before.chi2) {
-        return fmt::format("The error did not rise without {}: the model does not need it.", effect);
+        return fmt::format("The error did not rise without {}: the model does not need it.",
+                           effect);
     }
     if (fell_by_chance(after, before)) {
         return fmt::format(
@@ -97,15 +99,17 @@ std::string advice_on_dropped(const std::string& effect, const LadderStep& befor
 
 }  // namespace
 
-std::string verdict_of(const StudyChange& change, const LadderStep& before, const LadderStep& after) {
+std::string verdict_of(const StudyChange& change, const LadderStep& before,
+                       const LadderStep& after) {
     const std::string from = number(before.chi2_per_dof()), to = number(after.chi2_per_dof());
     const double ratio = after.chi2_per_dof() / before.chi2_per_dof();
     const std::string moved = from == to  ? "stays at " + to
                               : ratio < 1 ? fmt::format("falls from {} to {}", from, to)
                                           : fmt::format("rises from {} to {}", from, to);
-    return fmt::format("{} {}: chi2/dof {}, the RMS error of shear stress goes from {:.2f} % to {:.2f} %.",
-                       change.effect, change.change == Action::add ? "added" : "dropped", moved,
-                       before.rms_percent[0], after.rms_percent[0]);
+    return fmt::format(
+        "{} {}: chi2/dof {}, the RMS error of shear stress goes from {:.2f} % to {:.2f} %.",
+        change.effect, change.change == Action::add ? "added" : "dropped", moved,
+        before.rms_percent[0], after.rms_percent[0]);
 }
 
 std::vector<std::string> error_changes(const LadderStep& before, const LadderStep& after) {
@@ -121,9 +125,9 @@ std::vector<std::string> error_changes(const LadderStep& before, const LadderSte
     }
     if (before.left_out_percent && after.left_out_percent) {
         for (std::size_t o = 0; o < observables.size(); ++o) {
-            lines.push_back(row(fmt::format("RMS error of {}, left-out conditions [%]",
-                                            observables[o]),
-                                (*before.left_out_percent)[o], (*after.left_out_percent)[o]));
+            lines.push_back(
+                row(fmt::format("RMS error of {}, left-out conditions [%]", observables[o]),
+                    (*before.left_out_percent)[o], (*after.left_out_percent)[o]));
         }
     }
     return lines;
@@ -143,8 +147,8 @@ std::vector<std::string> parameter_changes(const LadderStep& before, const Ladde
     return lines;
 }
 
-std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before, const LadderStep& after,
-                                   const std::string& study) {
+std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before,
+                                   const LadderStep& after, const std::string& study) {
     std::vector<std::string> lines;
     const auto advise = change.change == Action::add ? advice_on_added : advice_on_dropped;
     if (std::string advice = advise(change.effect, before, after, study); !advice.empty()) {
@@ -153,10 +157,10 @@ std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& 
     for (const LadderParameter& p : before.parameters) {
         const LadderParameter* const later = after.find(p.name);
         if (later && std::abs(drift(p, *later)) > 3) {
-            lines.push_back(
-                fmt::format("The fitted {} changed by {:.1f} of its standard errors: one of the two "
-                            "models compensates with it for another effect.",
-                            p.name, std::abs(drift(p, *later))));
+            lines.push_back(fmt::format(
+                "The fitted {} changed by {:.1f} of its standard errors: one of the two "
+                "models compensates with it for another effect.",
+                p.name, std::abs(drift(p, *later))));
         }
     }
     return lines;

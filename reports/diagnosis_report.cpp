@@ -97,9 +97,8 @@ const EffectParameter& parameter_of(const ModelSpace& space, const Finding& find
 
 std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
     const Explanation& best = *best_of(d.confidence_set);
-    std::string line =
-        fmt::format("Missing: {}. Adding {} brings {}.", with_estimates(best, space),
-                    best.chosen.size() > 1 ? "them" : "it", reduction(d, best));
+    std::string line = fmt::format("Missing: {}. Adding {} brings {}.", with_estimates(best, space),
+                                   best.chosen.size() > 1 ? "them" : "it", reduction(d, best));
     if (d.confidence_set.size() > 1) {
         line = fmt::format(
             "Missing: {}, and something else that these readings do not identify: {} explain them "
@@ -133,11 +132,13 @@ std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) 
 
 std::string inconclusive_line(const Diagnosis& d) {
     if (d.effects.empty() && !d.errors_assumed) {
-        return "No effect is missing as far as these readings show, but they would reveal none of the known "
+        return "No effect is missing as far as these readings show, but they would reveal none of "
+               "the known "
                "effects.";
     }
     if (d.effects.empty()) {
-        return "The readings do not tell whether an effect is missing: their errors are assumed, not "
+        return "The readings do not tell whether an effect is missing: their errors are assumed, "
+               "not "
                "measured.";
     }
     return fmt::format(
@@ -151,8 +152,8 @@ std::string finding_line(const Finding& finding, const ModelSpace& space) {
     const EffectParameter& p = candidate.parameters.front();
     if (!finding.test.seen()) {
         return fmt::format("  {:<24} {:>26} {:>9} {:>9} {:>8.0f} % {:>6} {:>8}   {}",
-                           candidate.name, "-", "-", "-", 100 * finding.test.share_imitated, "-", "-",
-                           finding.decision);
+                           candidate.name, "-", "-", "-", 100 * finding.test.share_imitated, "-",
+                           "-", finding.decision);
     }
     const std::string unit = candidate.is_switch() ? "1" : p.unit;
     return fmt::format(
@@ -214,10 +215,11 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
     lines.push_back(
         "  (chi2 falls: predicted, refitted; imitated: by the calibrated parameters; power: to see "
         "the smallest effect of interest; p: for the best of all effects tested)");
-    if (std::ranges::any_of(d.scan,
-                            [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
+    if (std::ranges::any_of(
+            d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(
-            "  (chi2 may grow with an effect: the model's own errors, which chi2 includes, are then "
+            "  (chi2 may grow with an effect: the model's own errors, which chi2 includes, are "
+            "then "
             "smaller)");
     }
     return lines;

@@ -9,6 +9,8 @@
 namespace pendular {
 namespace {
 
+constexpr double significant = 0.05;
+
 std::string sentence(const Check& check) {
     const std::string p = fmt::format("p {}", p_text(check.p));
     switch (check.kind) {
@@ -17,11 +19,11 @@ std::string sentence(const Check& check) {
                 "The model misses the mean of at least one condition (lack of fit, {}).", p);
         case Check::Kind::trend:
             return fmt::format("Measured {} {} the model as {} grows ({}).", check.of,
-                               check.statistic > 0 ? "rises above" : "falls below",
-                               check.covariate, p);
+                               check.statistic > 0 ? "rises above" : "falls below", check.covariate,
+                               p);
         case Check::Kind::score:
-            return fmt::format("The fitted {} depends on {} ({}): it should be constant.",
-                               check.of, check.covariate, p);
+            return fmt::format("The fitted {} depends on {} ({}): it should be constant.", check.of,
+                               check.covariate, p);
         case Check::Kind::runs:
             return fmt::format("Neighbouring readings of {} lie on one side of the model ({}).",
                                check.of, p);
@@ -37,7 +39,6 @@ std::string p_text(double p, const char* equals) {
 }
 
 std::vector<const Check*> significant_checks(const Checks& checks) {
-    constexpr double significant = 0.05;
     std::vector<const Check*> result;
     for (const Check& check : checks.all) {
         if (check.p < significant) result.push_back(&check);
@@ -60,8 +61,12 @@ std::vector<std::string> checks_table(const Checks& checks) {
         lines.empty()
             ? fmt::format("None of {} checks finds where the model fails (p {} for all together).",
                           checks.all.size(), p_text(checks.p))
-            : fmt::format("Where the model fails ({} checks, p {} for all together):",
-                          checks.all.size(), p_text(checks.p)));
+        : checks.p < significant
+            ? fmt::format("Where the model fails ({} checks, p {} for all together):",
+                          checks.all.size(), p_text(checks.p))
+            : fmt::format("Together, {} checks find no failure of the model (p {}); single checks "
+                          "with p < {}:",
+                          checks.all.size(), p_text(checks.p), significant));
     return lines;
 }
 
@@ -75,8 +80,8 @@ std::string deviating_line(std::vector<std::pair<std::string, double>> measureme
     }
     const std::size_t others = measurements.size() - named.size();
     return fmt::format("Measurements that deviate most from the rest: {}{}.",
-                       fmt::join(named, "; "), others > 0 ? fmt::format("; and {} more", others)
-                                                          : "");
+                       fmt::join(named, "; "),
+                       others > 0 ? fmt::format("; and {} more", others) : "");
 }
 
 std::vector<std::string> failure_table(const WhereItFails& where) {

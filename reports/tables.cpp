@@ -57,7 +57,8 @@ std::vector<std::string> scatter_table(const Measurements& measurements) {
                  fmt::format("Scatter between repetitions [% of the value], at {} Pa{}:",
                              short_text(scatter.reference_stress),
                              scatter.stated ? ", as stated in [scatter]" : ""));
-    lines.insert(lines.begin() + 1, fmt::format("  {:>12} {:>14}", "shear stress", "solid fraction"));
+    lines.insert(lines.begin() + 1,
+                 fmt::format("  {:>12} {:>14}", "shear stress", "solid fraction"));
     const auto& [stress, fraction] = scatter.filling;
     if (stress.variance > 0 || fraction.variance > 0) {
         lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   shared by all steps of a filling",
@@ -76,9 +77,8 @@ std::vector<std::string> scatter_table(const Measurements& measurements) {
 std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first) {
     std::vector<std::string> lines = {
         fmt::format("  {:<{}} {:>9} {:>9} | {:>9} {:>9} {:>6} | {:>9} {:>9} {:>6} | {:>6}",
-                    worst_first ? "reading (worst fit first)" : "reading", place_width, "s22 [Pa]", "I [1]",
-                    "s12 [Pa]", "model", "sigma",
-                    "Phi_S [1]", "model", "sigma", "chi2")};
+                    worst_first ? "reading (worst fit first)" : "reading", place_width, "s22 [Pa]",
+                    "I [1]", "s12 [Pa]", "model", "sigma", "Phi_S [1]", "model", "sigma", "chi2")};
     std::vector<ReadingMisfit> misfits = comparison.readings;
     if (worst_first) {
         std::ranges::stable_sort(misfits, std::greater<>(),
