@@ -34,7 +34,7 @@ void add(Curve& curve, std::size_t place, double value, double aside = 0) {
 }
 
 Panel drop_panel(const Diagnosis& diagnosis, const std::vector<const Finding*>& findings) {
-    Panel panel{.x_label = "", .y_label = "drop of χ^2", .y_from_zero = true};
+    Panel panel{.x_label = "", .y_label = "reduction of χ^2", .y_from_zero = true};
     panel.x_names.resize(findings.size());
     Curve predicted{.label = "predicted", .style = Curve::Style::bars, .colour = model_colour},
         refitted{.label = "refitted",
@@ -58,9 +58,9 @@ Panel drop_panel(const Diagnosis& diagnosis, const std::vector<const Finding*>& 
 }
 
 Panel size_panel(const std::vector<const Finding*>& findings, const ModelSpace& space) {
-    Panel panel{.x_label = "", .y_label = "size/size that matters", .zero_line = true};
+    Panel panel{.x_label = "", .y_label = "amplitude / smallest of interest", .zero_line = true};
     Curve estimates{.label = "estimate, ± 1 standard error", .colour = measured_colour},
-        detectable{.label = "seen in 4 of 5 such studies from here on",
+        detectable{.label = "seen with a power of 0.8 from here on",
                    .colour = calibrated_colour,
                    .symbol = {Shape::triangle, Filling::hollow}};
     for (std::size_t k = 0; k < findings.size(); ++k) {
@@ -74,7 +74,7 @@ Panel size_panel(const std::vector<const Finding*>& findings, const ModelSpace& 
         panel.x_names.push_back(broken_name(candidate.name));
     }
     panel.curves = {detectable, estimates};
-    panel.references.push_back({"the size that matters", 1, 0, false, "#888888"});
+    panel.references.push_back({"smallest effect of interest", 1, 0, false, "#888888"});
     panel.key = Key::top_right;
     panel.headroom = 0.3;
     return panel;

@@ -96,8 +96,9 @@ std::string parameter_text(const EffectParameter& p) {
     if (p.is_switch()) {
         return fmt::format("{}, a switch: 1 on, 0 off: {}", p.name, p.meaning);
     }
-    return fmt::format("{} [{}], {:g} to {:g}, gone at {:g}, matters from {:g} on: {}", p.name,
-                       p.unit, p.lower, p.upper, p.neutral, p.smallest_of_interest, p.meaning);
+    return fmt::format("{} [{}], {:g} to {:g}, neutral at {:g}, smallest of interest {:g}: {}",
+                       p.name, p.unit, p.lower, p.upper, p.neutral, p.smallest_of_interest,
+                       p.meaning);
 }
 
 /// "--torque-offset.torque 0.0001": a size that would matter.
@@ -162,8 +163,8 @@ std::string parameter_row(const EffectParameter& p) {
 
 std::string parameter_table(const Effect& effect) {
     std::string text =
-        "| parameter | unit | bounds | gone at | matters from | meaning |\n"
-        "|---|---|---|---|---|---|\n";
+        "| parameter | unit | bounds | neutral | smallest of interest | meaning "
+        "|\n|---|---|---|---|---|---|\n";
     for (const EffectParameter& p : effect.parameters) {
         text += parameter_row(p);
     }
@@ -174,7 +175,7 @@ std::string manual_how_to(const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
     const Group& group = groups[group_index(effect)];
     std::string text =
-        fmt::format("In a study, which `pendular add STUDY {}` does too:\n\n", effect.name) +
+        fmt::format("In a study, as `pendular add STUDY {}` writes it:\n\n", effect.name) +
         code_block("toml", fmt::format("[model]\neffects = [\"{}\"]", effect.name));
     if (!entry.written && group.in_virtual_lab) {
         text += "\nAs a hidden truth of a virtual laboratory:\n\n" +
@@ -267,8 +268,8 @@ std::string manual_page(const EffectEntry& entry, const std::string& figure) {
 
 std::string manual_index(const std::vector<EffectEntry>& entries) {
     std::string text =
-        "# Effects\n\nWhat a model may lack. Written by `pendular effects --manual` from what the "
-        "program knows of each.\n";
+        "# Effects\n\nPhysical effects that a model may lack. Written by `pendular effects "
+        "--manual` from the registry of effects.\n";
     for (std::size_t g = 0; g < groups.size(); ++g) {
         std::string rows;
         for (const EffectEntry& entry : entries) {

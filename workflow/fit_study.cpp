@@ -65,9 +65,9 @@ Calibration fit_study(const ResolvedStudy& study, const Measurements& measuremen
 
 dem::Interrupted interrupted_with(const RunStore* store) {
     if (!store) return dem::Interrupted();
-    return dem::Interrupted(fmt::format(
-        "the runs that were done are in {}; give the same command again to go on from there",
-        store->file().string()));
+    return dem::Interrupted(
+        fmt::format("The finished runs are in {}; give the same command again to continue.",
+                    store->file().string()));
 }
 
 }  // namespace pendular

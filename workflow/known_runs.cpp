@@ -19,7 +19,8 @@ namespace pendular {
 EmulatorHyperparameters atlas_hyperparameters() {
     const std::filesystem::path atlas = atlas_file();
     const auto file = atlas.parent_path() / hyperparameters_name;
-    return !atlas.empty() && std::filesystem::exists(file) ? read_hyperparameters(file) : EmulatorHyperparameters{};
+    return !atlas.empty() && std::filesystem::exists(file) ? read_hyperparameters(file)
+                                                           : EmulatorHyperparameters{};
 }
 
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
@@ -47,8 +48,8 @@ std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity
     known.runs = runs_serving(study, fidelity, runs);
     if (known.runs.size() > most_known) {
         tell(listener, {.text = fmt::format(
-                            "of {} runs that could serve the emulator knows {}, the atlas and "
-                            "the latest of the store; 'pendular runs prune' removes some",
+                            "Of {} possible training runs the emulator uses {}: the atlas and the "
+                            "latest runs of the store. 'pendular runs prune' removes runs.",
                             known.runs.size(), most_known)});
         known.runs.resize(most_known);
     }

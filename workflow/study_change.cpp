@@ -68,8 +68,8 @@ Fitted fitted(const ResolvedStudy& study, Calibration c) {
             .undetermined = counted.undetermined};
 }
 
-nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before, const LadderStep& after,
-                               bool written) {
+nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
+                               const LadderStep& after, bool written) {
     const auto side = [](const LadderStep& ladder_step) {
         auto json = to_json(ladder_step);
         for (const char* of_the_ladder : {"step", "change", "effect"}) {
@@ -84,8 +84,8 @@ nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& befo
             {"after", side(after)}};
 }
 
-void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after, Ladder& ladder,
-               const std::filesystem::path& out) {
+void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after,
+                  Ladder& ladder, const std::filesystem::path& out) {
     const std::filesystem::path& file = change.study.study().file;
     if (read_text(file) != change.old_text) {
         throw InputError({file.string()},
@@ -141,7 +141,8 @@ ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measur
     if (comparable && earlier->cold == begins_cold(study, session, fit)) {
         before = fitted(study, std::move(*earlier), session);
     } else {
-        tell(session.listener, {.kind = Event::Kind::stage, .text = "fitting the study as it is"});
+        tell(session.listener,
+             {.kind = Event::Kind::stage, .text = "fitting the study before the change"});
         FitOptions unconfirmed = fit;
         unconfirmed.confirm = false;
         before = fitted(study, fit_study(study, measurements, session, unconfirmed), session);

@@ -81,10 +81,10 @@ void Diagnostician::fit_base() {
     const auto entries = evidence_.measured.value.size();
     const auto parameters = static_cast<Eigen::Index>(model->parameters().size());
     if (entries <= parameters) {
-        throw InputError(fmt::format(
-            "{} measured values and {} calibrated parameters: nothing is left to judge the model "
-            "by; add readings",
-            entries, parameters));
+        throw InputError(
+            fmt::format("{} measured values and {} calibrated parameters leave no degree of "
+                        "freedom to test the model with; add readings",
+                        entries, parameters));
     }
     say("fit", 0, 1);
     base_ = explanations_.refit({}, {}, options_.start.value_or(start_of(*model)));
@@ -277,7 +277,7 @@ void Diagnostician::decide() {
         } else if (!base && std::ranges::any_of(result_.confidence_set, in_set)) {
             finding.decision = "may be missing too";
         } else if (std::ranges::any_of(result_.tried, unsettled)) {
-            finding.decision = "its fit did not settle";
+            finding.decision = "its refit did not converge";
         } else if (!finding.identifiable) {
             finding.decision = "cannot be seen";
         } else if (base) {

@@ -50,7 +50,7 @@ struct Finding {
     double value = 0;           ///< estimate of the parameter [its unit]; 1 or 0 for a switch
     double standard_error = 0;  ///< [its unit]
     double p = 1;               ///< that some candidate looks so good where nothing is missing
-    double power = 0;           ///< to see the size that matters
+    double power = 0;           ///< to see the smallest effect of interest
     double detectable = 0;      ///< how far from neutral it is seen in 4 of 5 cases [its unit]
     std::optional<double> refitted_reduction;  ///< of chi2, where it was refitted
     std::string decision;

@@ -13,7 +13,7 @@ namespace pendular {
 /// with the calibrated parameters projected out, g' P r = U and g' P g = v; b and v_c take out what
 /// the model's own errors e_f, e_g add to them on average:
 ///     b = -tr(P Cov(e_f, e_g)),  v_c = v - tr(P Cov(e_g)),
-///     estimate = (U - b)/v_c,  predicted drop of chi2 = (U - b)^2/v.
+///     estimate = (U - b)/v_c,  predicted reduction of chi2 = (U - b)^2/v.
 /// A switch has the amplitude 1 or none: its drop is 2 (U - b) - v_c.
 /// Sources: score tests (Rao 1948; modification indices, Soerbom 1989; power, Saris, Satorra and
 /// van der Veld 2009), with errors in the derivatives.

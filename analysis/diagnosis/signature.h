@@ -29,7 +29,7 @@ class Addition {
     Addition(const ModelSpace& space, EffectSet chosen, std::size_t added, Eigen::VectorXd parameters,
              Eigen::VectorXd values);
 
-    /// Its signature about neutral, at the size that matters.
+    /// Its signature about neutral, at the smallest effect of interest.
     Signature signature(bool with_errors) const;
     /// Computes the signature at another amplitude, other than zero, within the bounds.
     void retake(Signature& signature, double amplitude) const;
@@ -45,7 +45,7 @@ class Addition {
     Eigen::VectorXd change_at(const Eigen::VectorXd& values) const;
     Eigen::VectorXd neutral() const;
     bool mirrored(const Eigen::VectorXd& change) const;
-    /// A direction in which there is room for the size that matters.
+    /// A direction in which there is room for the smallest effect of interest.
     double direction(const EffectParameter& p) const;
 
     const ModelSpace& space_;

@@ -47,15 +47,15 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
     }
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         if (!out_of_range(fit, parameters, k)) continue;
-        belief.reasons.push_back(
-            fmt::format("{} ended at {:.3g}, the bound of its range or of what the runs know.",
-                        parameters[k].name, fit.parameters(static_cast<Eigen::Index>(k))));
+        belief.reasons.push_back(fmt::format(
+            "The fitted {} ended at {:.3g}, the bound of its range or of the training runs.",
+            parameters[k].name, fit.parameters(static_cast<Eigen::Index>(k))));
     }
     for (std::size_t k = 0; k < std::min(most_doubts, measurements.doubts.size()); ++k) {
         belief.reasons.push_back(measurements.doubts[k].what);
     }
     if (measurements.doubts.size() > most_doubts) {
-        belief.reasons.push_back(fmt::format("{} further doubts, which 'pendular import' lists.",
+        belief.reasons.push_back(fmt::format("{} further doubts; 'pendular import' lists them.",
                                              measurements.doubts.size() - most_doubts));
     }
     const std::size_t aside = readings_set_aside(measurements);
@@ -74,7 +74,7 @@ std::string error_basis(const Measurements& measurements) {
         return fmt::format("errors of 2 % assumed for {} of {} readings: nothing was repeated",
                            assumed, measurements.readings.size());
     }
-    if (measurements.scatter.stated) return "errors as [scatter] of the study states";
+    if (measurements.scatter.stated) return "errors as stated in [scatter] of the study";
     const auto repeated = std::ranges::count_if(measurements.readings,
                                                 [](const Reading& r) { return r.replicates > 1; });
     return repeated > 0 ? fmt::format("errors from {} repeated readings", repeated)

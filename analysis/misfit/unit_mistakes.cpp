@@ -264,7 +264,7 @@ bool better(double chi2, const Factor& factor, const std::optional<UnitMistake>&
 
 std::string UnitMistake::sentence() const {
     return fmt::format(
-        "Multiplying the {} {} by {:.4g} takes chi2 from {:.3g} to {:.2g} for {} degrees of "
+        "Multiplying the {} {} by {:.4g} reduces chi2 from {:.3g} to {:.2g} for {} degrees of "
         "freedom, as if {}: check the unit in the file.",
         column, files, factor, chi2_before, chi2_after, dof, unit);
 }

@@ -55,7 +55,8 @@ double response_size(const EffectValues& values, const FlowState& state, Observa
 /// friction lets it be at most.
 double response_degree(const EffectValues& values, double friction) {
     const EffectParameter& p = built_in_effect(values.effect).parameters.front();
-    const double most = p.effective_amplitude ? p.effective_amplitude(p.upper, friction) : response_scale(values.effect);
+    const double most = p.effective_amplitude ? p.effective_amplitude(p.upper, friction)
+                                              : response_scale(values.effect);
     return most > 0 ? response_amplitude(values, friction) / most : 0;
 }
 
@@ -100,10 +101,10 @@ std::unique_ptr<const EffectResponse> Emulator::learned(const std::string& effec
         plain.push_back({state, which});
     }
     if (plain.empty()) {
-        throw std::invalid_argument(fmt::format(
-            "no known run has the effect {}; the atlas that comes with the program has some: name "
-            "it with $PENDULAR_ATLAS, or make a campaign with {} in it",
-            effect, effect));
+        throw std::invalid_argument(
+            fmt::format("no known run has the effect {}; the atlas that comes with the program has "
+                        "such runs: name it in $PENDULAR_ATLAS, or make a campaign with {}",
+                        effect, effect));
     }
     const auto vector = [](const std::vector<double>& v) {
         return Eigen::VectorXd(
@@ -113,9 +114,9 @@ std::unique_ptr<const EffectResponse> Emulator::learned(const std::string& effec
     Eigen::MatrixXd covariance = size.cwiseInverse().asDiagonal() * plain_.covariance(plain) *
                                  size.cwiseInverse().asDiagonal();
     covariance.diagonal() += vector(variances);
-    return std::make_unique<EffectResponse>(std::move(places), vector(amplitudes),
-                                            vector(training_values) - plain_.mean(plain).cwiseQuotient(size),
-                                            covariance);
+    return std::make_unique<EffectResponse>(
+        std::move(places), vector(amplitudes),
+        vector(training_values) - plain_.mean(plain).cwiseQuotient(size), covariance);
 }
 
 const EffectResponse& Emulator::response_to(const std::string& effect, Observable which) const {
@@ -189,9 +190,10 @@ std::string Emulator::beyond(const FlowState& state) const {
         double value, least = INFINITY, greatest = -INFINITY;
         bool below_smallest_of_interest = true;
     };
-    std::vector<Known> inputs = {
-        {.name = "friction", .value = state.friction},
-        {.name = "inertial number", .value = state.inertial_number, .below_smallest_of_interest = false}};
+    std::vector<Known> inputs = {{.name = "friction", .value = state.friction},
+                                 {.name = "inertial number",
+                                  .value = state.inertial_number,
+                                  .below_smallest_of_interest = false}};
     if (!state.dry()) {
         inputs.push_back({.name = "reduced pressure", .value = 1 / state.inverse_pressure});
         inputs.push_back({.name = "bridge volume over a^3", .value = state.bridge_volume});
@@ -214,7 +216,8 @@ std::string Emulator::beyond(const FlowState& state) const {
     std::string text;
     for (const Known& input : inputs) {
         const bool above = input.value > input.greatest * (1 + rounding);
-        if (above || (input.below_smallest_of_interest && input.value < input.least * (1 - rounding))) {
+        if (above ||
+            (input.below_smallest_of_interest && input.value < input.least * (1 - rounding))) {
             text += fmt::format("{}{} {:.4g} is {} {:.4g}", text.empty() ? "" : ", ", input.name,
                                 input.value, above ? "above" : "below",
                                 above ? input.greatest : input.least);

@@ -40,7 +40,8 @@ class Cost : public ceres::FirstOrderFunction {
         std::array<double, Hyperparameters::count> hyperparameters;
         std::transform(logarithms, logarithms + Hyperparameters::count, hyperparameters.begin(),
                        [](double log) { return std::exp(log); });
-        *cost = hyperparameter_cost(domain_, known_, unit_, Hyperparameters::from_array(hyperparameters), gradient);
+        *cost = hyperparameter_cost(domain_, known_, unit_,
+                                    Hyperparameters::from_array(hyperparameters), gradient);
         return std::isfinite(*cost);
     }
     int NumParameters() const override { return Hyperparameters::count; }
@@ -53,8 +54,8 @@ class Cost : public ceres::FirstOrderFunction {
 
 }  // namespace
 
-double hyperparameter_cost(Domain domain, const Observations& known, double unit, const Hyperparameters& hyperparameters,
-                   double* gradient) {
+double hyperparameter_cost(Domain domain, const Observations& known, double unit,
+                           const Hyperparameters& hyperparameters, double* gradient) {
     const Kernel kernel(domain, hyperparameters, unit);
     const auto n = static_cast<Eigen::Index>(known.at.size());
     Eigen::VectorXd noise(n);
@@ -63,7 +64,8 @@ double hyperparameter_cost(Domain domain, const Observations& known, double unit
     }
     const auto places = kernel.prepare(known.at);
     Eigen::MatrixXd matrix = kernel.matrix(places);
-    matrix.diagonal().array() += noise.array() + hyperparameters.between_run_scatter * hyperparameters.between_run_scatter;
+    matrix.diagonal().array() +=
+        noise.array() + hyperparameters.between_run_scatter * hyperparameters.between_run_scatter;
     const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
     if (factor.info() != Eigen::Success) {
         return INFINITY;
@@ -90,17 +92,19 @@ double hyperparameter_cost(Domain domain, const Observations& known, double unit
         gradient[Hyperparameters::of_processes] =
             slopes[Hyperparameters::of_processes] + 0.5 * spread.diagonal().dot(noise);
         gradient[Hyperparameters::count - 1] =
-            slopes.back() + spread.trace() * hyperparameters.between_run_scatter * hyperparameters.between_run_scatter;
+            slopes.back() + spread.trace() * hyperparameters.between_run_scatter *
+                                hyperparameters.between_run_scatter;
     }
     return cost;
 }
 
 Hyperparameters fit_hyperparameters(Domain domain, const Observations& known, double unit) {
     if (known.at.empty()) {
-        throw std::invalid_argument("scales cannot be learned from no runs");
+        throw std::invalid_argument("the fit of hyperparameters needs training runs");
     }
     auto hyperparameters = prior(unit).median.as_array();
-    std::ranges::transform(hyperparameters, hyperparameters.begin(), [](double value) { return std::log(value); });
+    std::ranges::transform(hyperparameters, hyperparameters.begin(),
+                           [](double value) { return std::log(value); });
     const ceres::GradientProblem problem(new Cost(domain, known, unit));
     ceres::GradientProblemSolver::Options options;
     options.logging_type = ceres::SILENT;
@@ -108,7 +112,8 @@ Hyperparameters fit_hyperparameters(Domain domain, const Observations& known, do
     options.function_tolerance = 1e-7;
     ceres::GradientProblemSolver::Summary summary;
     ceres::Solve(options, problem, hyperparameters.data(), &summary);
-    std::ranges::transform(hyperparameters, hyperparameters.begin(), [](double log) { return std::exp(log); });
+    std::ranges::transform(hyperparameters, hyperparameters.begin(),
+                           [](double log) { return std::exp(log); });
     return Hyperparameters::from_array(hyperparameters);
 }
 

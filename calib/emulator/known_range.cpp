@@ -165,17 +165,17 @@ std::string KnownRange::why_unsure(const FlowState& state) const {
     const Eigen::VectorXd value = emulator_.mean(pair);
     const Eigen::VectorXd error = emulator_.covariance(pair).diagonal().cwiseSqrt();
     if (!(value(0) > 0)) {
-        return fmt::format("the stress ratio would be {:.2g}, which is not above 0", value(0));
+        return fmt::format("the predicted stress ratio {:.2g} is not above 0", value(0));
     }
     if (!(value(1) >= lowest_fraction && value(1) <= highest_fraction)) {
-        return fmt::format("the solid fraction would be {:.3g}, which is not between {} and {}",
-                           value(1), lowest_fraction, highest_fraction);
+        return fmt::format("the predicted solid fraction {:.3g} is not between {} and {}", value(1),
+                           lowest_fraction, highest_fraction);
     }
     const double largest[] = {largest_ratio_error, largest_fraction_error};
     for (const Eigen::Index k : {0, 1}) {
         if (!(error(k) <= largest[k] * value(k))) {
             return fmt::format(
-                "the standard error of the {} would be {:.2g} % of it, more than {:g} %",
+                "the standard error of the predicted {} is {:.2g} %, more than {:g} %",
                 k == 0 ? "stress ratio" : "solid fraction", 100 * error(k) / value(k),
                 100 * largest[k]);
         }

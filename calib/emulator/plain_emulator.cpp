@@ -57,8 +57,9 @@ Observations observations_of(const std::vector<dem::RunResult>& runs, Observable
         known.noise.push_back(noise);
     }
     if (known.at.empty()) {
-        throw std::invalid_argument(fmt::format(
-            "no run says anything of {}", dem::observable_names[static_cast<std::size_t>(which)]));
+        throw std::invalid_argument(
+            fmt::format("no training run has a value of {}",
+                        dem::observable_names[static_cast<std::size_t>(which)]));
     }
     known.values = Eigen::MatrixXd(
         Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
@@ -86,7 +87,7 @@ struct Term {
 std::vector<Term> terms_of(const Query& query) {
     if (of_bridges(query.which) && query.state.dry()) {
         throw std::invalid_argument(fmt::format(
-            "dry beads have no {}", dem::observable_names[static_cast<std::size_t>(query.which)]));
+            "dry grains have no {}", dem::observable_names[static_cast<std::size_t>(query.which)]));
     }
     const Coordinates at = place_of(query.state);
     const Eigen::Index quantity = query.which == pair[1];
@@ -159,8 +160,8 @@ double PlainEmulator::noise_variance(const dem::RunResult& run, Observable which
 Eigen::Matrix2d PlainEmulator::noise(const dem::RunResult& run) const {
     Eigen::Matrix2d noise;
     noise.diagonal() << noise_variance(run, pair[0]), noise_variance(run, pair[1]);
-    noise(0, 1) = noise(1, 0) =
-        run.covariance * std::sqrt(hyperparameters_of(pair[0]).noise * hyperparameters_of(pair[1]).noise);
+    noise(0, 1) = noise(1, 0) = run.covariance * std::sqrt(hyperparameters_of(pair[0]).noise *
+                                                           hyperparameters_of(pair[1]).noise);
     return noise;
 }
 
@@ -170,19 +171,19 @@ bool PlainEmulator::known(const std::vector<dem::RunResult>& runs, Observable wh
 }
 
 Hyperparameters PlainEmulator::learn(const std::vector<dem::RunResult>& runs, Observable which,
-                            double structure_stiffness) {
+                                     double structure_stiffness) {
     const Observations known = observations_of(runs, which, structure_stiffness);
     const Eigen::Index quantity = which == pair[1];
     return fit_hyperparameters(domain_of(which), known.only(quantity), unit_of(known, quantity));
 }
 
-PlainEmulator::PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
-                             double structure_stiffness)
+PlainEmulator::PlainEmulator(const std::vector<dem::RunResult>& runs,
+                             EmulatorHyperparameters hyperparameters, double structure_stiffness)
     : structure_stiffness_(structure_stiffness), learned_(std::make_unique<Learned>()) {
     learned_->hyperparameters = std::move(hyperparameters);
     std::ranges::copy_if(runs, std::back_inserter(runs_), usable);
     if (runs_.empty()) {
-        throw std::invalid_argument("there is no run to learn from");
+        throw std::invalid_argument("there is no training run");
     }
 }
 

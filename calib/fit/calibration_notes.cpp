@@ -23,7 +23,7 @@ namespace {
 constexpr double uniform_reduced_pressure = 0.5;
 /// Advice on lowering the model's errors where the training runs are too few near the readings.
 std::string remedy(const Calibration& c) {
-    return c.orders.empty() ? "fresh runs there help, which 'calibrate' and 'add --confirm' make"
+    return c.orders.empty() ? "simulations there help: 'calibrate' and 'add --confirm' make them"
                             : "a higher fidelity helps";
 }
 
@@ -71,8 +71,8 @@ std::optional<std::string> unsure_note(const Calibration& c) {
                      measured = rms_percent(readings.covariance, first);
         if (simulated > measured) {
             return fmt::format(
-                "the runs that are known tell the {} of the readings to {:.2g} %, they themselves "
-                "to {:.2g} %: {}",
+                "The model predicts the {} of the readings to {:.2g} %, while the readings are "
+                "known to {:.2g} %: {}",
                 observable, simulated, measured, remedy(c));
         }
     }
@@ -101,8 +101,8 @@ std::string bound_note(const Parameter& parameter, double value, const ResolvedS
         }
     }
     return fmt::format(
-        "{} ended at the bound of its range, {:.3g} to {:.3g}: the readings ask for more than it "
-        "can give",
+        "The fitted {} ended at a bound of its range, {:.3g} to {:.3g}: the best fit lies beyond "
+        "the range.",
         parameter.name, parameter.lower, parameter.upper);
 }
 
@@ -115,7 +115,7 @@ std::vector<std::string> warnings(const Calibration& c, const ResolvedStudy& stu
     if (corrections(0, 0) > 0.3 * c.fit.covariance(0, 0)) {
         notes.push_back(fmt::format(
             "{:.0f} % of the variance comes from the corrections to the study's stiffness and to "
-            "the quasi-static limit; a stiffer, slower fidelity lowers it",
+            "the quasi-static limit; a stiffer and slower fidelity reduces it.",
             100 * corrections(0, 0) / c.fit.covariance(0, 0)));
     }
     const auto localised = std::ranges::count_if(c.readings, [&](const Reading& r) {
@@ -123,10 +123,10 @@ std::vector<std::string> warnings(const Calibration& c, const ResolvedStudy& stu
                                                       *c.liquid) < uniform_reduced_pressure;
     });
     if (localised > 0) {
-        notes.push_back(
-            fmt::format("{} readings have a reduced pressure below {}, where wet beads tend to "
-                        "shear in bands: neither cell nor simulation need be uniform there",
-                        localised, uniform_reduced_pressure));
+        notes.push_back(fmt::format(
+            "{} readings have a reduced pressure below {}, where wet grains tend to shear in "
+            "bands: shear may not be uniform in the cell and in the simulation.",
+            localised, uniform_reduced_pressure));
     }
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         if (c.fit.at_bound[k]) {
@@ -147,8 +147,8 @@ std::vector<std::string> notes_on(const Calibration& c, const ResolvedStudy& stu
     }
     if (!wet_known) {
         notes.push_back(
-            "the noise of the wet runs is not small beside the errors of the wet readings: their "
-            "predictions are less sharp than the readings; " +
+            "The errors of the wet predictions are not small compared with those of the wet "
+            "readings: " +
             remedy(c));
     }
     std::ranges::copy(planner.notes(), std::back_inserter(notes));

@@ -68,7 +68,8 @@ class WhitenedResiduals : public ceres::CostFunction {
         const bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
         Prediction prediction;
         try {
-            prediction = model_.predict(at, derivatives ? PredictionPart::slopes : PredictionPart::values);
+            prediction =
+                model_.predict(at, derivatives ? PredictionPart::slopes : PredictionPart::values);
         } catch (const std::domain_error&) {
             return false;  // an effect so large that nothing real could show the readings
         }
@@ -126,8 +127,9 @@ struct Search {
 /// goes without, by steps that are refused where they leave the range, and with them only if some
 /// were.
 Minimum minimise(const Model& model, const Measured& measured, const Whitening& whitening,
-                 const ParameterBounds& range, const Eigen::VectorXd& start, const FitEffort& effort,
-                 const Search& search = {}, std::optional<Eigen::Index> held = {}) {
+                 const ParameterBounds& range, const Eigen::VectorXd& start,
+                 const FitEffort& effort, const Search& search = {},
+                 std::optional<Eigen::Index> held = {}) {
     Minimum minimum{.parameters = start};
     double* block = minimum.parameters.data();
     const auto count = static_cast<int>(start.size());
@@ -431,7 +433,7 @@ Fit calibrate(LearningModel& learning, const Measured& measured, const Calibrati
         return best;
     }
     best.converged = false;
-    best.message = "the parameters had not settled after the last round of simulations";
+    best.message = "the parameters still changed after the last round of simulations";
     return best;
 }
 

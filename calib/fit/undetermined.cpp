@@ -41,12 +41,13 @@ std::vector<std::string> undetermined(const Fit& fit, const std::vector<Paramete
         }
         sentences.push_back(
             names.size() == 1
-                ? fmt::format("the readings do not determine {}: drop it, or measure where it "
-                              "matters",
+                ? fmt::format("The readings do not determine {}: drop it, or measure where it "
+                              "changes the readings.",
                               names.front())
-                : fmt::format("the readings do not tell {} apart: changed in the proportion {} "
-                              "they fit as well; drop one, or measure where they differ",
-                              fmt::join(names, " and "), fmt::join(steps, " : ")));
+                : fmt::format(
+                      "The readings do not tell {} apart: changed together in the proportion {} "
+                      "they fit equally well. Drop one, or measure where they differ.",
+                      fmt::join(names, " and "), fmt::join(steps, " : ")));
     }
     return sentences;
 }

@@ -309,15 +309,15 @@ void RunPlanner::confirm(double friction, const std::vector<EffectiveCondition>&
                            wet ? "to confirm the wet readings" : "to confirm the optimum");
     if (p < significance) {
         confirmed_ = false;
-        notes_.push_back(fmt::format(
-            "fresh runs {} differed from what the emulator had said of them (p = {:.2g}); "
-            "it has learned them since",
-            wet ? "at the wet readings" : "at the optimum", p));
+        notes_.push_back(
+            fmt::format("Fresh runs {} differed from the emulator's predictions (p = {:.2g}); the "
+                        "emulator is now trained on them.",
+                        wet ? "at the wet readings" : "at the optimum", p));
     }
 }
 
 std::vector<dem::RunResult> RunPlanner::simulate_states(const std::vector<FlowState>& states,
-                                                  const std::string& why) {
+                                                        const std::string& why) {
     std::set<std::string> known;
     if (simulation_) {
         for (const auto& run : simulation_->emulator().runs()) {

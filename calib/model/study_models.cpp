@@ -28,20 +28,21 @@ StudyModels::StudyModels(const ResolvedStudy& study, std::vector<Condition> cond
     const std::vector<const Effect*>& listed = study_.effects();
     for (std::size_t k = 0; k < listed.size(); ++k) {
         if (!has_runs(*listed[k])) {
-            throw InputError(study_.study().model.effects[k].position,
-                             fmt::format("'effects': no known run has {} alone, so that the "
-                                         "emulator cannot tell what it does; 'pendular campaign' "
-                                         "makes such runs",
-                                         listed[k]->name));
+            throw InputError(
+                study_.study().model.effects[k].position,
+                fmt::format("'effects': no known run has {} alone, so that the emulator cannot "
+                            "predict its effect; 'pendular campaign' makes such runs",
+                            listed[k]->name));
         }
     }
     for (const StatedDirect& stated : study_.study().direct) {
         if (!has_runs(study_.catalogue().find(stated.effect))) {
-            throw InputError(stated.effect_position,
-                             fmt::format("'effect': no known run has {} alone, so that the "
-                                         "emulator cannot tell what it does; 'pendular campaign' "
-                                         "makes such runs, or leave this entry out",
-                                         stated.effect));
+            throw InputError(
+                stated.effect_position,
+                fmt::format(
+                    "'effect': no known run has {} alone, so that the emulator cannot predict its "
+                    "effect; make such runs with 'pendular campaign', or leave this entry out",
+                    stated.effect));
         }
     }
     for (const Effect& effect : study_.catalogue().all()) {

@@ -115,8 +115,8 @@ void note_unlike_files(const ReplicateTable& table, const ReplicateCluster& clus
     if (difference < noted_ratio * of_steps) return;
     result.notes.push_back(fmt::format(
         "In {}, {} differ by {:.2g} % at all conditions, while steps within a file scatter by "
-        "{:.2g} %. That is much for fillings: check whether a file's liquid content, unit or bead "
-        "mass is another's. It counts as the error of a filling.",
+        "{:.2g} %. This difference is large for fillings: check the liquid content, units and bead "
+        "mass of each file. It counts as the error of a filling.",
         name_of(o), names_of(table, cluster.files), 100 * std::numbers::sqrt2 * difference,
         100 * of_steps));
 }
@@ -131,12 +131,12 @@ void set_files_apart(ReplicateTable& table, std::size_t place, Eigen::Index o,
     const std::vector<std::size_t> far = far_files(cluster, o);
     const double variance = 2 * difference * difference;
     Doubt doubt = doubt_about(
-        o, fmt::format("In {}, {} {} at all conditions, by {:.3g} %, while steps within a file "
-                       "agree; check the units, the bead mass and the filling. {} weight in the "
-                       "fit is cut.",
-                       name_of(o), names_of(table, far),
-                       far.size() == 1 ? "differs from its replicates" : "differ from one another",
-                       100 * std::expm1(std::sqrt(variance)), far.size() == 1 ? "Its" : "Their"));
+        o, fmt::format(
+               "In {}, {} {} at all conditions, by {:.3g} %, while steps within a file agree; "
+               "check the units, the bead mass and the filling. {} weight in the fit is reduced.",
+               name_of(o), names_of(table, far),
+               far.size() == 1 ? "differs from its replicates" : "differ from one another",
+               100 * std::expm1(std::sqrt(variance)), far.size() == 1 ? "Its" : "Their"));
     for (std::size_t k = 0; k < readings.size(); ++k) {
         if (std::ranges::find(far, table.file_of[k]) == far.end()) continue;
         result.variance[k](o) += variance;
@@ -163,7 +163,7 @@ void set_condition_apart(const ReplicateTable& table, const Values& values, Eige
     }
     result.doubts.push_back(doubt_about(
         o, fmt::format("The replicates {} differ in {} far beyond the scatter of the others; look "
-                       "for a disturbance in these steps. Their weight in the fit is cut.",
+                       "for a disturbance in these steps. Their weight in the fit is reduced.",
                        fmt::join(places, " and "), name_of(o))));
     result.doubts.back().origins = std::move(origins);
 }

@@ -75,8 +75,8 @@ std::optional<std::string> pendular_range_warning(double content) {
                      content, wettest_pendular)
                : fmt::format(
                      "liquid content {:g} is below the pendular range, which begins at about {:g}: "
-                     "so little liquid may stay between the asperities of the bead surfaces "
-                     "instead of forming bridges",
+                     "the liquid may stay between the asperities of the bead surfaces instead of "
+                     "forming bridges",
                      content, driest_pendular);
 }
 

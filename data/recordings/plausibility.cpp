@@ -108,7 +108,7 @@ PlausibleRange solid_fraction_range(double value) {
             value,
             loosest_solid_fraction,
             densest_solid_fraction,
-            "too loose for beads that touch in steady shear",
+            "too loose for grains in contact in steady shear",
             "the densest packing of equal spheres",
             "the gap (height, its zero and unit), the bead mass and the density",
             "bead mass",
@@ -123,15 +123,16 @@ std::vector<Impossible> impossible(const Reading& reading, const Study& study) {
     check_range(solid_fraction_range(reading.value(1)), found);
     check_range(
         {"stress_ratio", "stress ratio", reading.stress_ratio(), least_stress_ratio,
-         greatest_stress_ratio(pressure), "half of what beads without any friction have",
-         reading.condition.dry() ? "more than dry beads of any shape have"
-                                 : "1.5 (1 + 1/P*), more than wet beads can have at this P*",
+         greatest_stress_ratio(pressure), "half of the stress ratio of frictionless grains",
+         reading.condition.dry() ? "more than dry grains of any shape have"
+                                 : "1.5 (1 + 1/P*), more than wet grains can have at this P*",
          "the torque, the normal force, their units and the radii of the cell", "torque",
          "normal force", 0.2, 0.7},
         found);
     check_range(
         {"inertial_number", "inertial number", reading.condition.inertial_number, 0,
-         greatest_inertial_number, "", "where beads fly rather than touch: no dense flow",
+         greatest_inertial_number, "",
+         "above which grains collide rather than touch: no dense flow",
          "the angular velocity or shear rate (turns or radians, per second or minute), the bead "
          "diameter and the normal force",
          "speed", "", 1e-3, 3e-2},
@@ -139,7 +140,7 @@ std::vector<Impossible> impossible(const Reading& reading, const Study& study) {
     if (std::isfinite(pressure))
         check_range({"reduced_pressure", "reduced pressure", pressure, least_reduced_pressure,
                      std::numeric_limits<double>::infinity(),
-                     "where beads cling together in lumps and nothing was simulated", "",
+                     "below which grains form lumps and no state was simulated", "",
                      "the normal force, the bead diameter and the surface tension", "normal force",
                      "surface tension", 1, 30},
                     found);
@@ -232,7 +233,7 @@ std::vector<StuckColumn> stuck_columns(const Recording& recording) {
                          false});
     if (gap && !torque)
         stuck.push_back({"height", fmt::format("the gap is {:.4g} mm", 1e3 * recording.height[0]),
-                         "whether the gap was measured or is a set point: its error is unknown",
+                         "whether the gap was measured or is a set point, whose error is unknown",
                          true});
     return stuck;
 }
@@ -244,8 +245,8 @@ void doubt_stuck_columns(const Recording& recording, Measurements& part,
     if (recording.size() < shortest_step) return;
     for (const StuckColumn& stuck : stuck_columns(recording)) {
         const bool aside = !stuck.usable && !choice.keep_implausible;
-        const std::string what = fmt::format("{} in every row, which no measurement is; check {}",
-                                             stuck.what, stuck.check);
+        const std::string what = fmt::format(
+            "{} in every row, as no measurement would be; check {}", stuck.what, stuck.check);
         const Position origin{recording.file, recording.line.front(), 0};
         part.doubts.push_back({fmt::format("{}: {}.", recording.file, what),
                                std::string(stuck.quantity),

@@ -321,8 +321,8 @@ void Pooling::note_few_replicates() {
     }
     if (!std::isfinite(fewest) || widening(fewest) < worth_a_note) return;
     all_.notes.push_back(fmt::format(
-        "the scatter between replicates is known from {0} only: their standard errors are "
-        "widened {1:.1f} times so that two of them cover 95 %; more replicates narrow them",
+        "The scatter between replicates is known from {0} only: standard errors are widened "
+        "{1:.1f} times, so that two of them cover 95 %. More replicates make them smaller.",
         fewest == 1 ? "one pair" : fmt::format("{:.0f} differences", fewest), widening(fewest)));
 }
 
@@ -339,11 +339,11 @@ void Pooling::assume_missing_errors() {
         assumed += reading.error_assumed;
     }
     if (assumed > 0)
-        all_.notes.push_back(fmt::format(
-            "{} of {} readings have no replicates, or no error at all: 2 % of the value is "
-            "assumed. Repeat the measurement with another filling, or state the instrument's "
-            "own scatter in [scatter] of the study",
-            assumed, readings_.size()));
+        all_.notes.push_back(
+            fmt::format("{} of {} readings have no replicates, or no error at all: 2 % of the "
+                        "value is assumed. Repeat the measurement with another filling, or state "
+                        "the scatter of the instrument in [scatter] of the study.",
+                        assumed, readings_.size()));
 }
 
 }  // namespace

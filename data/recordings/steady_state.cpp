@@ -129,7 +129,7 @@ void reduce_step(const StepSeries& series, int number, const Setting& setting,
         return exclude(series.size(),
                        fmt::format("has {} rows, {} are needed", series.size(), shortest_step));
     if (!turns(mean_of_correlated(series.angular_velocity)))
-        return exclude(series.size(), "the lid does not turn: a rest, or consolidation");
+        return exclude(series.size(), "the lid does not turn: rest or consolidation");
     if (const double strain = strain_of(series, setting.cell); strain < setting.least_strain)
         return exclude(series.size(), short_strain("it", strain, series, setting));
     std::string why;
@@ -209,12 +209,11 @@ Measurements reduce_recording(const Recording& recording, const AnnularCell& cel
     note_steps(flipped, recording.file, "the torque was negative; its sign was flipped", result);
     note_steps(interpolated, recording.file,
                "samples are unevenly spaced in time; interpolated to even spacing", result);
-    note_steps(
-        coarse, recording.file,
-        fmt::format("torque or gap hardly changes from row to row: their standard errors are "
-                    "those of their resolution, {:.3g} mN m and {:.3g} mm",
-                    1e3 * setting.torque_resolution, 1e3 * setting.height_resolution),
-        result);
+    note_steps(coarse, recording.file,
+               fmt::format("torque or gap hardly changes from row to row: their standard errors "
+                           "are set to their resolution, {:.3g} mN m and {:.3g} mm",
+                           1e3 * setting.torque_resolution, 1e3 * setting.height_resolution),
+               result);
     if (!recording.unused_columns.empty())
         result.notes.push_back(fmt::format("{}: columns not used: '{}'", recording.file,
                                            fmt::join(recording.unused_columns, "', '")));

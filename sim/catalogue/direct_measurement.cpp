@@ -23,7 +23,7 @@ const Effect& effect_of(const StatedDirect& stated, const Study& study,
     // No effect has several parameters so far.
     if (effect->parameters.size() != 1 || effect->is_switch())
         throw InputError(stated.effect_position,
-                         fmt::format("'effect': {} is there or not, without a size that could be "
+                         fmt::format("'effect': {} is a switch without a size that could be "
                                      "measured; leave this entry out",
                                      effect->name));
     return *effect;

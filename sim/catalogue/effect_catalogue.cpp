@@ -29,15 +29,14 @@ std::optional<std::string> why_no_such_reading(const Effect& effect, const Study
     }
     if (effect.touches == Touches::wet && std::ranges::none_of(study.sources, may_be_wet)) {
         return fmt::format(
-            "{} acts on wet beads, but nothing in this study was measured with a "
-            "liquid_content above 0: add wet recordings or readings, or leave the "
-            "effect out",
+            "{} acts on wet beads, but this study has no reading with a liquid_content above 0: "
+            "add wet recordings or readings, or leave the effect out",
             effect.name);
     }
     if (effect.touches == Touches::dry && std::ranges::none_of(study.sources, may_be_dry)) {
         return fmt::format(
-            "{} acts on dry beads, but everything in this study was measured wet: "
-            "add dry recordings or readings, or leave the effect out",
+            "{} acts on dry beads, but this study has no dry reading: add dry recordings or "
+            "readings, or leave the effect out",
             effect.name);
     }
     return std::nullopt;

@@ -115,10 +115,10 @@ void check_effects(const LabPlan& plan) {
     for (const ActiveEffect& active : plan.effects) {
         const std::string what = to_string(active);
         if (!is_simulated(*active.effect)) {
-            throw InputError(fmt::format(
-                "{} changes how a model predicts, not what beads do, so that a laboratory cannot "
-                "have it; leave it out",
-                what));
+            throw InputError(
+                fmt::format("{} changes how a model predicts, not how beads flow, so that a "
+                            "laboratory cannot have it; leave it out",
+                            what));
         }
         if (active.effect->touches == Touches::wet && plan.liquid_contents.empty()) {
             throw InputError(fmt::format(
@@ -222,14 +222,15 @@ std::vector<EffectValues> run_effects(const LabPlan& plan, const EffectiveCondit
 
 dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& condition,
                           double bridge_volume) {
-    dem::RunParameters run{.friction = plan.friction + condition.friction_difference,
-                           .inertial_number = condition.inertial_number,
-                           .stiffness_number = plan.fidelity.stiffness_number,
-                           .poisson_ratio = plan.grains.poisson_ratio,
-                           .wetting = {},
-                           .grains = static_cast<int>(std::lround(size_ratio * plan.fidelity.grains)),
-                           .strain = plan.fidelity.strain,
-                           .effects = run_effects(plan, condition)};
+    dem::RunParameters run{
+        .friction = plan.friction + condition.friction_difference,
+        .inertial_number = condition.inertial_number,
+        .stiffness_number = plan.fidelity.stiffness_number,
+        .poisson_ratio = plan.grains.poisson_ratio,
+        .wetting = {},
+        .grains = static_cast<int>(std::lround(size_ratio * plan.fidelity.grains)),
+        .strain = plan.fidelity.strain,
+        .effects = run_effects(plan, condition)};
     if (!condition.dry()) {
         const Liquid liquid = condition.liquid.value_or(plan.liquid);
         run.wetting = dem::Wetting{

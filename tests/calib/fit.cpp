@@ -58,9 +58,10 @@ TEST(Fit, NamesWhatTheReadingsDoNotTellApart) {
     const Fit result = fit(model, some_readings(model, 2), Eigen::VectorXd::Constant(3, 0.1));
     const auto sentences = undetermined(result, model.names);
     ASSERT_EQ(sentences.size(), 1u);
-    EXPECT_THAT(sentences.front(),
-                testing::HasSubstr("do not tell p1 and p2 apart: changed in the proportion "
-                                   "1 : 0.5 mN"));
+    EXPECT_THAT(
+        sentences.front(),
+        testing::HasSubstr("do not tell p1 and p2 apart: changed together in the proportion "
+                           "1 : 0.5 mN"));
     const Linear determined(6, 3, 1);
     EXPECT_TRUE(undetermined(fit(determined, some_readings(determined, 2),
                                  Eigen::VectorXd::Constant(3, 0.1)),

@@ -96,7 +96,7 @@ TEST_F(ImplausibleStudy, SetsAsideStressRatiosThatNoGrainsHave) {
         of_points("1000,1.6,0.6,0.01,0\n1000,1.4,0.6,0.01,0\n1000,0.04,0.6,0.01,0\n");
     EXPECT_EQ(all.readings.size(), 1u);
     EXPECT_THAT(all.excluded.at(0).reason, AllOf(HasSubstr("1.6"), HasSubstr("torque")));
-    EXPECT_THAT(all.excluded.at(1).reason, HasSubstr("without any friction"));
+    EXPECT_THAT(all.excluded.at(1).reason, HasSubstr("frictionless grains"));
 }
 
 TEST_F(ImplausibleStudy, AllowsWetReadingsTheirCohesion) {

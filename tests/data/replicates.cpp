@@ -71,7 +71,7 @@ TEST(Replicates, AddTheScatterTheirOwnErrorsDoNotExplain) {
         EXPECT_FALSE(each.error_assumed);
     }
     ASSERT_EQ(all.notes.size(), 1u);
-    EXPECT_THAT(all.notes[0], HasSubstr("one pair only: their standard errors are widened 7.0"));
+    EXPECT_THAT(all.notes[0], HasSubstr("one pair only: standard errors are widened 7.0"));
 }
 
 TEST(Replicates, CoverAsOftenAsTheyClaimWhenFew) {
@@ -372,7 +372,7 @@ TEST(Replicates, TellHowWellTheirMeanSquareIsKnown) {
     for (const Reading& each : all.readings) {
         EXPECT_EQ(each.scatter_freedom(0), 1);
     }
-    EXPECT_THAT(all.notes, Contains(HasSubstr("one pair only: their standard errors are widened")));
+    EXPECT_THAT(all.notes, Contains(HasSubstr("one pair only: standard errors are widened")));
 
     // Errors that were stated and explain the scatter are known, and nothing is widened.
     for (Reading& one : stated_errors.readings)
