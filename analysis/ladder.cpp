@@ -13,7 +13,7 @@ std::vector<std::string> sorted(std::vector<std::string> names) {
     return names;
 }
 
-/// Whether two rungs are of the same study, up to what fresh runs may change.
+/// Whether two ladder steps are of the same study, up to what fresh runs may change.
 bool same_study(const LadderStep& a, const LadderStep& b) {
     return sorted(a.effects) == sorted(b.effects) && a.dof == b.dof &&
            std::abs(a.chi2 - b.chi2) <= 0.05 * (std::max(a.chi2, b.chi2) + a.dof);
@@ -27,15 +27,15 @@ const LadderParameter* LadderStep::find(const std::string& name) const {
 }
 
 LadderStep ladder_step_of(const Calibration& c, const Comparison& comparison,
-             const std::optional<LeftOut>& left_out) {
+                          const std::optional<LeftOut>& left_out) {
     LadderStep ladder_step;
     for (const auto& listed : c.model.effects) {
         ladder_step.effects.push_back(listed.name);
     }
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        ladder_step.parameters.push_back({c.parameters[k].name, c.parameters[k].unit, c.fit.parameters(i),
-                                   c.fit.standard_error(i)});
+        ladder_step.parameters.push_back({c.parameters[k].name, c.parameters[k].unit,
+                                          c.fit.parameters(i), c.fit.standard_error(i)});
     }
     ladder_step.chi2 = comparison.total.chi2;
     ladder_step.dof = comparison.total.dof;

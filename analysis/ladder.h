@@ -10,22 +10,22 @@
 
 namespace pendular {
 
-/// A fitted parameter as a rung keeps it.
+/// Fitted parameter of a ladder step.
 struct LadderParameter {
     std::string name, unit;
     double value = 0, standard_error = 0;
 };
 
-/// The error of a study's model after one change of its effects.
+/// Ladder step: the error of a study's model after one change of its effects.
 struct LadderStep {
-    int step = 0;                      ///< from 0 on
+    int step = 0;                      ///< number of the step, from 0
     std::string change = "start";      ///< "start", "add" or "drop"
-    std::string effect = {};           ///< that was added or dropped
-    std::vector<std::string> effects;  ///< all that are on
+    std::string effect = {};           ///< effect that was added or dropped
+    std::vector<std::string> effects;  ///< all effects of the model
     std::vector<LadderParameter> parameters;
-    double chi2 = 0;  ///< of all readings, those only predicted included
+    double chi2 = 0;  ///< chi2 of all readings, fitted and predicted
     int dof = 0;
-    std::array<double, 2> rms_percent{};  ///< of shear stress and solid fraction
+    std::array<double, 2> rms_percent{};  ///< RMS errors of shear stress and solid fraction [%]
     /// RMS errors at conditions left out of the fit [%], where there is more than one condition.
     std::optional<std::array<double, 2>> left_out_percent;
 
@@ -37,17 +37,17 @@ struct LadderStep {
 /// the study was changed by other means.
 using Ladder = std::vector<LadderStep>;
 
-/// The rung of a finished calibration, a start.
+/// Ladder step of a finished calibration, with change "start".
 LadderStep ladder_step_of(const Calibration& calibration, const Comparison& comparison,
-             const std::optional<LeftOut>& left_out);
+                          const std::optional<LeftOut>& left_out);
 
-/// Appends what a change led to; before it a fresh start, unless the last rung is of the study
-/// before the change: the same effects and as many degrees of freedom, chi2 up to what fresh runs
-/// may change.
+/// Appends the step after a change. A step "start" precedes it unless the last step describes the
+/// study before the change: the same effects and as many degrees of freedom, chi2 up to what fresh
+/// runs may change.
 void climb(Ladder& ladder, LadderStep before, LadderStep after);
 
-/// Whether chi2 fell from one rung to another by no more than chance makes of as many parameters
-/// and readings with the errors they have, at 5 %.
+/// Whether the fall of chi2 between two steps is within chance for their numbers of parameters and
+/// readings, at 5 %.
 bool fell_by_chance(const LadderStep& from, const LadderStep& to);
 
 }  // namespace pendular

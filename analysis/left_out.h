@@ -10,11 +10,12 @@
 
 namespace pendular {
 
-/// How well a model predicts conditions that it was not fitted to.
+/// Error of a model at conditions that were left out of its fit.
 struct LeftOut {
-    /// 100 sqrt(mean((predicted/measured - 1)^2)) of shear stress and solid fraction.
+    /// RMS errors of shear stress and solid fraction [%]: 100 sqrt(mean((predicted/measured -
+    /// 1)^2)).
     std::array<double, 2> rms_percent{};
-    std::size_t conditions = 0;  ///< left out of the fit one after the other
+    std::size_t conditions = 0;  ///< number of conditions left out, one after the other
     /// Number of conditions without which a parameter is not determined; it then keeps its starting
     /// value.
     std::size_t undetermined = 0;

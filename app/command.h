@@ -11,7 +11,8 @@
 
 namespace pendular::app {
 
-/// One subcommand. Its file declares its options once; parser, checks and help follow from that.
+/// Subcommand of the program. Its file declares its options once; parser, checks and help follow
+/// from them.
 struct Command {
     std::string_view name;
     std::string_view summary;

@@ -67,7 +67,7 @@ class Console {
 /// its end, unless a command stands there.
 std::string as_sentence(std::string text);
 
-/// "1 min 20 s", "3 h 5 min".
+/// Duration as text: "1 min 20 s", "3 h 5 min".
 std::string duration(double seconds);
 
 }  // namespace pendular::app

@@ -32,7 +32,7 @@ class EffectOptions {
     std::map<std::string, std::string> words_;  ///< as given, by "EFFECT.PARAMETER"
 };
 
-/// Words that give the first effect that is so the size that matters, for examples.
+/// Words that give the first effect that is so the smallest effect of interest, for examples.
 std::string example_of(const std::function<bool(const Effect&)>& wanted);
 
 }  // namespace pendular::app

@@ -7,23 +7,23 @@ namespace pendular {
 /// Standard acceleration of gravity [m/s^2].
 constexpr double gravity = 9.80665;
 
-/// The beads, in SI units.
+/// Properties of the grains, in SI units.
 struct GrainProperties {
-    double diameter = 0;  ///< a [m]
-    double density = 0;   ///< [kg/m^3]
-    /// E [Pa]; without it results stand at the fidelity's stiffness number
+    double diameter = 0;  ///< mean diameter a [m]
+    double density = 0;   ///< density of the grain material [kg/m^3]
+    /// Young's modulus E [Pa]; without it, results hold for the stiffness number of the fidelity.
     std::optional<double> youngs_modulus = {};
-    double poisson_ratio = 0.3;  ///< nu [1]
+    double poisson_ratio = 0.3;  ///< Poisson ratio nu [1]
 
-    /// Mass of one bead [kg]: rho pi a^3/6.
+    /// Mass of one grain [kg]: rho pi a^3/6.
     double mass() const;
 };
 
 /// The wetting liquid, in SI units.
 struct Liquid {
-    double surface_tension = 0;  ///< Gamma [N/m]
-    double contact_angle = 0;    ///< theta [rad]
-    double viscosity = 0;        ///< [Pa s]
+    double surface_tension = 0;  ///< surface tension Gamma [N/m]
+    double contact_angle = 0;    ///< contact angle theta [rad]
+    double viscosity = 0;        ///< viscosity [Pa s]
 
     bool operator==(const Liquid&) const = default;
 };
@@ -40,10 +40,9 @@ double shear_rate_at(double inertial_number, double normal_stress, const GrainPr
 /// Stiffness number kappa = (E~/s22)^(2/3) [1], E~ = E/(1 - nu^2); empty without a Young's modulus.
 std::optional<double> stiffness_number(double normal_stress, const GrainProperties& grains);
 
-/// Pull-off force F0 = pi a Gamma cos(theta) [N]: the attraction of two equal beads in contact,
-/// joined by a liquid bridge of any volume.
-/// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; Badetti et al. (2018), eq:Maugis, where
-/// a is the bead diameter.
+/// Pull-off force F0 = pi a Gamma cos(theta) [N]: the attraction of two equal grains in contact,
+/// joined by a liquid bridge of any volume. Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105;
+/// Badetti et al. (2018), eq:Maugis, where a is the bead diameter.
 double pull_off_force(const GrainProperties& grains, const Liquid& liquid);
 
 /// Reduced pressure P* = a^2 s22/F0 [1], from a normal stress [Pa]; infinite for a liquid without

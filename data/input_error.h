@@ -5,7 +5,7 @@
 
 namespace pendular {
 
-/// Where in a user's file something stands. Lines and columns count from 1; 0: not known.
+/// Position in a user's file. Lines and columns count from 1; 0: not known.
 struct Position {
     std::string file;
     int line = 0;
@@ -15,9 +15,9 @@ struct Position {
 /// "file:line:column", leaving out what is not known.
 std::string to_string(const Position& position);
 
-/// The user's input is wrong: what() is "file:line:column: what is wrong; what to do".
-/// The program prints it and ends with exit code 2. Broken invariants of the program itself are
-/// never reported this way.
+/// Error in the user's input: what() is "file:line:column: what is wrong; what to do". The program
+/// prints it and ends with exit code 2. Broken invariants of the program itself are never reported
+/// this way.
 class InputError : public std::runtime_error {
   public:
     InputError(const Position& position, const std::string& message);

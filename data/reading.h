@@ -17,30 +17,31 @@ struct Condition {
     double normal_stress = 0;           ///< s22 [Pa]
     double inertial_number = 0;         ///< I [1]; 0: the quasi-static limit
     double liquid_content = 0;          ///< Phi_L/Phi_S [1]; 0: dry
-    std::optional<double> height;       ///< of the cell [m], where known
-    std::optional<double> bead_volume;  ///< in the cell [m^3], where known
-    double time = 0;                    ///< since the first recording began [s]
+    std::optional<double> height;       ///< height of the sample [m], if known
+    std::optional<double> bead_volume;  ///< volume of the beads in the cell [m^3], if known
+    double time = 0;                    ///< time since the first recording began [s]
 
     bool dry() const { return liquid_content == 0; }
     bool operator==(const Condition&) const = default;
 };
 
-/// An error that several readings have in common, such as that of one filling of the cell.
+/// Error that several readings share, such as the error of one filling of the cell.
 struct SharedError {
     std::size_t source =
         0;  ///< readings with the same number have the same error, fully correlated
-    Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< its standard error in `value` of a reading
-    Eigen::Vector2d estimated = Eigen::Vector2d::Zero();  ///< the same before widening
-    bool known = false;  ///< its size is known, not estimated from replicates
+    Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< standard error in `value` of a reading
+    Eigen::Vector2d estimated =
+        Eigen::Vector2d::Zero();  ///< standard error before widening for few replicates
+    bool known = false;           ///< the size is stated, not estimated from replicates
 };
 
 /// One measured steady state: (shear stress [Pa], solid fraction [1]) at a condition.
 struct Reading {
-    Position origin;    ///< file and first line it was made from
-    int last_line = 0;  ///< it was made from; 0 where that is the first
+    Position origin;    ///< file and first line of the rows of this reading
+    int last_line = 0;  ///< last line of its rows; 0: the first line
     int step = 0;       ///< step of constant set points within the file, from 1
     Condition condition;
-    double shear_rate = 0;  ///< [1/s]; 0 where the inertial number was given instead
+    double shear_rate = 0;  ///< shear rate [1/s]; 0: the inertial number was given instead
     Eigen::Vector2d value =
         Eigen::Vector2d::Zero();  ///< shear stress magnitude [Pa], solid fraction [1]
     /// Covariance of `value` with all errors; the scatter is widened where few replicates determine
@@ -48,7 +49,7 @@ struct Reading {
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
     /// Part of `covariance` that the widening added.
     Eigen::Matrix2d widened_by = Eigen::Matrix2d::Zero();
-    std::vector<SharedError> shared;  ///< parts of `covariance` that other readings have too
+    std::vector<SharedError> shared;  ///< parts of `covariance` that are shared with other readings
     /// Degrees of freedom that the scatter of each observable was estimated with.
     Eigen::Vector2d scatter_freedom = Eigen::Vector2d::Constant(INFINITY);
     std::size_t scatter_group = 0;  ///< place in ReplicateScatter::groups

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "reports/figure_text.h"
 #include "reports/figure_style.h"
+#include "reports/figure_text.h"
 
 namespace pendular {
 namespace {
@@ -21,7 +21,7 @@ std::vector<std::string> name_of(const LadderStep& ladder_step) {
     return broken_name((ladder_step.change == "add" ? "+ " : "− ") + ladder_step.effect);
 }
 
-/// Where the ladder begins anew, between two rungs.
+/// Where the ladder begins anew, between two ladder steps.
 std::vector<Reference> new_starts(const Ladder& ladder) {
     std::vector<Reference> lines;
     for (std::size_t k = 1; k < ladder.size(); ++k) {
@@ -62,7 +62,7 @@ Panel chi2_panel(const Ladder& ladder) {
     return panel;
 }
 
-/// Errors of one observable [%], fitted or left out, beside the middle of their rung.
+/// Errors of one observable [%], fitted or left out, beside the middle of their ladder step.
 Curve error_curve(const Ladder& ladder, std::size_t observable, bool left_out) {
     Curve curve{.label = fmt::format("{}, {}", observable == 0 ? "shear stress" : "solid fraction",
                                      left_out ? "left out" : "fitted"),

@@ -19,13 +19,13 @@ nlohmann::ordered_json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix
 /// chi2, degrees of freedom and the probability of a larger chi2; 1 without any degree.
 nlohmann::ordered_json misfit_json(const Misfit& misfit);
 
-/// A reading with what the model predicts of it.
+/// JSON of a reading with the model's prediction.
 nlohmann::ordered_json prediction_json(const ReadingMisfit& misfit);
 
-/// A parameter that was measured by itself, with its standard error.
+/// JSON of a direct measurement with its standard error.
 nlohmann::ordered_json direct_json(const DirectMeasurement& direct);
 
-/// Adds `believable` and `reasons`.
+/// Adds the keys `believable` and `reasons`.
 void add_belief(nlohmann::ordered_json& json, const Belief& belief);
 
 nlohmann::ordered_json cohesion_lines_json(const std::vector<CohesionLine>& lines);

@@ -17,10 +17,11 @@ namespace pendular {
 std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity,
                                     const RunStore* store, const Listener& listener = {});
 
-/// Scales of the emulator that come with the atlas; none where there is no atlas.
+/// Hyperparameters of the emulator that come with the atlas; empty without an atlas.
 EmulatorHyperparameters atlas_hyperparameters();
 
-/// Time grows with the cube of their number: so many take some seconds.
+/// Largest number of training runs: the time of training grows with its cube and is some seconds
+/// here.
 constexpr std::size_t most_known = 1500;
 
 }  // namespace pendular

@@ -12,11 +12,11 @@ namespace pendular {
 /// Event of the work on a study, for whoever shows it.
 struct Event {
     enum class Kind {
-        note,   ///< `text` is worth a word
-        stage,  ///< the work that `text` names begins
-        runs,   ///< simulations of the stage `text` have come as far as `runs` says
-        round,  ///< round `number` of a fit has ended with `fit`
-        refits  ///< of `total` refits that `text` names `number` are done
+        note,   ///< note for the user: `text`
+        stage,  ///< beginning of the work that `text` names
+        runs,   ///< progress of the simulations of the stage `text`
+        round,  ///< end of round `number` of a fit, with its result `fit`
+        refits  ///< progress of the refits that `text` names: `number` of `total`
     };
     Kind kind = Kind::note;
     std::string text = {};
@@ -25,10 +25,10 @@ struct Event {
     const Fit* fit = nullptr;
 };
 
-/// Called from one thread at a time; may be empty.
+/// Callback for events; called from one thread at a time; may be empty.
 using Listener = std::function<void(const Event&)>;
 
-/// Tells a listener, if there is one.
+/// Passes an event to a listener, if there is one.
 inline void tell(const Listener& listener, const Event& event) {
     if (listener) listener(event);
 }

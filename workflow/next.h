@@ -11,25 +11,27 @@ namespace pendular {
 /// Next measurement of one study, with its reasons.
 struct NextMeasurement {
     const Study& study;
-    std::vector<Rival> rivals;  ///< models that stand; one: nothing to tell apart
+    std::vector<Rival> rivals;  ///< models that fit; one: nothing to separate
     std::vector<Point> points;
-    std::vector<Plan> plans;                  ///< of rivals, the most telling first
-    std::vector<Sharpening> sharpenings;      ///< where there is one model
-    Series series = {};                       ///< to measure; empty: nothing tells them apart
-    int most_repeats = 1, most_readings = 1;  ///< at one point, in all
+    std::vector<Plan> plans;  ///< plans that separate rivals, the largest separation first
+    std::vector<Sharpening>
+        sharpenings;     ///< plans that sharpen the parameters, where one model fits
+    Series series = {};  ///< readings to make; empty: none separates the rivals
+    int most_repeats = 1,
+        most_readings = 1;        ///< largest number of readings at one point, and in all
     std::size_t unsupported = 0;  ///< conditions of the rig that the known runs do not support
 };
 
-/// The plan to show: the first, or, where nothing tells the rivals apart, the most telling one.
+/// Plan to show: the first, or the one of largest separation where none separates the rivals.
 const Plan& shown_plan(const NextMeasurement& next);
 
-/// The plan of a point.
+/// Plan of a point.
 const Plan& plan_at(const NextMeasurement& next, std::size_t point);
 
 /// Mass of the beads at a condition [kg].
 double mass_of(const Condition& c, const Study& study);
 
-/// Standard errors of what a rival says.
+/// Standard errors of a rival's forecast.
 Eigen::VectorXd error_of(const Forecast& forecast);
 
 /// Looks for the measurement on the study's rig, or within what its readings span, that tells the

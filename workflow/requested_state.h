@@ -8,7 +8,7 @@
 
 namespace pendular {
 
-/// A state of steady shear as the user requests it: wet where a reduced pressure is given, with the
+/// State of steady shear as the user requests it: wet where a reduced pressure is given, with the
 /// liquid as a bridge volume or as a liquid content.
 struct RequestedState {
     double friction = 0.09, inertial_number = 0;
@@ -17,28 +17,29 @@ struct RequestedState {
     /// @throws InputError for what is no state
     void check_supported() const;
 
-    /// The state for the emulator; a liquid content is turned into a bridge volume by its
-    /// coordination number.
+    /// State in the coordinates of the emulator; a liquid content is turned into a bridge volume by
+    /// its coordination number.
     /// @throws InputError for a wet state where no known run has liquid bridges
     FlowState state(const Emulator& emulator, const KnownRange& known) const;
-    /// Another state with its liquid given as in this request.
+    /// Request of another state, with the liquid given as in this request.
     RequestedState with(const FlowState& state, const Emulator& emulator) const;
 
-    /// "friction 0.3, inertial number 0.01, reduced pressure 1, liquid content 0.03".
+    /// State as text: "friction 0.3, inertial number 0.01, reduced pressure 1, liquid content
+    /// 0.03".
     std::string text() const;
     /// Options of `pendular predict` that request this state.
     std::string options() const;
 };
 
-/// The run that simulates a state: at the fidelity's lowest inertial number where that of the state
-/// is lower.
+/// Run that simulates a state: at the fidelity's lowest inertial number where that of the state is
+/// lower.
 dem::RunParameters run_of(const FlowState& state, const Fidelity& fidelity,
                           double stiffness_number);
 
 /// Message of `dem::check_run_parameters` for a run; empty where the run can be simulated.
 std::string why_impossible(const dem::RunParameters& run);
 
-/// The command that carries out a run of `run_of`.
+/// Command that simulates a run of `run_of`.
 std::string simulate_command(const dem::RunParameters& run, const Fidelity& fidelity);
 
 /// Why no prediction is given at an unsupported state, the nearest supported state and the commands

@@ -8,14 +8,14 @@
 
 namespace pendular {
 
-/// {"value", "stderr"}, in the units of what is told.
+/// Number with its error as {"value", "stderr"}, both in the same unit.
 nlohmann::ordered_json uncertain(double value, double error);
 
 /// Values of effects as `calibrate` names fitted parameters, "EFFECT.PARAMETER", in SI units.
 nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 
-/// One run with its observables, each {"value", "stderr"}, and all that is needed to repeat it.
-/// Observables of liquid bridges are zero in a dry run. Effects on grains, where there are any,
+/// JSON of a run with its observables, each {"value", "stderr"}, and all that is needed to repeat
+/// it. Observables of liquid bridges are zero in a dry run. Effects on grains, where there are any,
 /// stand under `effects_in_run_units`.
 nlohmann::ordered_json to_json(const dem::RunResult& run);
 

@@ -16,14 +16,14 @@
 
 namespace pendular {
 
-/// A study's fit beside its readings.
+/// Fit of a study with its comparison to the readings.
 struct CalibratedStudy {
     Calibration calibration;
     Comparison comparison;
     Belief belief;
 };
 
-/// A study's fit from its results folder, the model made again, and where it fails.
+/// Fit of a study from its results folder, with the model and its failures.
 struct ComparedStudy {
     Calibration calibration;
     StudyModel model;
@@ -32,9 +32,9 @@ struct ComparedStudy {
     Belief belief;
 };
 
-/// A study at work: reads its files once, and answers whatever is asked of it. What is long tells
-/// the listener of its options how far it has come; nothing is printed. Files are written by
-/// `calibrate`, `add` and `drop` alone, to the results folder and, last, to study.toml.
+/// Session on a study: reads its files once, then calibrates, compares, diagnoses and plans. Long
+/// work reports its progress to the listener of the options; nothing is printed. Files are written
+/// by `calibrate`, `add` and `drop` alone, to the results folder and, last, to study.toml.
 class Session {
   public:
     /// Reads a study, named by its folder or its study.toml, and all its recordings; what cannot be
@@ -53,27 +53,27 @@ class Session {
     /// Fits the study's parameters, and writes fit.json to the results folder.
     /// @throws InputError where there is nothing to fit; dem::Interrupted with how to go on
     CalibratedStudy calibrate(const FitOptions& fit = {}) const;
-    /// Puts the fit of the results folder beside the readings. `cohesion`: how lines are drawn, if
-    /// not as they were.
+    /// Compares the fit of the results folder with the readings. `cohesion`: how lines are drawn,
+    /// if not as they were.
     /// @throws InputError where there is no fit, or it is another study's
     ComparedStudy compare(const std::optional<CohesionOptions>& cohesion = {}) const;
     /// Predicts what the study's instrument shows at conditions, by the fit of the results folder:
     /// shear stresses [Pa] and solid fractions [1], with the errors of the fit and of simulation.
     /// @throws InputError as `compare`, and where a condition cannot be simulated
     Prediction predict(const std::vector<Condition>& conditions) const;
-    /// Says which physical effect is missing from the study's model, if any.
+    /// Tests which physical effect is missing from the study's model.
     /// @throws InputError for what cannot be diagnosed; dem::Interrupted
     StudyDiagnosis diagnose() const;
-    /// Says what to measure next; the session and the diagnosis must live as long as the result.
+    /// Plans the next measurement; the session and the diagnosis must live as long as the result.
     /// @throws InputError where the known runs support nothing that the rig can do
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
-    /// Takes an effect into the study's file, and fits it anew; see change_study. The session then
-    /// is of the study as it was: open another one.
+    /// Adds an effect to the study's file and fits the study again; see change_study. The session
+    /// then is of the study as it was: open another one.
     /// @throws InputError, besides those, where study.toml has changed since it was read
     ChangedStudy add(const std::string& effect, const FitOptions& fit = {},
                      bool same_fidelity = true) const;
-    /// Takes an effect out of the study's file, likewise.
+    /// Removes an effect from the study's file and fits the study again.
     ChangedStudy drop(const std::string& effect, const FitOptions& fit = {},
                       bool same_fidelity = true) const;
 
@@ -82,7 +82,7 @@ class Session {
                         bool same_fidelity) const;
 
     SessionOptions options_;
-    std::filesystem::path folder_;  ///< for results
+    std::filesystem::path folder_;  ///< folder for results
     StudyInput input_;
 };
 

@@ -15,9 +15,9 @@ namespace pendular {
 struct StatePrediction {
     FlowState state;
     std::vector<EmulatedObservable> observables;
-    double stiffness_number = 1000;  ///< to which the solid fraction is corrected [1]
+    double stiffness_number = 1000;  ///< stiffness number for which the solid fraction holds [1]
     std::string beyond;              ///< `Emulator::beyond` of the state
-    std::size_t runs = 0;            ///< that the emulator learned from
+    std::size_t runs = 0;            ///< number of training runs
 };
 
 /// The one quantity of a state that a curve varies, from one value to another.
@@ -40,10 +40,10 @@ struct PredictionCurve {
     std::string variable;  ///< as in `VariedQuantity`
     std::vector<double> at;
     std::vector<FlowState> states;
-    std::vector<std::vector<EmulatedObservable>> observables;  ///< by state
+    std::vector<std::vector<EmulatedObservable>> observables;  ///< observables of each state
     double stiffness_number = 1000;
-    int left_out = 0;          ///< states that the known runs do not support
-    std::string why_left_out;  ///< of the first of them
+    int left_out = 0;          ///< number of states that the known runs do not support
+    std::string why_left_out;  ///< reason for the first of them
 };
 
 /// Predicts steady shear at any state from the runs of the atlas and of a store, without a study
@@ -70,7 +70,7 @@ class StatePredictor {
     /// @throws InputError where fewer than two states are supported
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
-    /// The run that simulates a state that the known runs do not support.
+    /// Run that simulates a state that the known runs do not support.
     /// @throws InputError where it cannot be simulated
     dem::RunParameters run_for(const RequestedState& requested) const;
 

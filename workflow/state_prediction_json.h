@@ -6,14 +6,14 @@
 
 namespace pendular {
 
-/// A predicted state as `predict` gives it with --json: each observable with its standard error and
-/// its derivatives.
+/// JSON of a predicted state, as `predict --json` writes it: each observable with its standard
+/// error and its derivatives.
 nlohmann::ordered_json to_json(const StatePrediction& prediction);
 
-/// A curve, likewise.
+/// JSON of a curve, as `predict --json` writes it.
 nlohmann::ordered_json to_json(const PredictionCurve& curve);
 
-/// A state that was simulated instead of predicted, likewise, without derivatives.
+/// JSON of a state that was simulated instead of predicted, without derivatives.
 nlohmann::ordered_json simulated_state_json(const dem::RunParameters& requested,
                                             const dem::RunResult& run);
 

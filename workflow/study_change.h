@@ -18,8 +18,8 @@ enum class Action { add, drop };
 struct StudyChange {
     Action change = Action::add;
     std::string effect;
-    ResolvedStudy study;   ///< as it will be
-    std::string old_text;  ///< of its file
+    ResolvedStudy study;   ///< study after the change
+    std::string old_text;  ///< text of study.toml before the change
     std::string new_text;
 };
 
@@ -28,41 +28,42 @@ struct StudyChange {
 ///         the study, is listed already, or is not listed
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect);
 
-/// A calibration beside its readings.
+/// Calibration with its comparison to the readings.
 struct Fitted {
     Calibration calibration;
     Comparison comparison;
     LadderStep ladder_step;
-    Belief belief = {};            ///< of a study after a change
-    std::size_t left_out = 0;      ///< conditions left out, one after the other
-    std::size_t undetermined = 0;  ///< those without which a parameter was not determined
+    Belief belief = {};        ///< judgement of the fit after a change
+    std::size_t left_out = 0;  ///< number of conditions left out, one after the other
+    std::size_t undetermined =
+        0;  ///< number of conditions without which a parameter was not determined
 };
 /// Predicts all readings of a calibration, compares them and leaves out each condition in turn.
 Fitted fitted(const ResolvedStudy& study, Calibration calibration);
 
-/// A change with the errors before and after, as `add` and `drop` give it with --json.
-nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before, const LadderStep& after,
-                               bool written);
+/// JSON of a change with the errors before and after, as `add --json` and `drop --json` write it.
+nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
+                               const LadderStep& after, bool written);
 
 /// Writes fit.json and the ladder, with the change on top, to the folder, and then the study's
 /// file.
 /// @throws InputError where the study's file has changed since it was read; nothing is written
 /// @throws std::runtime_error where something cannot be written; the study then is as it was
-void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after, Ladder& ladder,
-               const std::filesystem::path& folder);
+void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after,
+                  Ladder& ladder, const std::filesystem::path& folder);
 
-/// A study before and after a change.
+/// Study before and after a change.
 struct ChangedStudy {
     StudyChange change;
     Fitted before, after;
-    Ladder ladder;         ///< of the study, with the change on top where it was made
+    Ladder ladder;         ///< ladder of the study, with the change as its last step if it was made
     bool written = false;  ///< false: the fit after the change did not converge
 };
 
-/// How a change is fitted.
+/// Options of a change of effects.
 struct ChangeOptions {
-    FitOptions fit = {};           ///< of the study after the change
-    bool same_fidelity = true;     ///< as that of the study's earlier fit
+    FitOptions fit = {};           ///< options of the fit after the change
+    bool same_fidelity = true;     ///< use the fidelity of the study's earlier fit
     std::filesystem::path folder;  ///< for results, with those of earlier commands
 };
 

@@ -15,14 +15,14 @@
 
 namespace pendular {
 
-/// A diagnosis with everything it was made from.
+/// Diagnosis with the readings, models and errors that it rests on.
 struct StudyDiagnosis {
     std::vector<Reading> readings;  ///< dry first
     std::unique_ptr<StudyModels> models;
     Evidence evidence;
     Diagnosis diagnosis;
-    std::optional<UnitMistake> mistake = {};  ///< that would mend the misfit
-    Belief belief = {};                       ///< in the fit of the model as it is
+    std::optional<UnitMistake> mistake = {};  ///< wrong unit that would explain the misfit
+    Belief belief = {};                       ///< judgement of the fit without further effects
 };
 
 /// Diagnoses a study from the atlas and all stored runs. Nothing is simulated.
@@ -30,11 +30,11 @@ struct StudyDiagnosis {
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session);
 
-/// Where the model as it is fails that its parameters could not take over; `seed` of the random
-/// errors that set the limits.
+/// Checks of the model without further effects, beyond what its parameters can imitate; `seed` of
+/// the random errors that set the limits.
 Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// The models that stand, to be told apart; where none does, the one as it is.
+/// Models that fit, as rivals; the model without further effects where none fits.
 std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models);
 
 }  // namespace pendular

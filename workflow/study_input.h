@@ -10,20 +10,20 @@
 
 namespace pendular {
 
-/// A study with everything measured in it.
+/// Study with its measurements.
 struct StudyInput {
     ResolvedStudy study;
     Measurements measurements;
-    std::string text = {};  ///< of study.toml, as it was read
+    std::string text = {};  ///< text of study.toml as it was read
 };
 
 /// @throws InputError for what is wrong in its files, its effects included
 StudyInput read_input(const std::filesystem::path& file);
 
-/// The folder of a study that is named by it or by its study.toml.
+/// Folder of a study that is named by the folder or by its study.toml.
 std::filesystem::path study_folder(const std::filesystem::path& study);
 
-/// Where a command writes.
+/// Places that a command writes to.
 struct OutputPlaces {
     std::filesystem::path folder;              ///< for results, as --out names it
     std::vector<std::filesystem::path> files;  ///< in it: files, or folders all of whose files may

@@ -16,7 +16,7 @@ namespace pendular {
 /// @throws InputError for a direct measurement that the study's effects do not know
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& study, double time);
 
-/// The rig of a study that names none: what its readings span.
+/// Rig of a study without [rig]: the range of its readings.
 Rig rig_of(const std::vector<Reading>& readings);
 
 /// Standard errors of one reading, shear stress and solid fraction, over the values: the root mean
@@ -26,14 +26,15 @@ Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 /// Expected result of measuring at one point.
 struct Plan {
     std::size_t point = 0;
-    std::vector<Forecast> forecasts;  ///< of each rival
+    std::vector<Forecast> forecasts;  ///< forecast of each rival
     Eigen::MatrixXd noise;            ///< covariance of one reading
-    /// Fewest readings with which rivals are told apart as far as they can be here; 0: none are.
+    /// Smallest number of readings that separates as many rivals as this point can; 0: it separates
+    /// none.
     int repeats = 0;
-    /// Pairs of rivals that these tell apart.
+    /// Pairs of rivals that these readings separate.
     std::vector<std::pair<std::size_t, std::size_t>> separated;
     double separation = 0;     ///< criterion below, summed over pairs, at the most readings allowed
-    double noncentrality = 0;  ///< D' S_1^-1 D below, likewise
+    double noncentrality = 0;  ///< D' S_1^-1 D below, at the most readings allowed
     double cost = 0;
 };
 
@@ -60,7 +61,7 @@ Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& riv
 struct Sharpening {
     std::size_t point = 0;
     Forecast forecast;
-    Eigen::VectorXd standard_errors;  ///< of the parameters, afterwards
+    Eigen::VectorXd standard_errors;  ///< expected standard errors of the parameters
     double gain = 0;  ///< sum over parameters of ln(standard error before/after), per cost
 };
 

@@ -6,7 +6,7 @@
 
 namespace pendular {
 
-/// Numbers that a reading at a point gives.
+/// Number of values that a reading at a point gives: two for shear, one for a direct measurement.
 inline Eigen::Index entries_at(const Point& point) {
     return point.direct ? 1 : 2;
 }

@@ -10,7 +10,7 @@
 
 namespace pendular {
 
-/// A model that may be the right one, with what its fit says of its parameters.
+/// Model that may be the right one, with its fitted parameters and their covariance.
 struct Rival {
     std::string name;
     std::shared_ptr<const Predictor> model;
@@ -22,19 +22,19 @@ struct Rival {
 /// could be made, which is a reading of one number.
 struct Point {
     Condition condition = {};
-    std::optional<DirectMeasurement> direct = {};  ///< if it is one
-    double first_cost = 0;                         ///< before the first reading of this filling
-    double wait = 0;                               ///< before it, from the last reading on [s]
-    double wait_cost = 0;                          ///< of that; shorter ones are over by then
-    double cost = 1;                               ///< of each reading
+    std::optional<DirectMeasurement> direct = {};  ///< the direct measurement, if the point is one
+    double first_cost = 0;  ///< cost of the filling, before its first reading
+    double wait = 0;        ///< waiting time after the last reading [s]
+    double wait_cost = 0;   ///< cost of the waiting time
+    double cost = 1;        ///< cost of each reading
 };
 
 /// Forecast of a rival at one point: (shear stress [Pa], solid fraction [1]), or the one number of
 /// a direct measurement [its unit].
 struct Forecast {
     Eigen::VectorXd value;
-    Eigen::MatrixXd from_parameters;  ///< covariance by errors of its parameters
-    Eigen::MatrixXd from_simulation;  ///< by those of the simulation
+    Eigen::MatrixXd from_parameters;  ///< covariance from errors of the rival's parameters
+    Eigen::MatrixXd from_simulation;  ///< covariance from errors of the simulation
 };
 
 /// Noncentrality at which rivals are told apart in 4 of 5 cases at 5 %: of two observables, which

@@ -7,7 +7,7 @@
 
 namespace pendular {
 
-/// Readings at one or several points which together tell rivals apart.
+/// Readings at one or several points that together separate rivals.
 struct Series {
     struct Step {
         std::size_t point = 0;

@@ -16,21 +16,21 @@ enum class Verdict {
     unknown,
     suspect_measurement
 };
-/// "nothing-missing".
+/// Name of a verdict, such as "nothing-missing".
 std::string_view to_string(Verdict verdict);
 
 /// Result of a diagnosis: whether the model is complete and, if not, which effects explain the
 /// residuals.
 struct Diagnosis {
     Verdict verdict = Verdict::inconclusive;
-    std::vector<std::string> effects;   ///< that the verdict points at
-    std::vector<std::string> suspects;  ///< each of which, if off, would explain the readings too
-    std::vector<Explanation> confidence_set;  ///< the smallest models that stand
-    std::vector<Explanation> tried;           ///< all that were refitted
-    std::vector<Finding> scan;                ///< a finding a candidate, most telling first
-    std::vector<double> suspect_p;            ///< of each suspect alone
-    Eigen::MatrixXd cosines;                  ///< of the signatures of `effects`, projected
-    Fit fit;                                  ///< of the model as it is
+    std::vector<std::string> effects;   ///< effects that the verdict names
+    std::vector<std::string> suspects;  ///< measurements whose error would explain the readings too
+    std::vector<Explanation> confidence_set;  ///< smallest models that fit
+    std::vector<Explanation> tried;           ///< all refitted models
+    std::vector<Finding> scan;      ///< one finding per candidate, the largest reduction first
+    std::vector<double> suspect_p;  ///< probability of each suspect measurement, tested alone
+    Eigen::MatrixXd cosines;        ///< cosines between the projected signatures of `effects`
+    Fit fit;                        ///< fit of the model without further effects
     double chi2 = 0;
     int dof = 0;
     double lack_of_fit_p = 0, further_p = 0;
@@ -42,10 +42,10 @@ struct Diagnosis {
     }
 };
 
-/// Says whether a model lacks something, and what: fits it, tests what is left for every
-/// candidate, refits those that the residuals ask for, and keeps the smallest models that stand.
-/// A model stands where neither its lack of fit nor the best of what it still lacks is significant,
-/// each at half the significance, from the same draws of errors.
+/// Tests whether the model is complete and, if not, which effects explain the residuals: fits it,
+/// tests what is left for every candidate, refits those that the residuals ask for, and keeps the
+/// smallest models that stand. A model stands where neither its lack of fit nor the best of what it
+/// still lacks is significant, each at half the significance, from the same draws of errors.
 /// @throws InputError where there are no more readings than parameters
 Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,
                    const DiagnosisOptions& options = {});

@@ -15,31 +15,32 @@
 
 namespace pendular {
 
-/// A part of the measurement that may be wrong, such as the readings of one condition: what an
-/// error of it adds to the entries, a column for each way in which it can be off.
+/// Part of the measurement that may be wrong, such as the readings of one condition, with the
+/// change of the entries by an error of it: a column for each kind of error.
 struct SuspectMeasurement {
     std::string name;
     Eigen::MatrixXd columns;
 };
 
-/// Readings as a diagnosis takes them.
+/// Readings with errors, conditions and suspect measurements, as a diagnosis uses them.
 struct Evidence {
     Measured measured;  ///< errors as estimated
     ErrorKnowledge errors;
-    bool errors_assumed = false;  ///< of some readings, rather than measured
-    /// Entries that were measured at the same condition; each entry once.
+    bool errors_assumed = false;  ///< errors of some readings are assumed, not measured
+    /// Groups of entries that were measured at one condition; each entry once.
     std::vector<std::vector<Eigen::Index>> conditions;
     std::vector<SuspectMeasurement> suspects;
 };
 
-/// A model with something more, refitted, and whether it stands.
+/// Refitted model with further effects or a suspect measurement, and whether it fits.
 struct Explanation {
     EffectSet chosen;
     std::optional<std::size_t> suspect;
     Fit fit;
     double chi2 = 0;
-    double lack_of_fit_p = 0;  ///< of the readings' means against the model
-    double further_p = 1;      ///< that nothing further is missing; 1 where not asked
+    double lack_of_fit_p = 0;  ///< probability of the lack of fit of the conditions' means
+    double further_p =
+        1;  ///< probability of the residuals if no further effect is missing; 1: not tested
     bool accepted = false;
 };
 
@@ -49,12 +50,12 @@ struct Finding {
     ScoreTest test;
     double value = 0;           ///< estimate of the parameter [its unit]; 1 or 0 for a switch
     double standard_error = 0;  ///< [its unit]
-    double p = 1;               ///< that some candidate looks so good where nothing is missing
-    double power = 0;           ///< to see the smallest effect of interest
-    double detectable = 0;      ///< how far from neutral it is seen in 4 of 5 cases [its unit]
-    std::optional<double> refitted_reduction;  ///< of chi2, where it was refitted
+    double p = 1;               ///< probability that the best candidate looks so good by chance
+    double power = 0;           ///< probability of revealing the smallest effect of interest
+    double detectable = 0;      ///< distance from neutral revealed with a power of 0.8 [its unit]
+    std::optional<double> refitted_reduction;  ///< reduction of chi2 by the refit, if there was one
     std::string decision;
-    /// Whether there is a size within the bounds that would be seen.
+    /// Whether some size within the bounds would be revealed.
     bool identifiable = false;
 };
 

@@ -18,18 +18,20 @@ struct Scanned {
     const std::vector<ScoreTest>& suspect_tests;
 };
 
-/// Models that were refitted to explain what a model leaves.
+/// Refitted models that may explain the residuals of a model.
 struct Found {
-    std::vector<Explanation> tried;     ///< all
-    std::vector<Explanation> fitting;  ///< with candidates; pairs where no single one does
-    std::vector<Explanation> fitting_suspects;  ///< with an error of the measurement
+    std::vector<Explanation> tried;  ///< all
+    std::vector<Explanation>
+        fitting;  ///< models with candidates that fit; pairs where no single candidate fits
+    std::vector<Explanation>
+        fitting_suspects;  ///< models with an error of the measurement that fit
 };
 
 /// Whether a candidate, by its test alone, is worth refitting.
 bool looks_missing(const Finding& finding);
 
 /// Refits single candidates that look missing and suspects of the measurement, and, where none of
-/// them stands, pairs; side by side where there are further instances of the space. What cannot do
+/// them fits, pairs; side by side where there are further instances of the space. What cannot do
 /// better than what was refused is not refitted.
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,

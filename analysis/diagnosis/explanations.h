@@ -6,8 +6,8 @@
 
 namespace pendular {
 
-/// Refits models of a space to readings and says whether they stand. All tests are from the same
-/// draws of errors. Any number of threads may ask at once.
+/// Refits models of a space to readings and tests whether they fit. All tests use the same draws of
+/// errors. Any number of threads may call it at once.
 class Explanations {
   public:
     /// The arguments must outlive it.
@@ -18,22 +18,22 @@ class Explanations {
     /// starts of its parameters.
     Explanation refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
                       const Eigen::VectorXd& start) const;
-    /// Tests a refitted model and says whether it stands.
+    /// Tests whether a refitted model fits.
     void judge(Explanation& explanation) const;
 
-    /// Parameters at the end of their range take nothing over: they cannot move.
+    /// Residuals of a refitted model. Parameters at a bound imitate nothing: they cannot move.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
     double lack_of_fit_p(const WeightedResiduals& residuals) const;
     /// Score tests of each suspect measurement except the given one.
     std::vector<ScoreTest> suspect_tests(const WeightedResiduals& residuals,
                                          std::optional<std::size_t> but = {}) const;
-    /// A candidate on top of a refitted model.
+    /// Addition of a candidate to a refitted model.
     Addition addition(const Explanation& explanation, std::size_t candidate) const;
 
     const NullDraws& draws() const { return draws_; }
     double half_significance() const { return options_.significance / 2; }
 
-    /// Errors of what each candidate changes, per amplitude: they hold for all models alike.
+    /// Errors of the change by each candidate, per amplitude; the same for all models.
     std::vector<ModelSpace::ChangeErrors> errors;
 
   private:

@@ -19,24 +19,24 @@ namespace pendular {
 /// van der Veld 2009), with errors in the derivatives.
 struct ScoreTest {
     Eigen::MatrixXd basis;      ///< orthonormal, of the columns of P g; none where nothing is left
-    Eigen::VectorXd estimate;   ///< amplitudes
-    double standard_error = 0;  ///< of the first amplitude
+    Eigen::VectorXd estimate;   ///< estimated amplitudes
+    double standard_error = 0;  ///< standard error of the first amplitude
     double statistic = 0;       ///< chi2 of as many degrees of freedom as the basis has columns
-    double predicted_reduction = 0;  ///< of chi2
-    double length = 0;          ///< v
+    double predicted_reduction = 0;  ///< predicted reduction of chi2
+    double length = 0;               ///< v
     double information =
-        0;                ///< v_c: an amplitude A makes the statistic's noncentrality A^2 v_c^2/v
-    double share_imitated = 0;  ///< part of g'g that the calibrated parameters take over
+        0;  ///< v_c: an amplitude A makes the statistic's noncentrality A^2 v_c^2/v
+    double share_imitated = 0;  ///< share of g'g that the calibrated parameters imitate
     bool one_sided = false;
 
-    /// Whether the readings tell anything of it.
+    /// Whether the readings carry information on the amplitude.
     bool seen() const { return basis.cols() > 0; }
     /// Probability of as large a statistic where nothing is missing, of this test alone, errors
     /// known.
     double p() const;
     /// Statistic at which p() is this.
     double critical(double p) const;
-    /// The statistic in each draw of errors.
+    /// Statistic in each draw of errors.
     Eigen::VectorXd drawn(const WeightedResiduals& residuals, const NullDraws& draws) const;
     /// Probability that a true amplitude leads to a p below a limit.
     double power(double amplitude, double limit) const;
@@ -48,7 +48,7 @@ struct ScoreTest {
 ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signature,
                      bool is_switch);
 
-/// Many score tests at a time, of which each may be wrong.
+/// Family of score tests, with probabilities for the smallest p among them.
 class FamilyOfTests {
   public:
     /// `residuals`: those that were tested.
@@ -61,7 +61,7 @@ class FamilyOfTests {
     double limit(double probability) const;
 
   private:
-    std::vector<ScoreTest> tests_;  ///< those that see anything
+    std::vector<ScoreTest> tests_;  ///< tests with information on their amplitude
     Eigen::MatrixXd drawn_;         ///< draws x tests
 };
 

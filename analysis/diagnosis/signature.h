@@ -13,7 +13,7 @@ namespace pendular {
 /// interest (or the switch is on). In between, the amplitude is proportional to the parameter, or
 /// to the function of it that the candidate declares, such as the square of a deviation.
 struct Signature {
-    Eigen::MatrixXd change;  ///< in the units of the readings
+    Eigen::MatrixXd change;  ///< change in the units of the readings
     /// Covariance that comes from model error, if it is included, in the units of the readings.
     ModelSpace::ChangeErrors errors;
     /// The amplitude cannot be negative: at neutral the parameter is at its bound, or the other
@@ -22,14 +22,15 @@ struct Signature {
     double taken_at = 1;  ///< amplitude at which the change was seen
 };
 
-/// A model's predictions with one candidate more, as a function of that candidate's amplitude.
+/// Predictions of a model with one further candidate, as a function of the candidate's amplitude.
 class Addition {
   public:
-    /// To the model of `chosen` at `parameters`, where it says `values`.
-    Addition(const ModelSpace& space, EffectSet chosen, std::size_t added, Eigen::VectorXd parameters,
-             Eigen::VectorXd values);
+    /// Adds candidate `added` to the model of `chosen` at `parameters`, whose predictions are
+    /// `values`.
+    Addition(const ModelSpace& space, EffectSet chosen, std::size_t added,
+             Eigen::VectorXd parameters, Eigen::VectorXd values);
 
-    /// Its signature about neutral, at the smallest effect of interest.
+    /// Signature of the candidate about neutral, at the smallest effect of interest.
     Signature signature(bool with_errors) const;
     /// Computes the signature at another amplitude, other than zero, within the bounds.
     void retake(Signature& signature, double amplitude) const;

@@ -20,11 +20,11 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
 /// which have no such quantities, follow.
 std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct = 0);
 
-/// The entries of readings, and of as many direct measurements, fitted with these parameters.
+/// Kinds of the entries of readings and direct measurements.
 EntryKinds entries_of(const std::vector<Reading>& readings,
                       const std::vector<Parameter>& parameters, std::size_t direct = 0);
 
-/// "300 Pa, I 0.003, liquid content 0.03".
+/// Condition as text: "300 Pa, I 0.003, liquid content 0.03".
 std::string condition_text(const Condition& condition);
 
 }  // namespace pendular

@@ -10,17 +10,17 @@
 
 namespace pendular {
 
-/// Readings of one condition or one file that are off, all of them together.
+/// Readings of one condition or one file that deviate together from the model.
 struct Offending {
     std::string readings;
-    double p = 1;  ///< probability that any condition or file stands out so where none is off
+    double p = 1;  ///< probability that the largest deviation arises by chance
 };
 
-/// Where a model fails on the readings of a study, beyond what its calibrated parameters could take
-/// over and what errors of the readings and of the simulation explain.
+/// Where a model fails on the readings of a study, beyond what its calibrated parameters can
+/// imitate and what errors of the readings and of the simulation explain.
 struct WhereItFails {
     Checks checks;
-    std::vector<Offending> offending;  ///< those with p < 0.05, the worst first
+    std::vector<Offending> offending;  ///< deviations with p < 0.05, the smallest p first
 };
 
 /// `prediction` of the model at the calibrated `parameters`, with its slopes and the covariance

@@ -11,19 +11,19 @@
 
 namespace pendular {
 
-/// Whether a fit can be believed, and why not.
+/// Judgement whether a fit can be believed, with the reasons against it.
 struct Belief {
-    /// A sentence each, the most serious first. Empty: nothing speaks against the fit.
+    /// Reasons against the fit as sentences, the most serious first. Empty: none.
     std::vector<std::string> reasons;
-    /// The numbers mean nothing: the friction is at the end of its range and the model does not
-    /// describe the readings, or most readings had to be set aside.
+    /// Whether the numbers are meaningless: the friction is at the end of its range and the model
+    /// does not describe the readings, or most readings had to be set aside.
     bool meaningless = false;
 
     bool believable() const { return reasons.empty(); }
 };
 
-/// Probability of chi2 below which a model does not describe the readings, whatever their errors
-/// are worth [1].
+/// Probability of chi2 below which a model does not describe the readings, however uncertain their
+/// errors are [1].
 constexpr double incredible_p = 1e-6;
 
 /// Judges a fit of parameters by its misfit, by parameters at the end of their range, and by what

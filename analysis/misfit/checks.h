@@ -9,30 +9,30 @@
 
 namespace pendular {
 
-/// Something that varied between the entries of the readings.
+/// Quantity that varies between the entries of the readings.
 struct Covariate {
     std::string name;
-    Eigen::VectorXd values;  ///< of each entry; not a number where it has none
+    Eigen::VectorXd values;  ///< value at each entry; not a number where it is unknown
 };
 
-/// One test of whether a model's residuals are what errors alone would leave.
+/// Test whether a model's residuals are consistent with the errors alone.
 struct Check {
     enum class Kind {
-        lack_of_fit,  ///< of the conditions' means against the model
+        lack_of_fit,  ///< lack of fit of the conditions' means
         score,        ///< scores of a calibrated parameter cumulated along a covariate
         trend,        ///< residuals of an observable growing or falling with a covariate
         runs,         ///< neighbouring readings on the same side of the model
         neighbours    ///< readings at neighbouring conditions alike in their residuals
     };
     Kind kind = Kind::lack_of_fit;
-    std::string covariate = {};  ///< empty where there is none
-    std::string of = {};         ///< the parameter or observable; empty where there is none
-    double statistic = 0;        ///< of that kind
-    double p = 1;                ///< probability of at least that where the model is right
+    std::string covariate = {};  ///< name of the covariate; empty: none
+    std::string of = {};         ///< name of the parameter or observable; empty: none
+    double statistic = 0;        ///< statistic of this kind of check
+    double p = 1;  ///< probability of a statistic at least as large if the model is right
 };
 std::string_view to_string(Check::Kind kind);
 
-/// All checks of one fit, and the probability that they look so bad together.
+/// All checks of one fit, and their joint probability if the model is right.
 struct Checks {
     std::vector<Check> all;
     double p = 1;
@@ -43,7 +43,7 @@ struct EntryKinds {
     /// Observable of each entry, into `observables`.
     std::vector<std::size_t> observable;
     std::vector<std::string> observables;
-    /// Entries that were measured at the same condition.
+    /// Groups of entries that were measured at one condition.
     std::vector<std::vector<Eigen::Index>> conditions;
     /// Calibrated parameters, by the columns of the slopes.
     std::vector<std::string> parameters;

@@ -12,12 +12,12 @@
 
 namespace pendular {
 
-/// One reading beside its prediction. Index 0 is the shear stress [Pa], 1 the solid fraction [1].
+/// Reading with its prediction. Index 0 is the shear stress [Pa], 1 the solid fraction [1].
 struct ReadingMisfit {
     Reading reading;
     Eigen::Vector2d predicted;
     Eigen::Matrix2d predicted_covariance;
-    Eigen::Vector2d chi2;  ///< its parts of the total, by observable; none is negative
+    Eigen::Vector2d chi2;  ///< contributions to the total chi2, by observable; none is negative
     Eigen::Vector2d
         normalised;  ///< (measured - predicted) over the standard error of the difference [1]
 };
@@ -25,7 +25,7 @@ struct ReadingMisfit {
 /// Readings of one condition (replicates) taken together.
 struct ConditionMisfit {
     Condition condition;
-    std::vector<std::size_t> readings;  ///< into Comparison::readings
+    std::vector<std::size_t> readings;  ///< indices into Comparison::readings
     double chi2 = 0;
     /// Mean of (measured - predicted) over its standard error, by observable [1].
     Eigen::Vector2d normalised = Eigen::Vector2d::Zero();
@@ -38,10 +38,10 @@ struct FileMisfit {
     double chi2 = 0;
 };
 
-/// A direct measurement beside what the model says.
+/// Direct measurement with the model's prediction.
 struct DirectMisfit {
     DirectMeasurement measurement;
-    double predicted = 0;  ///< [its unit]
+    double predicted = 0;  ///< predicted value [unit of the parameter]
 
     double normalised() const {
         return (measurement.value - predicted) / measurement.standard_error;
@@ -53,7 +53,7 @@ struct DirectMisfit {
 /// Source: Satterthwaite, Biometrics Bull. 2 (1946) 110, for equal variances.
 double freedom_behind(std::span<const Reading> readings);
 
-/// chi2 of some readings.
+/// Misfit of a set of readings: chi2 with its degrees of freedom.
 struct Misfit {
     double chi2 = 0;  ///< with the scatter of replicates as it was estimated
     int dof = 0;
@@ -64,22 +64,22 @@ struct Misfit {
     double p() const;
 };
 
-/// Measurement beside model.
+/// Comparison of measurement and model.
 struct Comparison {
     std::vector<ReadingMisfit> readings;
     std::vector<DirectMisfit> direct;
-    /// Their chi2 add up to the total less that of direct measurements.
+    /// Misfits by condition; their chi2 add up to the total without the direct measurements.
     std::vector<ConditionMisfit> by_condition;
-    std::vector<FileMisfit> by_file;  ///< likewise
+    std::vector<FileMisfit> by_file;  ///< misfits by file; their chi2 add up to the same total
     std::array<double, 2>
         by_observable{};  ///< chi2 of shear stress and solid fraction; they add up too
     std::array<double, 2> rms_percent{};  ///< 100 sqrt(mean((predicted/measured - 1)^2))
     Misfit total;
     Misfit fitted;     ///< readings the parameters were fitted to, and direct measurements
-    Misfit predicted;  ///< readings the fit never saw; both add up to the total
+    Misfit predicted;  ///< readings that were predicted, not fitted; both chi2 add up to the total
 };
 
-/// Puts every reading beside its prediction.
+/// Compares every reading with its prediction.
 ///     chi2 = e' (Sigma_measurement + Sigma_simulation)^-1 e,  e = measured - predicted
 /// split so that entry i contributes the square of its decorrelated misfit (ZCA-cor). `fitted` of
 /// the readings, the first ones, were fitted with so many parameters.

@@ -15,14 +15,14 @@ namespace pendular {
 ///     variance = max(0, between - within)/steps.
 struct SharedErrors {
     Eigen::MatrixXd loadings;  ///< entries x sources: what a source of variance 1 adds to entries
-    double variance = 0;       ///< that is in the covariance of the readings
+    double variance = 0;       ///< variance of the sources in the covariance of the readings
     double between = 0, within = 0;
     double freedom_between = INFINITY;  ///< infinite: the variance is known
     double freedom_within = INFINITY;
     double steps = 1;
 };
 
-/// How well errors of readings are known. The error of entry k that no other entry shares is of
+/// Uncertainty of the errors of readings. The error of entry k that no other entry shares is of
 /// kind `kind[k]`, whose size was estimated with `freedom[kind]` degrees of freedom; infinite where
 /// it is known.
 struct ErrorKnowledge {
@@ -37,7 +37,7 @@ struct ErrorKnowledge {
     /// with one standard normal z for each column.
     std::vector<Eigen::VectorXd> log_sizes;
 
-    /// n entries whose errors are known.
+    /// Errors of n entries that are known exactly.
     static ErrorKnowledge known(Eigen::Index n);
 };
 
@@ -57,7 +57,7 @@ class NullDraws {
     Eigen::Index count() const { return errors_.cols(); }
     /// B' times the errors in the whitened units of these residuals, a column for each draw.
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis) const;
-    /// The errors in those units.
+    /// Errors in the whitened units of these residuals.
     Eigen::MatrixXd whitened(const WeightedResiduals& residuals) const;
 
     /// Probability of a statistic at least as large as `observed`, from its values in the draws:
@@ -65,8 +65,8 @@ class NullDraws {
     static double p(double observed, const Eigen::VectorXd& drawn);
 
   private:
-    Eigen::MatrixXd errors_;       ///< of the measurement, in its units
-    Eigen::MatrixXd predictions_;  ///< standard normal
+    Eigen::MatrixXd errors_;       ///< errors of the measurement, in its units
+    Eigen::MatrixXd predictions_;  ///< standard normal numbers for errors of the predictions
 };
 
 }  // namespace pendular

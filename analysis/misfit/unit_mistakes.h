@@ -11,16 +11,17 @@
 
 namespace pendular {
 
-/// A column that may have been read in a wrong unit: the factor on it that mends the misfit.
+/// Column that may have been read in a wrong unit, with the factor that removes the misfit.
 struct UnitMistake {
     std::string column;  ///< "angular velocity"
     std::string files;   ///< "of all recordings", "of wet_1.csv" or "of the files dry_*.csv"
-    double factor = 1;   ///< the column's numbers have to be multiplied by it
-    std::string unit;    ///< what the factor means: "numbers in rpm were read as rad/s"
-    double chi2_before = 0, chi2_after = 0;  ///< of all readings, errors of the model as a floor
+    double factor = 1;   ///< factor by which the column's numbers must be multiplied [1]
+    std::string unit;    ///< meaning of the factor: "numbers in rpm were read as rad/s"
+    double chi2_before = 0,
+           chi2_after = 0;  ///< chi2 of all readings, with the model's errors as a floor
     int dof = 0;
 
-    /// One sentence for the user.
+    /// Sentence for the user.
     std::string sentence() const;
 };
 

@@ -12,7 +12,8 @@ namespace pendular {
 /// changes:
 ///     r = L^-1 (y - f),   J = L^-1 df/dtheta,   P = I - J (J'J)^-1 J',
 /// L L' = Sigma_measurement + Sigma_simulation. P comes from a QR decomposition and is never
-/// formed; combinations of parameters that the readings do not determine take nothing away.
+/// formed; combinations of parameters that the readings do not determine take nothing awaMeasured
+/// values y.
 class WeightedResiduals {
   public:
     /// @throws std::logic_error where the covariance is not positive definite
@@ -24,7 +25,7 @@ class WeightedResiduals {
     const Eigen::VectorXd& measured() const { return measured_; }
     double chi2() const { return residuals_.squaredNorm(); }
 
-    /// L^-1 times columns of changes in the units of the readings.
+    /// Whitened changes: L^-1 times columns in the units of the readings.
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
     /// L^-T times whitened columns: what their products with whitened changes are with the changes.
     Eigen::MatrixXd whiten_basis(const Eigen::MatrixXd& columns) const;
@@ -38,11 +39,11 @@ class WeightedResiduals {
     /// projected out: what scatters within the groups is in none of them. Entries of a group are
     /// alike in proportion to what was measured.
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
-    /// Change of the calibrated parameters that takes over a whitened change of the prediction.
+    /// Change of the calibrated parameters that imitates a whitened change of the prediction.
     Eigen::VectorXd share_imitated_by(const Eigen::VectorXd& change) const;
-    /// Calibrated parameters that the readings determine.
+    /// Number of calibrated parameters that the readings determine.
     Eigen::Index determined() const { return basis_.cols(); }
-    /// J.
+    /// Whitened derivatives J.
     const Eigen::MatrixXd& slopes() const { return slopes_; }
 
   private:

@@ -37,7 +37,7 @@ class EffectResponse {
 
     std::vector<ResponsePlace> places_;
     Eigen::VectorXd amplitudes_;
-    double plane_ = 1, curved_ = 1;  ///< variances
+    double plane_ = 1, curved_ = 1;  ///< variances of plane and process
     Eigen::LLT<Eigen::MatrixXd> factor_;
     Eigen::VectorXd weights_;
 };

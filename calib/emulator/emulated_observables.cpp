@@ -8,10 +8,10 @@ namespace {
 
 using dem::Observable;
 
-/// Softer beads overlap more than the correction to rigid ones was measured for.
+/// Softer grains overlap more than the correction to rigid ones was measured for.
 constexpr double softest = 300;
 
-/// How much stiffer or softer beads may be that tell of structure.
+/// How much stiffer or softer grains may be that tell of structure.
 constexpr double stiffness_factor = 2;
 
 bool depends_on_stiffness(Observable which) {

@@ -9,12 +9,12 @@ namespace pendular::emulated {
 /// Stiffness number at which overlaps are emulated, and structure where nothing else is said.
 constexpr double reference_stiffness = 1000;
 
-/// Whether a run can teach.
+/// Whether a run can serve as a training run.
 bool usable(const dem::RunResult& run);
 /// Training value of an observable from a run, with its standard error.
 Mean training_value(const dem::RunResult& run, dem::Observable which);
 FlowState flow_state_of(const dem::RunParameters& run);
-/// Whether an observable says nothing of dry beads.
+/// Whether an observable is defined for wet grains only.
 bool of_bridges(dem::Observable which);
 /// All observables that are emulated.
 const std::vector<dem::Observable>& observables();
@@ -30,7 +30,7 @@ inline constexpr double exponent = 0.5;
 inline constexpr dem::Observable pair[] = {dem::Observable::stress_ratio,
                                            dem::Observable::solid_fraction};
 bool in_pair(dem::Observable which);
-/// Both at these states, one after the other.
+/// Queries of stress ratio and solid fraction at these states, in turn.
 std::vector<Query> pairs_at(const std::vector<FlowState>& states);
 
 /// Scaling of an observable before emulation, chosen so that the emulated remainder varies little:

@@ -32,7 +32,7 @@ Estimate estimate(const Jet& jet, Eigen::Index k) {
     return {jet.value(k), variance > 0 ? std::sqrt(variance) : 0.0};
 }
 
-/// From rigid beads to those of a stiffness number: of the shift at the reference stiffness a part
+/// From rigid grains to those of a stiffness number: of the shift at the reference stiffness a part
 /// reference/kappa is there. The errors of the overlap are small beside those of the correction.
 void soften(Jet& fraction, const Jet& overlap, double stiffness_number) {
     const double part = emulated::reference_stiffness / stiffness_number;

@@ -21,7 +21,7 @@ namespace pendular {
 /// threads may ask it at once.
 class Emulator {
   public:
-    /// As `PlainEmulator`.
+    /// Trains on runs, as `PlainEmulator` does.
     Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
              double structure_stiffness = emulated::reference_stiffness)
         : plain_(runs, std::move(hyperparameters), structure_stiffness) {}
@@ -29,25 +29,25 @@ class Emulator {
     /// Returns the emulator with further training runs and unchanged hyperparameters.
     Emulator with(const std::vector<dem::RunResult>& more) const;
 
-    /// Scales in use, those learned so far included.
+    /// Hyperparameters in use, those fitted so far included.
     EmulatorHyperparameters hyperparameters() const { return plain_.hyperparameters(); }
 
     /// An entry for each query.
     /// @throws std::invalid_argument for an observable of bridges where no run was wet, or of a dry
     ///         state, and for an effect that no run has alone
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
-    /// Covariance of the errors of that, a row and a column for each query.
+    /// Covariance of the errors of `mean`, a row and a column for each query.
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
-    /// In what a state lies beyond all runs, as in "friction 0.9 is above 0.6"; empty where it does
-    /// not. Slower flow than any run is extrapolated, with its error, and no matter of this.
+    /// Coordinates in which a state lies beyond all runs, as in "friction 0.9 is above 0.6"; empty
+    /// where it does not. Slower flow than any run is extrapolated, with its error, and no matter
+    /// of this.
     std::string beyond(const FlowState& state) const;
 
     /// Training runs.
     const std::vector<dem::RunResult>& runs() const { return plain_.runs(); }
 
-    /// Covariance of what a run says of stress ratio and solid fraction about what a longer one
-    /// would.
+    /// Covariance of a run's stress ratio and solid fraction about those of a much longer run [1].
     Eigen::Matrix2d noise(const dem::RunResult& run) const { return plain_.noise(run); }
     double noise_variance(const dem::RunResult& run, dem::Observable which) const {
         return plain_.noise_variance(run, which);
@@ -60,7 +60,7 @@ class Emulator {
     struct Affected;
     std::vector<Affected> affected(const std::vector<Query>& queries) const;
 
-    /// Each learned when it is first needed, once for all threads.
+    /// Responses, each trained when it is first needed, once for all threads.
     struct Responses {
         struct Response {
             std::once_flag once;

@@ -14,7 +14,7 @@ struct Observations {
     Eigen::MatrixXd values;              ///< n x m
     std::vector<Eigen::MatrixXd> noise;  ///< their m x m covariance at each place
 
-    /// One of the quantities alone.
+    /// Observations of one quantity alone.
     Observations only(Eigen::Index quantity) const;
 };
 
@@ -29,14 +29,14 @@ class GaussianProcess {
     /// between runs that they allow.
     GaussianProcess(std::vector<Kernel> kernels, const Observations& known);
 
-    /// A value or derivative of one of the quantities.
+    /// Requested value or derivative of one quantity.
     struct Requested {
         Eigen::Index quantity = 0;
         Functional functional;
     };
-    /// @return an entry for each that is asked
+    /// @return posterior means, an entry for each request
     Eigen::VectorXd mean(const std::vector<Requested>& requested) const;
-    /// @return a row and column for each that is asked
+    /// @return posterior covariance, a row and column for each request
     Eigen::MatrixXd covariance(const std::vector<Requested>& requested) const;
 
   private:

@@ -9,10 +9,10 @@
 
 namespace pendular {
 
-/// Coordinates by number, for derivatives: x, q, u, v of `Coordinates`.
+/// Number of coordinates for derivatives: x, q, u, v of `Coordinates`.
 constexpr int coordinate_count = 4;
 
-/// A function's value at some place, or its derivative there in one coordinate.
+/// Value of a function at a place, or its derivative in one coordinate.
 struct Functional {
     static constexpr int value = -1;
     Coordinates at;
@@ -21,21 +21,22 @@ struct Functional {
 
 /// Kind of an emulated quantity, which decides its dry limit.
 enum class Domain {
-    all_flow,  ///< defined for dry beads too, which it goes over into as 1/P* -> 0
-    contacts,  ///< likewise, but with a step: beads that touched nothing now hang in bridges
+    all_flow,  ///< defined for dry grains too, which it goes over into as 1/P* -> 0
+    contacts,  ///< defined for dry grains too, with a step: in wet flow, grains without contacts
+               ///< hang in bridges
     bridges,   ///< of liquid bridges, which keep a structure where their force no longer matters
 };
 
-/// Scales of a Gaussian process; all positive.
+/// Hyperparameters of a Gaussian process; all positive.
 struct Hyperparameters {
     double dry_amplitude = 1;  ///< of what the polynomial leaves of dry flow, unit of the quantity
-    double dry_x = 1, dry_q = 0.2;  ///< lengths over which it changes
+    double dry_x = 1, dry_q = 0.2;  ///< lengths over which the dry part changes
     double wet_amplitude = 1;       ///< of what it leaves of capillarity, per 1/P*
     double wet_x = 1, wet_q = 0.2, wet_u = 1, wet_v = 1;
-    double noise = 1;       ///< factor on the runs' stated variances
-    double between_run_scatter = 1e-3;  ///< scatter between runs beyond that, unit of the quantity
+    double noise = 1;                   ///< factor on the runs' stated variances
+    double between_run_scatter = 1e-3;  ///< between-run scatter beyond that, unit of the quantity
 
-    static constexpr std::size_t count = 10, of_processes = 8;  ///< the last two are of noise
+    static constexpr std::size_t count = 10, of_processes = 8;  ///< the last two describe noise
     static constexpr std::array<std::string_view, count> names = {
         "dry_amplitude", "dry_friction", "dry_inertia", "wet_amplitude", "wet_friction",
         "wet_inertia",   "wet_pressure", "wet_volume",  "noise",         "between"};
@@ -56,7 +57,7 @@ class Kernel {
     /// `unit`: a typical size of the quantity, for coefficients to be large beside.
     Kernel(Domain domain, const Hyperparameters& hyperparameters, double unit);
 
-    /// A functional with all of it that its covariances with others have in common.
+    /// Functional with the parts that its covariances with others share.
     struct Prepared {
         int derivative = Functional::value;
         double u = 0;
@@ -88,10 +89,10 @@ class Kernel {
 
     /// Covariance matrix of functionals.
     Eigen::MatrixXd matrix(const std::vector<Prepared>& of) const;
-    /// Derivatives of half the trace of W K by the logarithms of the scales of processes, K being
-    /// the matrix of values; W symmetric.
-    std::array<double, Hyperparameters::of_processes> half_traces(const std::vector<Prepared>& values,
-                                                         const Eigen::MatrixXd& weights) const;
+    /// Derivatives of half the trace of W K by the logarithms of the hyperparameters of processes,
+    /// K being the matrix of values; W symmetric.
+    std::array<double, Hyperparameters::of_processes> half_traces(
+        const std::vector<Prepared>& values, const Eigen::MatrixXd& weights) const;
 
     const Hyperparameters& hyperparameters() const { return hyperparameters_; }
 

@@ -26,7 +26,7 @@ class KnownRange {
     /// Solid fractions that dense flow can have: from far below loose packing to crystals.
     static constexpr double lowest_fraction = 0.4, highest_fraction = 0.74;
 
-    /// The emulator must live as long as this.
+    /// Range of the emulator's training runs. The emulator must outlive it.
     explicit KnownRange(const Emulator& emulator);
 
     /// Whether any run has liquid bridges, or any has none.
@@ -45,7 +45,7 @@ class KnownRange {
 
   private:
     using Point = Eigen::Vector4d;
-    /// Runs as columns of scaled coordinates.
+    /// Cloud of runs as columns of scaled coordinates.
     struct Cloud {
         Eigen::Matrix<double, 4, Eigen::Dynamic> corners;  ///< whose hull is known
         Eigen::Index runs = 0;                             ///< the first of them

@@ -18,7 +18,7 @@ using namespace emulated;
 
 namespace {
 
-/// Whether it says something of beads without effects.
+/// Whether it says something of grains without effects.
 bool teaches(const dem::RunResult& run, Observable which, double structure_stiffness) {
     return run.parameters.effects.empty() && tells(run, which, structure_stiffness);
 }

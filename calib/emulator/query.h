@@ -11,14 +11,14 @@ namespace pendular {
 /// Variable by which an emulated observable is differentiated.
 enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
 
-/// An observable at a state, or its derivative there.
+/// Query of an observable at a state, or of its derivative.
 struct Query {
     FlowState state;
     dem::Observable which = dem::Observable::stress_ratio;
     std::optional<Input> by = {};
 };
 
-/// Scales of the emulator of each observable.
+/// Hyperparameters of the emulator of each observable.
 using EmulatorHyperparameters = std::map<dem::Observable, Hyperparameters>;
 
 }  // namespace pendular

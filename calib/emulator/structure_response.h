@@ -2,7 +2,7 @@
 
 namespace pendular {
 
-/// A quantity of the bridge network at a state, with its derivatives.
+/// Quantity of the bridge network at a state, with its derivatives.
 struct StructureResponse {
     double value = 0;
     double by_friction = 0;

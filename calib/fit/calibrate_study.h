@@ -20,9 +20,9 @@ struct CalibrationRequest {
     bool profile = false;
     CalibrationOptions options = {};
     CohesionOptions cohesion = {};
-    /// Runs that the emulator begins with; without any it makes a first design of its own.
+    /// Training runs at the beginning; without any, the planner simulates a first design.
     KnownRuns known = {};
-    /// Called with the name of what is simulated next.
+    /// Callback with the name of the next simulations.
     std::function<void(std::string_view)> stage = {};
 };
 
@@ -37,7 +37,7 @@ Calibration calibrate_study(const ResolvedStudy& study, const Measurements& meas
 void check_range(const std::vector<Reading>& readings, const Study& study,
                  const Fidelity& fidelity);
 
-/// How many of a study's readings, dry ones first, its calibration fits.
+/// Number of a study's readings, dry ones first, that its calibration fits.
 std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings);
 
 /// Predictions of conditions that the calibration did not fit, with its error: the model's
@@ -48,7 +48,8 @@ std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>&
 Prediction predict_unseen(const Predictor& model, const Calibration& calibration,
                           const std::vector<Condition>& conditions);
 
-/// Predictions of all readings of a calibration, with its error in those it did not fit.
+/// Predictions of all readings of a calibration; the error of the fit is included for readings that
+/// it did not fit.
 Prediction predict_readings(const Predictor& model, const Calibration& calibration);
 
 /// Draws the cohesion lines of a calibration anew, through its wet readings and through their

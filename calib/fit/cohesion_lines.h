@@ -10,7 +10,7 @@
 
 namespace pendular {
 
-/// By how much a cohesion line is too high at a reduced pressure that it was not fitted to.
+/// Deviation of a cohesion line from a point that it was not fitted to.
 struct Overestimate {
     double reduced_pressure = 0;  ///< P*
     Estimate relative;            ///< (line - value)/value of the stress ratio [1]
@@ -26,12 +26,12 @@ struct CohesionLine {
     double inertial_number = 0;  ///< I [1], mean of the points; 0: the quasi-static limit
     Estimate stress_ratio_intercept;
     Estimate reduced_cohesion;  ///< c* = a^2 c/F0 [1]
-    double correlation = 0;     ///< of these two
+    double correlation = 0;     ///< correlation of intercept and c*
     Estimate cohesion;          ///< c = c* F0/a^2 [Pa]
-    int points = 0;             ///< the line goes through
+    int points = 0;             ///< number of points that the line is fitted to
     double chi2 = 0;
     int dof = 0;
-    double lowest_reduced_pressure = 0;  ///< of these points
+    double lowest_reduced_pressure = 0;  ///< lowest reduced pressure of these points [1]
     std::vector<Overestimate> below;     ///< points below the limit, by falling P*
 };
 
@@ -39,8 +39,8 @@ struct CohesionLine {
 double stress_ratio(const CohesionLine& line, double reduced_pressure);
 
 struct CohesionOptions {
-    /// Points of a lower P* are not fitted: choice of Badetti et al. (2018); the straight line is too high for
-    /// P* <= 1.
+    /// Points of a lower P* are not fitted: choice of Badetti et al. (2018); the straight line is
+    /// too high for P* <= 1.
     double lowest_reduced_pressure = 2.3;
 
     /// Whether a point of this P* is fitted. A limit met up to rounding is met: stresses and P* are
@@ -54,8 +54,9 @@ void check_options(const CohesionOptions& options);
 /// Straight lines through the measured wet readings, one per group of `wet_groups` and in their
 /// order. A group without two distinct P* (2 % apart) at or above the limit has no line; `notes`
 /// says so, and which readings a line leaves out.
-std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const GrainProperties& grains,
-                                         const Liquid& liquid, const CohesionOptions& options,
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
+                                         const GrainProperties& grains, const Liquid& liquid,
+                                         const CohesionOptions& options,
                                          std::vector<std::string>& notes);
 
 /// Cohesion lines through the model's predictions of these readings: the line that the same

@@ -16,7 +16,7 @@ namespace pendular {
 /// then direct measurements.
 struct Measured {
     Eigen::VectorXd value;
-    Eigen::MatrixXd covariance;  ///< with the scatter of replicates as it was estimated
+    Eigen::MatrixXd covariance;  ///< covariance with the scatter of replicates as estimated
     /// Widening of the covariance of the readings for standard errors, since few replicates
     /// determine the scatter; empty: none.
     Eigen::MatrixXd widening = {};
@@ -24,20 +24,22 @@ struct Measured {
 Measured stack(const std::vector<Reading>& readings,
                const std::vector<DirectMeasurement>& direct = {});
 
-/// Outcome of one least-squares fit.
+/// Result of one least-squares fit.
 struct Fit {
     Eigen::VectorXd parameters;
     /// Covariance of the parameters, (J' J)^-1 of the whitened derivatives; not scaled by chi2/dof.
     Eigen::MatrixXd covariance;
-    Eigen::MatrixXd widening;  ///< of the parameters, beyond `covariance`: see Measured::widening
-    Eigen::MatrixXd measurement_part;  ///< what of it the measurement alone causes
-    Eigen::MatrixXd run_part;  ///< what of it the runs' noise causes; the rest are corrections
+    Eigen::MatrixXd
+        widening;  ///< widening of `covariance` for standard errors: see Measured::widening
+    Eigen::MatrixXd measurement_part;  ///< part of `covariance` that comes from the measurement
+    Eigen::MatrixXd
+        run_part;  ///< part that comes from the noise of the runs; the rest comes from corrections
     double chi2 = 0;
     int dof = 0;
     bool converged = false;
-    std::vector<bool> at_bound;  ///< per parameter: it ended at a bound of its range
-    Prediction prediction;       ///< at the parameters
-    std::string message;         ///< what Ceres said
+    std::vector<bool> at_bound;  ///< for each parameter, whether it ended at a bound
+    Prediction prediction;       ///< prediction at the fitted parameters
+    std::string message;         ///< message of Ceres
 
     /// Standard error of a parameter, in its unit, widened where few replicates determine the
     /// scatter.
@@ -46,13 +48,14 @@ struct Fit {
     double simulation_error(Eigen::Index k) const;
 };
 
-/// How far a fit goes. Its standard reproduces certified regressions to ten digits; where the
-/// errors of the readings are all that counts, much less will do.
+/// Effort of a fit. The default reproduces certified regressions to ten digits; where the errors of
+/// the readings are all that counts, much less will do.
 struct FitEffort {
     int most_steps = 1000;
     double tolerance = 1e-14;  ///< relative change of chi2 at which a search ends
     double settled = 1e-10;    ///< last step in standard errors, over the root of chi2
-    bool elsewhere = true;     ///< whether to search otherwise where a parameter stays undetermined
+    bool elsewhere =
+        true;  ///< whether to search from other starts where a parameter stays undetermined
 };
 
 /// Weighted least squares of a model's predictions to the readings by Ceres,
@@ -69,39 +72,40 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
 std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
                                            const Fit& best, Eigen::Index which, double rise = 1);
 
-/// The start of every parameter of a model.
+/// Starting values of a model's parameters.
 Eigen::VectorXd start_of(const Model& model);
 
-/// When a calibration is good enough, and when it gives up.
+/// Criteria for the end of a calibration.
 struct CalibrationOptions {
-    double simulation_share = 0.2;  ///< of a parameter's variance that noise of the runs may cause
-    double settled = 0.5;           ///< largest last move, in standard errors
+    double simulation_share =
+        0.2;  ///< largest share of a parameter's variance from the noise of the runs [1]
+    double settled = 0.5;  ///< largest last move, in standard errors
     int fewest_rounds = 3;
-    int most_rounds = 8;                        ///< 1: the first fit stands
-    std::optional<Eigen::VectorXd> start = {};  ///< none: each parameter's own
+    int most_rounds = 8;  ///< largest number of rounds; 1: one fit without fresh runs
+    std::optional<Eigen::VectorXd> start = {};  ///< starting values; empty: those of the parameters
 };
 
-/// Called after each round with the fit so far.
+/// Callback after each round, with the fit so far.
 using CalibrationReport = std::function<void(int round, const Fit& fit)>;
 
-/// A model that learns from runs of its own, and is another one afterwards.
+/// Model that orders simulations and is trained on them between fits.
 class LearningModel {
   public:
     virtual ~LearningModel() = default;
 
     /// Model with all runs that were simulated so far.
     virtual const Model& model() const = 0;
-    /// Learns more about the neighbourhood of `parameters`, where a fit has arrived. `excess` is
-    /// the factor by which the variance that simulation causes in the fit is too large: above 1,
-    /// about so many times the work done so far is wanted.
+    /// Simulates more states near `parameters`, where a fit has arrived, and trains on them.
+    /// `excess` is the factor by which the variance that simulation causes in the fit is too large:
+    /// above 1, about so many times the work done so far is wanted.
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
-    /// Whether what it learned last agrees with what it had said before.
+    /// Whether the last simulations agree with the predictions made before them.
     virtual bool confirmed() const { return true; }
 };
 
-/// Fits, lets the model learn where the fit has arrived, and fits again, until the parameters stay
-/// where they are, what the model learns confirms it and the simulation's share of their variance
-/// is small. `converged` is false when the rounds run out first.
+/// Fits, trains the model on simulations near the fit, and fits again, until the parameters no
+/// longer move, the simulations confirm the model and the simulation's share of their variance is
+/// small. `converged` is false when the rounds run out first.
 Fit calibrate(LearningModel& learning, const Measured& measured, const CalibrationOptions& options,
               const CalibrationReport& report = {});
 

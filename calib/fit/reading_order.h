@@ -8,10 +8,10 @@
 
 namespace pendular {
 
-/// The readings of a study in the order of a calibration: dry ones first.
+/// Readings of a study in the order of a calibration: dry ones first.
 std::vector<Reading> dry_first(const Measurements& measurements);
 
-/// How many of some readings are dry.
+/// Number of dry readings.
 std::size_t dry_count(const std::vector<Reading>& readings);
 
 /// Readings [from, to).

@@ -15,7 +15,7 @@ struct StructuralCohesion {
     double liquid_content = 0;   ///< Phi_L/Phi_S [1]
     double inertial_number = 0;  ///< I [1]
     Estimate rumpf;              ///< mu*_0 Phi_S Z*/pi, eq:cohesion3
-    Estimate generalised;        ///< the same less a^2 s12cap/F0, eq:cohgen
+    Estimate generalised;        ///< `rumpf` less a^2 s12cap/F0, eq:cohgen
 };
 
 /// Averages of both over the wet readings of each of `wet_groups` whose P* is at or above the

@@ -11,12 +11,11 @@ namespace pendular {
 
 struct Calibration;
 
-/// The model of a study: the simulation behind it, the base that it names and its effects. A value;
-/// copies share what never changes.
+/// Model of a study: simulation, base and effects. It is a value; copies share constant parts.
 class StudyModel {
   public:
     StudyModel(const ResolvedStudy& study, std::shared_ptr<const EmulatedSimulation> simulation);
-    /// The model of a finished calibration, made again from its runs.
+    /// Model of a finished calibration, assembled again from its runs.
     StudyModel(const ResolvedStudy& study, const Calibration& calibration);
 
     /// Model of the readings as the instrument shows them, with all effects.
@@ -26,7 +25,7 @@ class StudyModel {
     /// Model on an ideal instrument: with the study's effects on grains and liquid, without those
     /// on the instrument.
     const EffectModel& flow() const { return *flow_; }
-    /// model() at readings and, after them, the study's direct measurements.
+    /// Model at readings, followed by the study's direct measurements.
     ModelOfReadings at(const std::vector<Reading>& readings) const;
     /// Values of the parameters of flow(), from values of those of model().
     Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
@@ -34,9 +33,9 @@ class StudyModel {
     /// parameters of model(), where the instrument shows the truth.
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
-    /// The effects that the study lists, in its order.
+    /// Effects that the study lists, in its order.
     const std::vector<const Effect*>& effects() const { return study_.effects(); }
-    /// The study's direct measurements, which the model predicts too.
+    /// Direct measurements of the study, which the model predicts too.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
 
   private:

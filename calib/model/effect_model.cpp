@@ -11,9 +11,10 @@
 namespace pendular {
 namespace {
 
-/// Where a fit begins, of the size that matters: off neutral, where some effects have no slope.
+/// Where a fit begins, of the smallest effect of interest: off neutral, where some effects have no
+/// slope.
 constexpr double start_share = 0.3;
-/// Step of the difference quotients, of the size that matters.
+/// Step of the difference quotients, of the smallest effect of interest.
 constexpr double step_share = 1e-3;
 
 /// Solid fraction and stress ratio assumed for readings without a height [1].
@@ -191,7 +192,8 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
 }
 
 Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
-                                const std::vector<Condition>& conditions, PredictionPart what) const {
+                                const std::vector<Condition>& conditions,
+                                PredictionPart what) const {
     const Truths truths = truths_at(parameters, conditions);
     const Prediction inside =
         inside_->predict_flow(inside_parameters(parameters), truths.imposed, what);

@@ -10,14 +10,14 @@
 
 namespace pendular {
 
-/// A predictor with effects on top: its parameters are those of the model inside, then those of
-/// the effects, "EFFECT.PARAMETER". Switches are on.
+/// Predictor with effects: its parameters are those of the model inside, then those of the effects,
+/// "EFFECT.PARAMETER". Switches are on.
 ///
 /// A reading's condition is what the instrument shows. The instrument map is inverted there to find
-/// the condition that is truly imposed, effects on beads, liquid and grains change it, the model
+/// the condition that is truly imposed, effects on grains, liquid and grains change it, the model
 /// inside predicts, and the map makes of that what is shown. Where no effect touches a reading it
 /// is predicted bit for bit as by the model inside. Derivatives by effects are central differences
-/// over a thousandth of the size that matters: those of smooth functions, not of noise.
+/// over a thousandth of the smallest effect of interest: those of smooth functions, not of noise.
 class EffectModel : public Predictor {
   public:
     /// The effects must outlive it. The closure effects among them are the caller's.
@@ -38,11 +38,11 @@ class EffectModel : public Predictor {
                                            const Eigen::VectorXd& parameters_without,
                                            const std::vector<Condition>& conditions) const;
 
-    /// The effects at these parameters.
+    /// Effects with their values at these parameters.
     std::vector<ActiveEffect> effects_at(const Eigen::VectorXd& parameters) const;
 
-    /// Conditions that are truly imposed where the instrument shows these: what the model inside is
-    /// asked for.
+    /// True conditions behind those that the instrument shows: the conditions requested from the
+    /// inner model.
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
 
@@ -54,7 +54,7 @@ class EffectModel : public Predictor {
     Eigen::VectorXd inside_parameters(const Eigen::VectorXd& parameters) const {
         return parameters.head(static_cast<Eigen::Index>(inside_->parameters().size()));
     }
-    /// Shown values of true ones.
+    /// Values that the instrument shows for the true ones.
     Eigen::VectorXd shown(const Truths& truths, const Eigen::VectorXd& predicted) const;
     Eigen::MatrixXd shown_by_predicted(const Truths& truths,
                                        const Eigen::VectorXd& predicted) const;
@@ -68,8 +68,8 @@ class EffectModel : public Predictor {
     std::vector<Parameter> parameters_;
 };
 
-/// Whether an effect needs a joint fit of all readings: it touches dry ones, or has something that
-/// only wet ones tell.
+/// Whether an effect needs a joint fit of all readings: it touches dry readings, or has an
+/// amplitude that only wet readings determine.
 bool needs_joint_fit(const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

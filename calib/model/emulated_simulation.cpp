@@ -69,7 +69,8 @@ FlowState EmulatedSimulation::filled(const FlowState& state, double liquid_conte
     return result;
 }
 
-FlowState EmulatedSimulation::flow_state_at(double friction, const EffectiveCondition& condition) const {
+FlowState EmulatedSimulation::flow_state_at(double friction,
+                                            const EffectiveCondition& condition) const {
     FlowState state{allowed(friction + condition.friction_difference), condition.inertial_number};
     for (const EffectValues& effect : condition.grain_effects) {
         state.effects.push_back(in_run_units(effect, condition.normal_stress, study_.grains));
@@ -144,7 +145,7 @@ Prediction EmulatedSimulation::predict_slopes(const std::vector<FlowState>& stat
         const Eigen::Vector3d by_log_volume =
             state.dry() ? Eigen::Vector3d::Zero()
                         : Eigen::Vector3d(state.bridge_volume * said.segment<3>(9 * k + 6));
-        // From rigid beads to those of the study: of the shift at the reference stiffness a part
+        // From rigid grains to those of the study: of the shift at the reference stiffness a part
         // 1 - share is there.
         const double share = stiffness_left(condition);
         const double shift = dem::rigidity_shift(value(1), value(2));

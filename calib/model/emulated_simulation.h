@@ -13,9 +13,9 @@
 
 namespace pendular {
 
-/// The emulator as a predictor of dry and wet readings; its parameter is the friction.
+/// Predictor of dry and wet readings by the emulator; its parameter is the friction.
 ///
-/// A solid fraction is that of rigid beads less what the study's stiffness adds, known from the
+/// A solid fraction is that of rigid grains less what the study's stiffness adds, known from the
 /// overlaps. A liquid content is turned into a bridge volume with the emulated coordination.
 class EmulatedSimulation : public FlowPredictor {
   public:
@@ -30,7 +30,7 @@ class EmulatedSimulation : public FlowPredictor {
     /// State to simulate for a condition: a wet one at the bridge volume that has its liquid
     /// content.
     FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
-    /// A wet state with the bridge volume that this liquid content makes.
+    /// Wet state with the bridge volume that gives this liquid content.
     FlowState filled(const FlowState& state, double liquid_content) const;
     /// Z* and a^2 s12cap/F0 at a wet condition; derivatives by friction at constant liquid content.
     StructureResponse effective_coordination(double friction,
@@ -39,7 +39,7 @@ class EmulatedSimulation : public FlowPredictor {
                                              const EffectiveCondition& condition) const;
 
     const Emulator& emulator() const { return emulator_; }
-    /// The nearest friction that the parameter may take.
+    /// Friction within the bounds that is nearest to the given one [1].
     double allowed(double friction) const;
 
   private:
@@ -62,8 +62,8 @@ class EmulatedSimulation : public FlowPredictor {
     Emulator emulator_;
     std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
 
-    /// Bridge volumes that `filled` found, which derivatives and covariances ask for again. They
-    /// are the same whoever asks first.
+    /// Cache of the states that `filled` found, which derivatives and covariances need again. Its
+    /// content does not depend on the order of requests.
     struct Filled {
         double liquid_content;
         FlowState state;

@@ -10,7 +10,7 @@
 
 namespace pendular {
 
-/// A parameter that a fit may change.
+/// Parameter of a fit.
 struct Parameter {
     std::string name;
     std::string unit = "1";

@@ -22,7 +22,7 @@ struct LeftAside {
 /// that applies to it as a candidate. One emulator serves all of them; no runs are ordered.
 class StudyModels : public ModelSpace {
   public:
-    /// @param known runs of plain beads and of beads with any effects on grains
+    /// @param known runs of plain grains and of grains with any effects on grains
     /// @throws InputError for a listed effect of which no run tells
     StudyModels(const ResolvedStudy& study, std::vector<Condition> conditions,
                 const Fidelity& fidelity, KnownRuns known);
@@ -46,7 +46,7 @@ class StudyModels : public ModelSpace {
     /// Why the known runs do not support one condition; empty where they do.
     std::string why_unsupported(double friction, const Condition& condition) const;
 
-    /// A study that lists every effect, so that runs with any of them serve it.
+    /// Study that lists every effect, so that runs with any of them serve as training runs.
     static Study with_all_effects(const ResolvedStudy& study);
 
   private:

@@ -11,10 +11,10 @@ namespace pendular {
 /// 1/P* of a wet condition, with the liquid that effects make of the study's.
 double inverse_pressure_of(const EffectiveCondition& condition, const Study& study);
 
-/// A run of the beads of a study at a state, without a seed; over the fidelity's strain.
+/// Run of a study's grains at a state, without a seed; over the fidelity's strain.
 dem::RunParameters run_at(const FlowState& state, const Study& study, const Fidelity& fidelity);
 
-/// Share of the rigidity shift of runs of a stiffness number that separates them from the beads of
+/// Share of the rigidity shift of runs of a stiffness number that separates them from the grains of
 /// the study at a condition [1]; from those of the fidelity, where the study names no modulus.
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity);

@@ -37,7 +37,7 @@ class Columns {
     /// Value of a required column's cell in SI units.
     /// @throws InputError at the cell if it is not a finite number
     double value(const Row& row, std::string_view name) const;
-    /// Value in SI units; empty where column or cell is.
+    /// Value in SI units; empty where the column is missing or the cell is empty.
     std::optional<double> value_if_any(const Row& row, std::string_view name) const;
     /// Standard deviation in SI units; empty where column or cell is.
     /// @throws InputError at the cell if it is not positive

@@ -9,13 +9,13 @@
 
 namespace pendular {
 
-/// One cell of a table, blanks and quotes around it taken off.
+/// Cell of a table without the blanks and quotes around it.
 struct Cell {
     std::string text;
     int column = 0;  ///< in characters from the start of the line, from 1
 };
 
-/// One line of a table.
+/// Line of a table.
 struct Row {
     int line = 0;
     std::vector<Cell> cells;
@@ -40,7 +40,7 @@ struct Table {
 ///         than the header, quotes that do not close, and column names that stand twice
 Table read_table(const std::filesystem::path& path);
 
-/// A text as one cell of such a file, whatever stands in it; line ends become blanks.
+/// Text quoted as one cell of a CSV file; line ends become blanks.
 std::string csv_cell(std::string_view text);
 
 }  // namespace pendular

@@ -5,10 +5,10 @@
 
 namespace pendular {
 
-/// How finely a column of numbers was written.
+/// Resolution of a column of numbers, as digits.
 struct Digits {
     int significant = 0;  ///< most significant digits of any number, zeros at its end not counted
-    int decimals = 0;     ///< most digits after the point, likewise
+    int decimals = 0;     ///< most digits after the decimal point of any number
 };
 
 /// The digits of a column's cells, as they were written. Cells that are no numbers count for

@@ -16,7 +16,7 @@ std::vector<std::string> read_lines(const std::filesystem::path& path);
 /// @throws InputError as read_lines does
 std::string read_text(const std::filesystem::path& path);
 
-/// Whether what was written must have reached the disk, where it survives a loss of power.
+/// Whether a written file must have reached the disk, so that it survives a loss of power.
 enum class Kept { by_system, on_disk };
 
 /// Writes a file so that it is there whole or not at all: to a temporary file beside it, then

@@ -8,7 +8,7 @@
 
 namespace pendular {
 
-/// Where in a file a node or key begins; columns count characters, not bytes.
+/// Position in a file at which a node or key begins; columns count characters, not bytes.
 Position position_in(const std::string& file, const toml::source_position& where);
 
 /// @throws InputError at the place of a syntax error

@@ -12,7 +12,7 @@ namespace pendular {
 /// Source: Damerau-Levenshtein distance, optimal string alignment.
 int edit_distance(std::string_view first, std::string_view second);
 
-/// The known name a misspelt word most likely meant: the nearest one, if no more than a third of
+/// Known name that a misspelt word most likely means: the nearest one, if no more than a third of
 /// the word has to change; else empty.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> known);
 

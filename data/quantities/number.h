@@ -6,10 +6,10 @@
 
 namespace pendular {
 
-/// The text without blanks at either end.
+/// Text without blanks at either end.
 std::string_view trimmed(std::string_view text);
 
-/// The finite number the whole text spells, decimal point '.', whatever the locale; else empty.
+/// Finite number that the whole text spells, decimal point '.', whatever the locale; else empty.
 std::optional<double> parse_number(std::string_view text);
 
 /// The number with three significant digits and, from 0.001 to a million, without an exponent:

@@ -6,8 +6,8 @@
 
 namespace pendular {
 
-/// A number this program reads, computes or shows. JSON keys, CSV headers, axis labels and manual
-/// all take their words from here.
+/// Quantity that the program reads, computes or shows. JSON keys, CSV headers, axis labels and the
+/// manual use its name, symbol, unit and meaning.
 struct Quantity {
     std::string_view name;                    ///< JSON key and CSV header
     std::string_view symbol;                  ///< on axes
@@ -22,7 +22,7 @@ std::span<const Quantity> quantities();
 /// The quantity of that name; aborts if there is none, since names in the program are constants.
 const Quantity& quantity(std::string_view name);
 
-/// The quantity a table's header calls so, whatever case and separators: "Normal force", "F_N",
+/// Quantity that a table's header names, regardless of case and separators: "Normal force", "F_N",
 /// "normalForce"; null if none.
 const Quantity* find_quantity(std::string_view spelling);
 

@@ -6,7 +6,7 @@
 
 namespace pendular {
 
-/// A unit with what turns a number in it into SI units: si = factor x + offset.
+/// Unit with its conversion to SI units: si = factor x + offset.
 class Unit {
   public:
     /// Reads a unit in any common spelling: "mN m", "mNm", "N·m", "kPa", "1/s", "deg", "rpm", "%".
@@ -17,8 +17,8 @@ class Unit {
 
     /// Value in SI units.
     double to_si(double value) const { return factor_ * value + offset_; }
-    /// Whether both measure the same thing, say mN m and kgf cm. "1" is dimensionless; the radian
-    /// counts as a dimension, so that degrees are not taken for a stress ratio.
+    /// Whether two units have the same dimension, such as mN m and kgf cm. "1" is dimensionless;
+    /// the radian counts as a dimension, so that degrees are not taken for a stress ratio.
     bool same_dimension(const Unit& other) const { return dimension_ == other.dimension_; }
     const std::string& spelling() const { return spelling_; }
     /// Formula in SI base units, such as "kg m^2 s^-2"; empty if dimensionless.
@@ -35,7 +35,7 @@ class Unit {
 /// "'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?"
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
-/// The SI unit of what a unit measures, spelled as people do: "N m" for "mNm", "1/s" for "rpm".
+/// SI unit of the same dimension, in its common spelling: "N m" for "mNm", "1/s" for "rpm".
 std::string si_spelling(const Unit& unit);
 
 /// Value in SI units of a number with its unit, such as "500 um", that measures what `expected`

@@ -7,7 +7,7 @@
 namespace pendular::closures {
 
 /// Solid fraction and the networks of contacts and of bridges without contact ("distant" pairs) of
-/// a state of steady shear: what the closures relate to its stresses. Lengths are over the bead
+/// a state of steady shear: what the closures relate to its stresses. Lengths are over the grain
 /// diameter a. A dry state is one of infinite reduced pressure without distant pairs.
 struct State {
     double reduced_pressure = std::numeric_limits<double>::infinity();  ///< P* = a^2 s22/F0

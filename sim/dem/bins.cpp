@@ -8,7 +8,7 @@
 namespace pendular::dem {
 namespace {
 
-/// Cross-section of the rows in which beads are numbered [diameters].
+/// Cross-section of the rows in which grains are numbered [diameters].
 constexpr double row_width = 1;
 
 }  // namespace

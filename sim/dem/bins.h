@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/dem/grains.h"
 #include "sim/dem/cell.h"
+#include "sim/dem/grains.h"
 
 namespace pendular::dem {
 
-/// Beads sorted into bins that are sheared with the lattice, each wider than a range in every
+/// Grains sorted into bins that are sheared with the lattice, each wider than a range in every
 /// direction.
 class Bins {
   public:
@@ -18,7 +18,7 @@ class Bins {
     /// With fewer than three bins in a direction a neighbour bin would be searched twice.
     bool enough() const;
 
-    /// Bin of a bead inside the cell: one that rounding puts outside goes to the last bin before
+    /// Bin of a grain inside the cell: one that rounding puts outside goes to the last bin before
     /// the face, where it is, not to the one across the cell.
     std::array<int, 3> bin_of(const Vector& position) const;
     int count(int direction) const { return count_[direction]; }
@@ -42,8 +42,8 @@ class Bins {
     std::vector<Entry> entries_;
 };
 
-/// The beads' numbers in rows along the flow, one diameter wide, row by row and plane by plane. The
-/// neighbours of successive beads then lie in a few places that advance through memory side by
+/// The grains' numbers in rows along the flow, one diameter wide, row by row and plane by plane.
+/// The neighbours of successive grains then lie in a few places that advance through memory side by
 /// side, which is what a processor fetches ahead by itself: samples larger than its cache run a
 /// third faster than along a Morton curve.
 std::vector<std::int32_t> order_in_rows(const Grains& grains, const Cell& cell);

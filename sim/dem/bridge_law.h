@@ -7,23 +7,23 @@
 
 namespace pendular::dem {
 
-/// Liquid bridges as a user states them.
+/// Liquid bridges in reduced units, as a user states them.
 struct Wetting {
     double reduced_pressure = 0;  ///< P* = a^2 s22/F0
     double bridge_volume = 0;     ///< V0/a^3
     FormulaVariant bridge_force = FormulaVariant::derived;
 };
 
-/// Largest V0/a^3 of the pendular range: from there on the bridges between three beads in contact
+/// Largest V0/a^3 of the pendular range: from there on the bridges between three grains in contact
 /// with each other merge. Source: Badetti et al. (2018), section 3.1.
 constexpr double largest_pendular_volume = 8e-3;
 
-/// Contacts and bridges of a bead: 7 to 8 at friction 0.09 over the pendular range, where Badetti
+/// Contacts and bridges of a grain: 7 to 8 at friction 0.09 over the pendular range, where Badetti
 /// et al. (2018) print contents beside bridge volumes; a first guess.
 constexpr double typical_coordination = 7.5;
 
-/// Liquid content Phi_L/Phi_S [1] of a sample whose beads have on average `coordination` bridges of
-/// volume V0/a^3: 3 Z V0/(pi a^3). Source: Badetti et al. (2018), eq:lcont.
+/// Liquid content Phi_L/Phi_S [1] of a sample whose grains have on average `coordination` bridges
+/// of volume V0/a^3: 3 Z V0/(pi a^3). Source: Badetti et al. (2018), eq:lcont.
 inline double liquid_content(double bridge_volume, double coordination) {
     return 3 * coordination * bridge_volume / std::numbers::pi;
 }
@@ -32,24 +32,24 @@ inline double bridge_volume(double liquid_content, double coordination) {
     return std::numbers::pi * liquid_content / (3 * coordination);
 }
 
-/// Capillary attraction of two equal beads joined by a bridge, in reduced units.
+/// Capillary attraction of two equal grains joined by a bridge, in reduced units.
 ///     F = F0 [1 - 1/sqrt(1 + c/h^2)] = F0 [1 - h/sqrt(h^2 + c)],  c = 4 V0/(pi a)
 /// at a gap h, F0 = pi a Gamma cos(theta) in contact. A bridge forms on contact and lives until the
 /// gap exceeds D0 = V0^(1/3).
-/// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the bead radius in c; Badetti et
+/// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the grain radius in c; Badetti et
 /// al. (2018), eq:Maugis, print half of it (Form::as_printed).
 struct BridgeLaw {
-    double pull_off_force = 0;    ///< F0; 0: dry
-    double rupture_distance = 0;  ///< D0
-    double curvature = 1;         ///< c
-    double volume = 0;            ///< V0
+    double pull_off_force = 0;    ///< pull-off force F0; 0: dry
+    double rupture_distance = 0;  ///< rupture distance D0
+    double curvature = 1;         ///< curvature c of the force law
+    double volume = 0;            ///< bridge volume V0
 
     BridgeLaw() = default;
     explicit BridgeLaw(const Wetting& wetting)
         : pull_off_force(1 / wetting.reduced_pressure),
           rupture_distance(std::cbrt(wetting.bridge_volume)),
-          curvature((wetting.bridge_force == FormulaVariant::as_printed ? 2 : 4) * wetting.bridge_volume /
-                    std::numbers::pi),
+          curvature((wetting.bridge_force == FormulaVariant::as_printed ? 2 : 4) *
+                    wetting.bridge_volume / std::numbers::pi),
           volume(wetting.bridge_volume) {}
 
     bool wet() const { return pull_off_force > 0; }
@@ -58,7 +58,7 @@ struct BridgeLaw {
     double relative_force(double gap) const { return 1 - gap / std::sqrt(gap * gap + curvature); }
     /// Force at a gap that is zero or more.
     double attraction(double gap) const { return pull_off_force * relative_force(gap); }
-    /// The law between unequal beads, of the mean diameter d = 2 d1 d2/(d1 + d2) in Derjaguin's
+    /// The law between unequal grains, of the mean diameter d = 2 d1 d2/(d1 + d2) in Derjaguin's
     /// approximation: F0 = pi d Gamma cos(theta), c = 4 V0/(pi d), the volume being the same.
     BridgeLaw of(double diameter) const {
         BridgeLaw law = *this;

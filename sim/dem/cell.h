@@ -6,7 +6,7 @@
 
 namespace pendular::dem {
 
-/// Periodic cell of a Lees-Edwards shear flow, in bead diameters. Its lattice vectors are
+/// Periodic cell of a Lees-Edwards shear flow, in grain diameters. Its lattice vectors are
 /// (length, 0, 0), (offset, height, 0) and (0, 0, width): direction 1 is the flow, 2 the gradient,
 /// 3 the vorticity. The offset grows with the shear and is taken modulo the length only when the
 /// neighbour list is rebuilt, so that the images named in the list stay the same images.

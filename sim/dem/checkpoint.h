@@ -7,9 +7,9 @@
 
 namespace pendular::dem {
 
-/// A file in which a run is put down, to be taken up where it was by a later process. It is
-/// replaced as a whole and is on the disk when `write` returns, so that neither a crash nor a full
-/// disk costs the former one. While the object lives no other process can use the file.
+/// Checkpoint file of a run, from which a later process resumes the run. It is replaced as a whole
+/// and is on the disk when `write` returns, so that neither a crash nor a full disk costs the
+/// former one. While the object lives no other process can use the file.
 ///
 /// The file begins with text: its format, checksum and length, then the run's parameters, a line
 /// each, and an empty line; the state follows in binary.

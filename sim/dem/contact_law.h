@@ -5,7 +5,7 @@
 
 namespace pendular::dem {
 
-/// Material of the beads in reduced units (diameter, mass and normal stress are 1).
+/// Material of the grains in reduced units (diameter, mass and normal stress are 1).
 struct Material {
     double modulus = 0;  ///< E~ = E/(1 - nu^2) over the normal stress: kappa^(3/2)
     double poisson_ratio = 0.3;
@@ -18,16 +18,16 @@ inline double tangential_ratio(double poisson_ratio) {
     return (2 - 2 * poisson_ratio) / (2 - poisson_ratio);
 }
 
-/// Hertz-Mindlin contact of two equal beads, reduced units; `overlap` is zero where they do not
+/// Hertz-Mindlin contact of two equal grains, reduced units; `overlap` is zero where they do not
 /// touch, and then every force is zero without a branch.
 ///     F_N = (E~/3) h^(3/2),  K_N = dF_N/dh = (E~/2) h^(1/2),  K_T = K_N (2 - 2 nu)/(2 - nu)
 ///     F_viscous = zeta sqrt(2 m K_N) dh/dt                    (not clamped: it may pull)
 /// Source: Badetti et al. (2018), section 2.2, and the works it cites for the simplified
 /// Hertz-Mindlin law.
 struct Hertz {
-    double root;              ///< sqrt(h)
-    double elastic;           ///< F_N
-    double normal_stiffness;  ///< K_N
+    double root;              ///< root of the overlap, sqrt(h)
+    double elastic;           ///< elastic normal force F_N
+    double normal_stiffness;  ///< normal stiffness K_N
 
     static Hertz at(double overlap, double modulus) {
         const double root = std::sqrt(overlap);

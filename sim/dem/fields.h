@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "data/recordings/time_series.h"
-#include "sim/dem/grains.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/contact_law.h"
+#include "sim/dem/grains.h"
 #include "sim/dem/pair_list.h"
 
 namespace pendular::dem {
@@ -99,9 +99,9 @@ struct Bins1d {
     }
 };
 
-/// Bins of a coordinate in a sample of so many beads: one per bead diameter across the gradient, of
-/// 5 degrees over half a turn, of a fifth of the mean force up to 8 times it, 30 up to the rupture
-/// distance [the coordinate's unit].
+/// Bins of a coordinate in a sample of so many grains: one per grain diameter across the gradient,
+/// of 5 degrees over half a turn, of a fifth of the mean force up to 8 times it, 30 up to the
+/// rupture distance [the coordinate's unit].
 Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);
 
 /// One field of a run: a time average with standard error in the middle of each bin. A mean over

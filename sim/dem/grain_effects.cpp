@@ -45,7 +45,7 @@ std::vector<double> GrainEffects::diameters(std::size_t count, std::uint64_t see
     if (samples_.empty()) {
         return {};
     }
-    std::mt19937_64 random(seed ^ 0x9e3779b97f4a7c15u);  // not the numbers that place the beads
+    std::mt19937_64 random(seed ^ 0x9e3779b97f4a7c15u);  // not the numbers that place the grains
     std::vector<double> all(count, 1.0);
     for (const OnSample& on : samples_) {
         on.change->diameters(all, random, Values(on.parameters, on.values));
@@ -62,7 +62,9 @@ void GrainEffects::stage(ChangePairs::Stage ChangePairs::*which, const PairBatch
     for (const OnPairs& on : pairs_) {
         if (const ChangePairs::Stage work = on.change->*which) {
             PairBatch own = batch;
-            own.contact_history = batch.contact_history == nullptr ? nullptr : batch.contact_history + on.first_history_value;
+            own.contact_history = batch.contact_history == nullptr
+                                      ? nullptr
+                                      : batch.contact_history + on.first_history_value;
             const Values values(on.parameters, on.values);
             work(own, {material, bridges, values});
         }

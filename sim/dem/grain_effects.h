@@ -36,7 +36,7 @@ class GrainEffects {
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;
     double damping_rate(const BridgeLaw& law) const;
-    /// Diameters of so many beads, of mean 1; empty where all are equal.
+    /// Diameters of so many grains, of mean 1; empty where all are equal.
     std::vector<double> diameters(std::size_t count, std::uint64_t seed) const;
 
     void bridge(const PairBatch& batch, const Material& material, const BridgeLaw& bridges) const {
@@ -49,7 +49,7 @@ class GrainEffects {
         stage(&ChangePairs::add, batch, material, bridges);
     }
     bool changes_bridges() const { return changes_bridges_; }
-    /// Attraction [a^2 s22] by a bridge of beads at rest at this gap, `diameter` as in PairBatch.
+    /// Attraction [a^2 s22] by a bridge of grains at rest at this gap, `diameter` as in PairBatch.
     double attraction(double gap, double diameter, const Material& material,
                       const BridgeLaw& bridges) const;
 

@@ -12,14 +12,14 @@
 
 namespace pendular::dem {
 
-/// The beads of a sample in reduced units (diameter, mass and normal stress are 1). What the force
-/// loop reads of one bead lies together, and so does what it writes: a pair touches few cache
+/// The grains of a sample in reduced units (diameter, mass and normal stress are 1). What the force
+/// loop reads of one grain lies together, and so does what it writes: a pair touches few cache
 /// lines.
 struct Grains {
     struct Motion {
         Vector position;  ///< centre; inside the cell when the neighbour list was built
         Vector velocity;  ///< peculiar: what remains after the imposed flow; half a step behind
-        Vector angular_velocity;      ///< angular velocity, half a step behind
+        Vector angular_velocity;  ///< angular velocity, half a step behind
 
         template <typename Archive>
         void serialize(Archive& archive) {
@@ -32,10 +32,10 @@ struct Grains {
     };
 
     std::vector<Motion> motion;
-    std::vector<ForceAndTorque> net_force;            ///< summed during a step, zero between two
-    std::vector<Vector> displacement;  ///< peculiar, since the narrow list was made
-    std::vector<std::int32_t> number;  ///< by which a bead was called at first
-    std::vector<double> diameters;     ///< of mean 1; none: all are 1
+    std::vector<ForceAndTorque> net_force;  ///< summed during a step, zero between two
+    std::vector<Vector> displacement;       ///< peculiar, since the narrow list was made
+    std::vector<std::int32_t> number;       ///< by which a grain was called at first
+    std::vector<double> diameters;          ///< of mean 1; none: all are 1
 
     explicit Grains(std::size_t count = 0)
         : motion(count), net_force(count), displacement(count), number(count) {
@@ -50,12 +50,12 @@ struct Grains {
     }
 
     double diameter(std::size_t i) const { return diameters.empty() ? 1.0 : diameters[i]; }
-    /// Mass over that of a bead of unit diameter.
+    /// Mass over that of a grain of unit diameter.
     double mass(std::size_t i) const {
         const double d = diameter(i);
         return d * d * d;
     }
-    /// Distance of the centres at which two beads touch.
+    /// Distance of the centres at which two grains touch.
     double contact_distance(std::size_t i, std::size_t j) const {
         return diameters.empty() ? 1.0 : 0.5 * (diameters[i] + diameters[j]);
     }
@@ -89,7 +89,7 @@ struct Grains {
     const Vector& torque(std::size_t i) const { return net_force[i].torque; }
 };
 
-/// Moment of inertia of a bead of unit mass and diameter: (2/5)(1/2)^2. That of others grows with
+/// Moment of inertia of a grain of unit mass and diameter: (2/5)(1/2)^2. That of others grows with
 /// the fifth power of the diameter.
 constexpr double moment_of_inertia = 0.1;
 

@@ -27,7 +27,7 @@ struct Neighbour {
     std::uint8_t image;
 };
 
-/// Beads with a higher number than i within the range, from the 27 bins around it. A neighbour bin
+/// Grains with a higher number than i within the range, from the 27 bins around it. A neighbour bin
 /// across a face of the cell is the image of one on the other side.
 /// `range_squared(j)` is the square of that range.
 template <typename RangeSquared>
@@ -98,7 +98,7 @@ void permute(std::vector<Value>& values, const std::vector<std::int32_t>& order)
     values = std::move(permuted);
 }
 
-/// The first `live` pairs with beads called by new numbers, in order again.
+/// The first `live` pairs with grains called by new numbers, in order again.
 Pairs renumbered(const Pairs& pairs, std::size_t live, const std::vector<std::int32_t>& renamed) {
     const auto name = [&](std::int32_t i) { return renamed[static_cast<std::size_t>(i)]; };
     std::vector<std::size_t> order(live);
@@ -225,7 +225,7 @@ Neighbours find_pairs(const Grains& grains, const Cell& cell, double gap, int pa
             } else {
                 const auto squared = [&](std::int32_t j) {
                     const double range = grains.contact_distance(static_cast<std::size_t>(i),
-                                                                static_cast<std::size_t>(j)) +
+                                                                 static_cast<std::size_t>(j)) +
                                          gap;
                     return range * range;
                 };
@@ -272,7 +272,7 @@ void PairList::update(Grains& grains, Cell& cell, double affine_strain, double s
         moved_[i] += grains.displacement[i];
     }
     // The wide list need only hold whatever the narrow list is to be chosen from.
-    // Until the narrow list is chosen again, beads come closer by less than its skin.
+    // Until the narrow list is chosen again, grains come closer by less than its skin.
     const double known =
         wants_.all_in_reach ? largest_ + reach_ + narrow_skin : largest_ + narrow_skin;
     if (outdated(std::sqrt(largest_squared(moved_)), wide_strain_, largest_ + wide_skin_, known)) {

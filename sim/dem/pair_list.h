@@ -5,16 +5,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/dem/grains.h"
 #include "sim/dem/cell.h"
+#include "sim/dem/grains.h"
 
 namespace pendular::dem {
 
-/// Pairs of beads, ordered by first and then by second bead; `first` is the smaller number. The
+/// Pairs of grains, ordered by first and then by second grain; `first` is the smaller number. The
 /// separation points from `first` to the image of `second`.
 struct Neighbours {
     std::vector<std::int32_t> first, second;
-    std::vector<std::uint8_t> image;  ///< image_code of the second bead
+    std::vector<std::uint8_t> image;  ///< image_code of the second grain
 
     std::size_t size() const { return first.size(); }
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
@@ -29,9 +29,9 @@ struct Neighbours {
 
 /// Pairs with what a contact remembers, structure of arrays.
 struct Pairs : Neighbours {
-    std::vector<double> sx, sy, sz;           ///< tangential force on the second bead
-    std::vector<double> root;                 ///< sqrt(overlap) of the last step, 0 without contact
-    std::vector<double> bridge;               ///< 1 where a liquid bridge joins the beads, else 0
+    std::vector<double> sx, sy, sz;  ///< tangential force on the second grain
+    std::vector<double> root;        ///< sqrt(overlap) of the last step, 0 without contact
+    std::vector<double> bridge;      ///< 1 where a liquid bridge joins the grains, else 0
     std::vector<std::vector<double>> contact_history;  ///< of effects: words, each of all pairs
 
     Pairs() = default;
@@ -53,22 +53,23 @@ struct Pairs : Neighbours {
 
 /// Requirements of effects on grains for the neighbour lists.
 struct ListWants {
-    std::size_t contact_history = 0;     ///< words that a pair remembers
-    bool all_in_reach = false;  ///< the distant list has all pairs that a bridge could join
+    std::size_t contact_history = 0;  ///< words that a pair remembers
+    bool all_in_reach = false;        ///< the distant list has all pairs that a bridge could join
 };
 
 /// Neighbours at two ranges. The wide list holds the pairs that may come close and those a bridge
 /// may join; the narrow list those that touch or may touch soon, so that the force loop sees hardly
 /// anything else; the distant list those of the others that a bridge joins.
 ///
-/// Both stay valid while no missing pair can have come too close. Two beads that were further
+/// Both stay valid while no missing pair can have come too close. Two grains that were further
 /// apart than 1 + skin remain further apart than a distance d while
 ///     (1 + skin - 2 u (1 + g)) (1 - g) > d,
-/// 1 being the largest bead diameter, u the largest peculiar displacement of any bead and g the
+/// 1 being the largest grain diameter, u the largest peculiar displacement of any grain and g the
 /// affine strain (shear plus changes of the cell's edges) since then: the moving image offset is
 /// part of the criterion, not a special case.
 ///
-/// Beads are renumbered in rows when shear has carried them apart, so that memory is read in order.
+/// Grains are renumbered in rows when shear has carried them apart, so that memory is read in
+/// order.
 class PairList {
   public:
     static constexpr std::size_t batch = 64;  ///< the narrow list is filled up to whole batches
@@ -80,7 +81,7 @@ class PairList {
     explicit PairList(double rupture_distance = 0, int parts = 1, const ListWants& wants = {});
 
     /// Notes the displacement and affine strain of a step just made, and renews what they make
-    /// invalid. Wraps the beads into the cell when the wide list is renewed.
+    /// invalid. Wraps the grains into the cell when the wide list is renewed.
     void update(Grains& grains, Cell& cell, double affine_strain);
     /// Updates the lists, given the largest squared displacement since the narrow list was made, if
     /// it is known.
@@ -130,7 +131,7 @@ class PairList {
     Pairs old_narrow_, old_distant_;
 };
 
-/// All pairs of beads inside the cell whose surfaces are closer than `gap`. Bins are sheared with
+/// All pairs of grains inside the cell whose surfaces are closer than `gap`. Bins are sheared with
 /// the lattice, so that the image offset needs no special case; small samples are searched whole.
 /// Done in `parts` side by side, which does not change the result.
 Neighbours find_pairs(const Grains& grains, const Cell& cell, double gap, int parts = 1);

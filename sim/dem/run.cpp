@@ -22,7 +22,8 @@ constexpr double look_every_strain = 0.25;
 /// Standard errors are estimates themselves: who stops at the first that is small enough believes
 /// those that came out too small.
 constexpr std::uint64_t looks_to_be_precise = 6;
-/// Sheared random samples showed 0.04 to 0.05 with 1000 beads, 0.10 with 100, crystals 0.3 to 0.55.
+/// Sheared random samples showed 0.04 to 0.05 with 1000 grains, 0.10 with 100, crystals 0.3 to
+/// 0.55.
 constexpr double crystal_bond_order = 0.2;
 
 /// Whether any quarter of the averaged part is denser than random packings can be or ordered: a

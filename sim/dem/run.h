@@ -75,25 +75,26 @@ struct RunOptions {
 };
 constexpr int most_threads = 1024;
 
-/// Solid fraction above which a monosized sample has crystallised, once corrected to rigid beads.
+/// Solid fraction above which a monosized sample has crystallised, once corrected to rigid grains.
 constexpr double crystal_solid_fraction = 0.645;
 
-/// Localization above which the shear is not taken for uniform (Badetti et al. (2018) finds less in every flow
-/// it reports).
+/// Localization above which the shear is not taken for uniform (Badetti et al. (2018) finds less in
+/// every flow it reports).
 constexpr double localised_above = 0.05;
 
-/// Shears a random sample of monosized beads until its averages are known over `strain`, after a
+/// Shears a random sample of monosized grains until its averages are known over `strain`, after a
 /// transient that is detected, not assumed. `effects` are those that `parameters` names.
-/// @throws std::invalid_argument for what `check_run_parameters` refuses, and for a start of another size
+/// @throws std::invalid_argument for what `check_run_parameters` refuses, and for a start of
+/// another size
 /// @throws SimulationError where the state stops being finite or never reaches its stress
 /// @throws Interrupted when a stop is requested
 /// @throws InputError for a checkpoint of another run or one that is no longer whole
 RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options = {});
 
-/// Solid fraction that rigid beads would have, from the overlaps of a run [1]:
+/// Solid fraction that rigid grains would have, from the overlaps of a run [1]:
 ///     Phi (rigid) = Phi - 1.23 x 3 Phi <overlap>/a
-/// The factor 1.23 +- 0.15 was measured between kappa 300 and 4000 on dry beads of friction 0.12.
+/// The factor 1.23 +- 0.15 was measured between kappa 300 and 4000 on dry grains of friction 0.12.
 double rigidity_shift(double solid_fraction, double mean_overlap);
 constexpr double rigidity_factor = 1.23;
 constexpr double rigidity_factor_error = 0.15;

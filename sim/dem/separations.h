@@ -3,15 +3,15 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/dem/grains.h"
 #include "sim/dem/cell.h"
+#include "sim/dem/grains.h"
 #include "sim/dem/pair_contact.h"
 #include "sim/dem/pair_list.h"
 
 namespace pendular::dem {
 
 /// Calls visit(pair, r) for each pair of a list that is real, r leading from the centre of its
-/// first bead to the image of its second [diameters].
+/// first grain to the image of its second [diameters].
 template <typename Visit>
 void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, const Visit& visit) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -28,14 +28,15 @@ void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, c
 /// The contact of pair k, from the overlap it remembers.
 inline Hertz contact_of(const Grains& grains, const Pairs& pairs, std::size_t k, double modulus) {
     const PairSizes sizes = grains.sizes(static_cast<std::size_t>(pairs.first[k]),
-                                        static_cast<std::size_t>(pairs.second[k]));
+                                         static_cast<std::size_t>(pairs.second[k]));
     return hertz_contact(pairs.root[k] * pairs.root[k], sizes, modulus);
 }
 
 /// Gap between the surfaces of pair k at this separation; negative: overlap.
 inline double gap_of(const Grains& grains, const Pairs& pairs, std::size_t k, const Vector& r) {
-    return std::sqrt(dot(r, r)) - grains.contact_distance(static_cast<std::size_t>(pairs.first[k]),
-                                                         static_cast<std::size_t>(pairs.second[k]));
+    return std::sqrt(dot(r, r)) -
+           grains.contact_distance(static_cast<std::size_t>(pairs.first[k]),
+                                   static_cast<std::size_t>(pairs.second[k]));
 }
 
 }  // namespace pendular::dem

@@ -42,7 +42,7 @@ class OpenBlock {
     double begin() const { return begin_; }  ///< strain of the sample
     /// Makes a step of the sample and notes what it says.
     void step(ShearCell& sample);
-    /// Whether `step` has just looked at every bead, so that looking up costs nothing beside it.
+    /// Whether `step` has just looked at every grain, so that looking up costs nothing beside it.
     static bool pauses(const ShearCell& sample);
     /// Averages over all steps; solid fraction across the gradient and distributions over pairs are
     /// those of its last state, since more would cost several per cent of a fast run's time.

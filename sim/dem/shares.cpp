@@ -7,10 +7,10 @@
 namespace pendular::dem {
 namespace {
 
-/// Pairs of a section: with their beads they fit into the cache of one core.
+/// Pairs of a section: with their grains they fit into the cache of one core.
 constexpr std::size_t pairs_in_section = 4096;
 
-/// Number of pairs, in whole batches, up to the last one of beads below `grain`.
+/// Number of pairs, in whole batches, up to the last one of grains below `grain`.
 std::size_t end_of_grains(const Pairs& pairs, std::size_t live, std::size_t grain) {
     const auto begin = pairs.first.begin(), end = begin + static_cast<std::ptrdiff_t>(live);
     const auto at = std::lower_bound(begin, end, static_cast<std::int32_t>(grain));
@@ -26,8 +26,8 @@ std::vector<Section> sections_of(const PairList& pairs, std::size_t grains, int 
     for (int k = 0; k < count; ++k) {
         const std::size_t near_end = range_of(k, count, near.size(), PairList::batch).second;
         const std::size_t grain = k + 1 < count && near_end < pairs.live()
-                                     ? static_cast<std::size_t>(near.first[near_end])
-                                     : grains;
+                                      ? static_cast<std::size_t>(near.first[near_end])
+                                      : grains;
         const std::size_t distant_end =
             grain < grains ? end_of_grains(distant, pairs.live_distant(), grain) : distant.size();
         cut = {{cut.grains.second, grain},

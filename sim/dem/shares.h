@@ -9,19 +9,20 @@
 
 namespace pendular::dem {
 
-/// Pairs, in whole batches, and the beads of which none is in a later pair: as pairs are ordered by
-/// their first and lower bead, these can move once the pairs are done, while still in the cache.
+/// Pairs, in whole batches, and the grains of which none is in a later pair: as pairs are ordered
+/// by their first and lower grain, these can move once the pairs are done, while still in the
+/// cache.
 struct Section {
     using Range = std::pair<std::size_t, std::size_t>;
     Range grains, near, distant;
 };
 
 /// Work of one of several threads in every step while the lists are valid. The thread sums the
-/// forces of its pairs in loads of its own and moves its beads; as beads are numbered in rows,
+/// forces of its pairs in loads of its own and moves its grains; as grains are numbered in rows,
 /// hardly any other thread touches those.
 struct Share {
     std::vector<Section> sections;
-    std::vector<std::int32_t> ghosts;  ///< beads of other shares that its pairs push, ascending
+    std::vector<std::int32_t> ghosts;  ///< grains of other shares that its pairs push, ascending
 
     Section::Range grains() const {
         return {sections.front().grains.first, sections.back().grains.second};

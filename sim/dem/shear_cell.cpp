@@ -26,17 +26,17 @@ constexpr double initial_closing_rate = 0.05;
 constexpr double steady_solid_fraction = 0.62;
 constexpr double servo_modulus = 0.05;
 /// Viscosity of the contacts against a change of height, over zeta sqrt(kappa): with Z/2 contacts a
-/// bead of dashpots zeta sqrt(2 K_N) that move affinely, 0.2 (6 Phi/pi) (Z/2) sqrt(2 K_N/kappa) is
+/// grain of dashpots zeta sqrt(2 K_N) that move affinely, 0.2 (6 Phi/pi) (Z/2) sqrt(2 K_N/kappa) is
 /// 0.6 to 0.8 in a flowing sample. The servo is stable while the true gain is below twice this one
 /// plus 1.
 constexpr double contact_viscosity = 0.6;
 /// Gain of the height servo for damping by an effect, over the effect's coefficient: 0.2 (6 Phi/pi)
-/// (Z/2) with the 7 bridges of a bead. More than the true gain makes the servo slower, never
+/// (Z/2) with the 7 bridges of a grain. More than the true gain makes the servo slower, never
 /// unstable.
 constexpr double effect_viscosity = 0.8;
 constexpr int steps_between_time_steps = 20;
 
-/// Time steps in which damping by an effect may take away a bead's relative velocity, summed over
+/// Time steps in which damping by an effect may take away a grain's relative velocity, summed over
 /// the dozen of its neighbours: a step must stay well below twice that time.
 constexpr double damped_step = 0.1;
 
@@ -45,7 +45,7 @@ double uniform(std::mt19937_64& random) {
     return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Places at random, where no bead touches those before it, by bins of the largest diameter.
+/// Places at random, where no grain touches those before it, by bins of the largest diameter.
 class RandomPlacement {
   public:
     RandomPlacement(const std::array<double, 3>& edge, double largest_diameter) : edge_(edge) {
@@ -115,7 +115,8 @@ ShearCell::ShearCell(Sample sample, const Material& material, const Flow& flow,
       bridges_(effects.changed(bridges)),
       flow_(flow),
       parts_(parts),
-      other_net_forces_(static_cast<std::size_t>(parts) - 1, std::vector<Grains::ForceAndTorque>(grains_.size())) {
+      other_net_forces_(static_cast<std::size_t>(parts) - 1,
+                        std::vector<Grains::ForceAndTorque>(grains_.size())) {
     bead_volume_ = grains_.volume();
     recent_overlap_ = overlap_at(1.0, material_.modulus);
     follow_stiffest_contact();
@@ -260,7 +261,7 @@ void ShearCell::adjust_height_rate() {
     const double wanted = (stress_.s22 - 1) / (servo_modulus * stiffness);
     // Viscous contacts answer the rate within the step: d(s22)/d(rate) is about -zeta sqrt(kappa).
     // Solved for implicitly, as an explicit servo would flip between two rates where that gain over
-    // B is near 1, for soft or strongly damped beads.
+    // B is near 1, for soft or strongly damped grains.
     double gain = contact_viscosity * material_.damping / (servo_modulus * std::sqrt(stiffness));
     if (effects_.changes_pairs()) {
         gain += effect_viscosity * effects_.damping_rate(bridges_) / (servo_modulus * stiffness);
@@ -294,7 +295,7 @@ MotionSums ShearCell::move_grains() {
 
 void ShearCell::advance_cell() {
     const double dt = time_step_;
-    // The image of a bead one height up moves by exactly what the bead's own law gives it there.
+    // The image of a grain one height up moves by exactly what the grain's own law gives it there.
     cell_.offset += dt * (flow_.shear_rate * cell_.height + flow_.length_rate * cell_.offset);
     cell_.length += dt * flow_.length_rate * cell_.length;
     cell_.height += dt * flow_.height_rate * cell_.height;
@@ -310,7 +311,7 @@ void ShearCell::follow_stiffest_contact() {
     const double stiffness = Hertz::at(recent_overlap_, material_.modulus).normal_stiffness;
     double wanted = fraction_ / std::sqrt(stiffness) / std::max(1.0, material_.damping);
     if (effects_.changes_pairs()) {
-        // Smaller beads are lighter; what an effect damps must not overshoot.
+        // Smaller grains are lighter; what an effect damps must not overshoot.
         wanted *= std::pow(grains_.smallest_diameter(), 1.5);
         const double rate = effects_.damping_rate(bridges_);
         wanted = rate > 0 ? std::min(wanted, damped_step / rate) : wanted;

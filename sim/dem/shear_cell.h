@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <stop_token>
 
-#include "sim/dem/grains.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/grain_effects.h"
+#include "sim/dem/grains.h"
 #include "sim/dem/integrator.h"
 #include "sim/dem/pair_laws.h"
 #include "sim/dem/pair_list.h"
@@ -24,25 +24,26 @@ struct Stress {
     }
 };
 
-/// Beads in their cell.
+/// Grains in their cell.
 struct Sample {
     Grains grains;
     Cell cell;
 };
 
-/// `count` beads at random, without contact, at solid fraction 0.3 and at rest, in a cell that is a
-/// cube once they flow; of these diameters, or all of 1.
-/// @throws std::invalid_argument for fewer than 64 beads
+/// `count` grains at random, without contact, at solid fraction 0.3 and at rest, in a cell that is
+/// a cube once they flow; of these diameters, or all of 1.
+/// @throws std::invalid_argument for fewer than 64 grains
 Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diameters = {});
 
 /// A sample in simple shear between Lees-Edwards images at a constant rate, its height free so that
-/// s22 stays at 1. Reduced units: bead diameter, mass and imposed normal stress are 1, so that the
+/// s22 stays at 1. Reduced units: grain diameter, mass and imposed normal stress are 1, so that the
 /// shear rate is the inertial number.
 ///
 /// Height servo, first order: (dH/dt)/H = (s22 - 1)/(B t0), with B = 0.05 kappa, well below
-/// the packing's modulus at stiffness number kappa, and t0 = sqrt(m/(a s22)), the time a bead needs
-/// to move its own size. The stress then returns to its target within a fraction of t0 at every
-/// stiffness and nothing is left to tune; as ln H is bounded, the time average of s22 is 1 exactly.
+/// the packing's modulus at stiffness number kappa, and t0 = sqrt(m/(a s22)), the time a grain
+/// needs to move its own size. The stress then returns to its target within a fraction of t0 at
+/// every stiffness and nothing is left to tune; as ln H is bounded, the time average of s22 is 1
+/// exactly.
 ///
 /// Time step: a fixed fraction of sqrt(m/K_N) of the stiffest contact, followed as it changes; less
 /// where the damping is more than critical.
@@ -58,7 +59,7 @@ class ShearCell {
     ShearCell(Sample sample, const Material& material, const Flow& flow,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
 
-    /// Edge of the cube that so many beads fill once they flow [diameters].
+    /// Edge of the cube that so many grains fill once they flow [diameters].
     static double edge(int count);
 
     static constexpr int fewest_grains = 64;
@@ -69,7 +70,7 @@ class ShearCell {
     void step(EnergyAccounting accounting = EnergyAccounting::off);
 
     /// Closes the gaps of the initial state at a constant rate until s22 first reaches its target.
-    /// @return false where it was not reached before the beads would fill the cell
+    /// @return false where it was not reached before the grains would fill the cell
     /// @throws Interrupted when a stop is requested
     bool compress(const std::stop_token& stop = {});
 
@@ -103,7 +104,7 @@ class ShearCell {
     /// convergence.
     void set_time_step_fraction(double fraction) { fraction_ = fraction; }
 
-    /// The state of a sample made of the same beads, laws and parts.
+    /// The state of a sample made of the same grains, laws and parts.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(grains_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
@@ -117,9 +118,9 @@ class ShearCell {
     PairSums sum_forces(const PairLaws& laws);
     /// Sums the forces of one share; moves its grains too where requested, each grain once its last
     /// pair is done.
-    PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces, const PairLaws& laws,
-                        MotionSums* moved = nullptr);
-    /// Adds to the loads that a part has of its own beads what the others have of them.
+    PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
+                        const PairLaws& laws, MotionSums* moved = nullptr);
+    /// Adds to the loads that a part has of its own grains what the others have of them.
     void collect_net_forces(int part);
     std::vector<Grains::ForceAndTorque>& net_forces_of(int part);
     std::vector<Grains::ForceAndTorque> all_net_forces();
@@ -137,8 +138,9 @@ class ShearCell {
     Flow flow_;
     int parts_ = 1;
     std::vector<Share> shares_;
-    std::size_t shares_made_at_ = 0;                     ///< renewals of the lists
-    std::vector<std::vector<Grains::ForceAndTorque>> other_net_forces_;  ///< of the parts after the first
+    std::size_t shares_made_at_ = 0;  ///< renewals of the lists
+    std::vector<std::vector<Grains::ForceAndTorque>>
+        other_net_forces_;  ///< of the parts after the first
     Stress stress_;
     PairEnergy energy_;
     MotionSums motion_;

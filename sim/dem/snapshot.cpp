@@ -28,7 +28,7 @@ std::string text_of(const Vector& v) {
     return fmt::format("{:.10g} {:.10g} {:.10g}", v[0], v[1], v[2]);
 }
 
-/// Adds the contacts and bridges of one list, each from the place its first bead has in the cell.
+/// Adds the contacts and bridges of one list, each from the place its first grain has in the cell.
 void add_pairs(const ShearCell& sample, const Pairs& list, Snapshot& snapshot) {
     const auto visit = [&](std::size_t k, const Vector& separation) {
         const bool touching = list.root[k] > 0, bridge = list.bridge[k] > 0;
@@ -41,11 +41,12 @@ void add_pairs(const ShearCell& sample, const Pairs& list, Snapshot& snapshot) {
         second.contacts += touching;
         const double gap = gap_of(sample.grains(), list, k, separation);
         const PairSizes sizes = sample.grains().sizes(static_cast<std::size_t>(list.first[k]),
-                                                     static_cast<std::size_t>(list.second[k]));
+                                                      static_cast<std::size_t>(list.second[k]));
         snapshot.pairs.push_back(
             {.from = first.position,
              .to = first.position + separation,
-             .normal_force = contact_of(sample.grains(), list, k, sample.material().modulus).elastic,
+             .normal_force =
+                 contact_of(sample.grains(), list, k, sample.material().modulus).elastic,
              .bridge_force = bridge ? sample.effects().attraction(
                                           touching ? std::min(gap, 0.0) : gap, sizes.diameter,
                                           sample.material(), sample.bridges())
@@ -107,10 +108,10 @@ Snapshot snapshot_of(const ShearCell& sample, double strain) {
     for (std::size_t i = 0; i < grains.size(); ++i) {
         const Vector place = s.cell.wrapped(grains.position(i));
         s.grains.push_back({.id = grains.number[i] + 1,
-                           .radius = 0.5 * grains.diameter(i),
-                           .position = place,
-                           .velocity = grains.velocity(i) + sample.flow()(place),
-                           .angular_velocity = grains.angular_velocity(i)});
+                            .radius = 0.5 * grains.diameter(i),
+                            .position = place,
+                            .velocity = grains.velocity(i) + sample.flow()(place),
+                            .angular_velocity = grains.angular_velocity(i)});
     }
     add_pairs(sample, sample.pairs().narrow(), s);
     add_pairs(sample, sample.pairs().distant(), s);
@@ -130,8 +131,9 @@ std::string dump_frame(const Snapshot& s) {
         "ITEM: ATOMS id type radius x y z vx vy vz angular_velocity_x angular_velocity_y "
         "angular_velocity_z coordination\n";
     for (const auto& grain : s.grains) {
-        text += fmt::format("{} 1 {} {} {} {} {}\n", grain.id, grain.radius, text_of(grain.position),
-                            text_of(grain.velocity), text_of(grain.angular_velocity), grain.contacts);
+        text +=
+            fmt::format("{} 1 {} {} {} {} {}\n", grain.id, grain.radius, text_of(grain.position),
+                        text_of(grain.velocity), text_of(grain.angular_velocity), grain.contacts);
     }
     return text;
 }

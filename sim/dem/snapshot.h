@@ -9,7 +9,7 @@
 
 namespace pendular::dem {
 
-/// Two beads in contact or joined by a bridge, as others draw them.
+/// Two grains in contact or joined by a bridge, as others draw them.
 struct DrawnPair {
     Vector from, to;          ///< centres; `to` may be that of an image outside the cell
     double normal_force = 0;  ///< elastic, of contacts [a^2 s22]
@@ -17,8 +17,8 @@ struct DrawnPair {
     bool touching = false;
 };
 
-/// A state as others read it: every bead inside the cell, velocities with the imposed flow in them.
-/// Reduced units: bead diameter, mass and imposed normal stress are 1.
+/// A state as others read it: every grain inside the cell, velocities with the imposed flow in
+/// them. Reduced units: grain diameter, mass and imposed normal stress are 1.
 struct Snapshot {
     struct Grain {
         std::int32_t id = 0;  ///< from 1 on, the same throughout a run
@@ -40,14 +40,14 @@ Snapshot snapshot_of(const ShearCell& sample, double strain);
 /// angular velocity and number of contacts.
 std::string dump_frame(const Snapshot& snapshot);
 
-/// ParaView XML PolyData: the beads as points with radius, velocity and contacts.
+/// ParaView XML PolyData: the grains as points with radius, velocity and contacts.
 std::string grains_vtp(const Snapshot& snapshot);
 /// ParaView XML PolyData: contacts and bridges as lines between centres with normal_force,
 /// bridge_force and touching (1 or 0). A line across a face of the cell leads to the image outside.
 std::string pairs_vtp(const Snapshot& snapshot);
 
-/// Writes a run's snapshots into a folder every so much strain, from strain 0 on: `grains.dump` with
-/// all frames, and for ParaView `snapshots.pvd` with `vtk/beads_NNNNN.vtp` and
+/// Writes a run's snapshots into a folder every so much strain, from strain 0 on: `grains.dump`
+/// with all frames, and for ParaView `snapshots.pvd` with `vtk/beads_NNNNN.vtp` and
 /// `vtk/pairs_NNNNN.vtp`, strain as time. Each file is there whole or not at all; the dump grows as
 /// `.grains.dump.part` and takes its name when the object goes, be the run done or stopped. A run
 /// resumed from a checkpoint goes on where it was; frames that were made after it are made again.

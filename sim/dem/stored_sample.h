@@ -10,7 +10,7 @@ namespace pendular::dem {
 
 /// A sample as a run leaves it, in single precision: enough for another run to start from, not to
 /// go on bit for bit (that is a checkpoint). What contacts remember is left out: it builds up again
-/// while they slide by their overlap, a small part of any transient. Samples of unequal beads are
+/// while they slide by their overlap, a small part of any transient. Samples of unequal grains are
 /// not stored: it stays empty.
 struct StoredSample {
     Cell cell;

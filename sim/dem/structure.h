@@ -2,17 +2,17 @@
 
 #include <span>
 
-#include "sim/dem/grains.h"
 #include "sim/dem/bridge_law.h"
 #include "sim/dem/cell.h"
 #include "sim/dem/contact_law.h"
 #include "sim/dem/grain_effects.h"
+#include "sim/dem/grains.h"
 #include "sim/dem/pair_list.h"
 
 namespace pendular::dem {
 
 /// Contact and bridge networks of one state, or their mean over several: a member for each
-/// STRUCTURE_OBSERVABLE of data/quantities/observables.def. Reduced units: bead diameter and
+/// STRUCTURE_OBSERVABLE of data/quantities/observables.def. Reduced units: grain diameter and
 /// imposed normal stress are 1, forces of bridges are over the pull-off force F0, capillary
 /// stresses are over the imposed normal stress and negative for attraction. "Distant" pairs are
 /// joined by a bridge without touching. A dry state has zeros there.

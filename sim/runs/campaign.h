@@ -22,7 +22,7 @@ namespace pendular {
 ///     inertial_number = [1e-3, 0.1]
 ///     logarithmic = ["inertial_number"]
 ///
-/// Keys of each table: the columns that determine a run (`reduced_pressure` makes beads wet),
+/// Keys of each table: the columns that determine a run (`reduced_pressure` makes grains wet),
 /// numbers or arrays, 1 throughout; `repeats`: runs of each that differ in their seed alone. A
 /// run's seed follows from the file's seed and from its own parameters, so that a longer campaign
 /// repeats no run of a shorter one under another seed.

@@ -15,7 +15,7 @@ class RunStore;
 struct EnsembleProgress {
     std::size_t runs_done = 0;
     std::size_t runs = 0;
-    double fraction = 0;      ///< of the work, by bead-steps expected
+    double fraction = 0;      ///< of the work, by grain-steps expected
     double seconds_left = 0;  ///< estimated from the speed so far; 0 while not known
 };
 using EnsembleReport = std::function<void(const EnsembleProgress&)>;

@@ -145,7 +145,7 @@ TEST(Diagnosis, LeavesAsideWhatIsTooLargeToBeReal) {
     LinearSpace::Column parabola = column("parabola", [](double x) { return x * x; });
     parabola.possible = 3;
     LinearSpace::Column never = column("never", [](double x) { return std::cos(5 * x); });
-    never.possible = 0.5;  // less than the size that matters
+    never.possible = 0.5;  // less than the smallest effect of interest
     const LinearSpace space(Eigen::MatrixXd::Ones(entries, 1), {parabola, never});
     Measuring measuring(23);
     const Diagnosis d = diagnose(

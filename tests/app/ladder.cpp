@@ -1,5 +1,5 @@
 // A study's ladder: leave-one-condition-out errors against closed answers, the file that keeps the
-// rungs, and the figure.
+// ladder steps, and the figure.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -253,7 +253,7 @@ TEST(LadderFigure, ShowsEveryRung) {
     const std::string drawing = content_of(folder.path() / "ladder.svg");
     EXPECT_THAT(drawing, HasSubstr("normal-"));  // names are broken behind hyphens
     EXPECT_THAT(drawing, HasSubstr("polydispersity"));
-    // A rung without left-out error, and one alone.
+    // A ladder step without left-out error, and one alone.
     ladder.resize(1);
     ladder[0].left_out_percent.reset();
     draw(ladder_figure(ladder), folder.path());

@@ -166,7 +166,7 @@ TEST(Kernel, HasTheGradientOfItsLikelihood) {
         const double difference = (cost(step) - cost(-step)) / (2 * step);
         EXPECT_NEAR(gradient[k], difference, 1e-3 * (1 + std::abs(difference))) << Hyperparameters::names[k];
     }
-    // And the learned scales are where it vanishes.
+    // And the learned hyperparameters are where it vanishes.
     const Hyperparameters best = fit_hyperparameters(Domain::all_flow, known, 0.5);
     hyperparameter_cost(Domain::all_flow, known, 0.5, best, none.data());
     EXPECT_THAT(none, testing::Each(testing::DoubleNear(0, 0.1)));

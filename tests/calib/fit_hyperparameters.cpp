@@ -27,7 +27,7 @@ double cost(const Observations& known, const Hyperparameters& hyperparameters, D
 TEST(HyperparameterCost, IsTheLikelihoodOfTwoValues) {
     // Two places of bridges with variance v each and covariance c:
     //     -ln L = (v y1^2 - 2 c y1 y2 + v y2^2)/(2 (v^2 - c^2)) + ln(v^2 - c^2)/2 + constant.
-    // At equal scales the prior is the same, so that differences are of the likelihood alone.
+    // At equal hyperparameters the prior is the same, so that differences are of the likelihood alone.
     // v = A^2 + f n + b^2 + 25 (1 + u^2) at x = q = v = 0; the distance is along v, whose
     // polynomial term has the factor of both v.
     const Hyperparameters s = uneven_hyperparameters();
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(HyperparameterCost, EachDomain,
 
 TEST_P(EachDomain, HasTheStatedGradient) {
     // Central differences of step 1e-4 in the logarithms: h^2/6 = 2e-9 of third derivatives of the
-    // order of the cost, some 100 with values this far from what the scales would make.
+    // order of the cost, some 100 with values this far from what the hyperparameters would make.
     constexpr double step = 1e-4, tolerance = 1e-5;
     auto at = scattered_places(12, 1);
     at.push_back({.x = 0.2, .q = 0.1, .u = 0, .v = 0});

@@ -150,7 +150,7 @@ TEST_P(EachKernel, SumsWhatItWouldSumOneByOne) {
 }
 
 TEST_P(EachKernel, DifferentiatesTracesByItsScales) {
-    // tr(W K)/2 with K of some scales by central differences in their logarithms: off by h^2/6
+    // tr(W K)/2 with K of some hyperparameters by central differences in their logarithms: off by h^2/6
     // times the third derivative, of the order of the trace itself.
     constexpr double step = 1e-4;
     const auto places = scattered_places(10, 8);
@@ -163,7 +163,7 @@ TEST_P(EachKernel, DifferentiatesTracesByItsScales) {
     const auto half_trace = [&](std::size_t which, double off) {
         auto hyperparameters = uneven_hyperparameters().as_array();
         hyperparameters[which] *= std::exp(off);
-        // A unit of 0 leaves out the polynomial, which does not depend on the scales.
+        // A unit of 0 leaves out the polynomial, which does not depend on the hyperparameters.
         const Kernel changed(GetParam(), Hyperparameters::from_array(hyperparameters), 0);
         return 0.5 * (weights * changed.matrix(changed.prepare(places))).trace();
     };

@@ -1,4 +1,4 @@
-// A chain of beads across the periodic cell is pulled apart and pushed together: by symmetry every
+// A chain of grains across the periodic cell is pulled apart and pushed together: by symmetry every
 // bridge has the same length, so that the cell's own stress is the force of one bridge.
 #include <gtest/gtest.h>
 
@@ -25,8 +25,8 @@ class Chain {
         cell_.let_bridges_form(true);
         cell_.set_time_step_fraction(0.05);
     }
-    /// Changes the chain's length at this rate until the gap between its beads is passed; calls
-    /// look(gap, force) at every step, the force positive where the beads attract each other.
+    /// Changes the chain's length at this rate until the gap between its grains is passed; calls
+    /// look(gap, force) at every step, the force positive where the grains attract each other.
     template <typename Look>
     void to_gap(double end, double rate, const Look& look) {
         const double sign = end > gap() ? 1 : -1;

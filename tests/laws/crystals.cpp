@@ -1,4 +1,4 @@
-// Face-centred cubic crystals: every bead does the same, so that stresses have closed forms.
+// Face-centred cubic crystals: every grain does the same, so that stresses have closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace crystals_test {
 using namespace pendular;
 using namespace pendular::dem;
 
-constexpr int cells = 3;  ///< cubic cells per direction, of four beads each
+constexpr int cells = 3;  ///< cubic cells per direction, of four grains each
 
 /// A crystal whose cubic cell has these edges, its cube axes along the directions.
 Sample crystal(const std::array<double, 3>& edge) {
@@ -31,8 +31,8 @@ Sample crystal(const std::array<double, 3>& edge) {
     return sample;
 }
 
-/// Normal stresses of a crystal at rest: each bead has two contacts, counted once, in each of the
-/// planes of its cube axes, along the planes' diagonals; four beads share the volume of a cubic
+/// Normal stresses of a crystal at rest: each grain has two contacts, counted once, in each of the
+/// planes of its cube axes, along the planes' diagonals; four grains share the volume of a cubic
 /// cell.
 std::array<double, 3> normal_stresses(const std::array<double, 3>& edge, double modulus,
                                       double attraction) {
@@ -64,7 +64,7 @@ Triaxial widen(double friction, double end, double rate) {
     const double edge = std::sqrt(2.0) * distance;
     ShearCell sample(crystal({edge, edge, edge}), {.modulus = modulus, .friction = friction},
                      {.length_rate = rate, .width_rate = rate});
-    // Twelve equally stiff contacts per bead, damped nearly critically: at the standard time step
+    // Twelve equally stiff contacts per grain, damped nearly critically: at the standard time step
     // the explicit damping of the fastest mode overshoots.
     sample.set_time_step_fraction(0.1);
     sample.hold_normal_stress(true);
@@ -105,13 +105,13 @@ TEST(Crystal, HasTheStressesOfItsContactsAlongItsThreeAxes) {
 class CrystalTriaxial : public testing::TestWithParam<double> {};
 
 TEST_P(CrystalTriaxial, YieldsAtTheStressRatioOfRigidFrictionalSpheres) {
-    // Widening opens the four contacts of a bead in the horizontal plane; the other eight, at 45
+    // Widening opens the four contacts of a grain in the horizontal plane; the other eight, at 45
     // degrees, slide with F_T = mu F_N, which helps to carry the vertical stress: each contact
     // gives (1 + mu) F_N/2 to s1 and, every other one, (1 - mu) F_N/2 to either s3. Hence
     //     s1/s3 = 2 (1 + mu)/(1 - mu).            Thornton, Geotechnique 29 (1979) 441
     const double friction = GetParam();
     const double expected = 2 * (1 + friction) / (1 - friction);
-    // Widened by 1.2e-5, as much as the overlaps, all of this has happened; beyond that beads of
+    // Widened by 1.2e-5, as much as the overlaps, all of this has happened; beyond that grains of
     // friction 0.3 begin to roll. The rates leave 0.1 % of viscous forces.
     const Triaxial found = widen(friction, 1.2e-5, 1e-5);
     std::printf("friction %.1f: s1/s3 = %.4f, at its largest %.4f, %.4f expected\n", friction,

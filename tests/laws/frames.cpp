@@ -1,5 +1,5 @@
 // Whole samples in steady shear, wet and dry: their motion does not depend on where they lie, in
-// which images and by which numbers their beads are written, or on how the work is divided. All
+// which images and by which numbers their grains are written, or on how the work is divided. All
 // agree to rounding, 1e-9 of the largest value over 200 steps, until chaos parts them.
 #include <gtest/gtest.h>
 
@@ -66,8 +66,8 @@ struct State {
                                                               &State::force, &State::torque};
 };
 
-/// Largest difference of any component of any bead over the largest component, for states of which
-/// the second is seen in the mirror `sign` and calls bead i `name[i]`.
+/// Largest difference of any component of any grain over the largest component, for states of which
+/// the second is seen in the mirror `sign` and calls grain i `name[i]`.
 double difference(const State& a, const State& b, const Vector& sign = {1, 1, 1},
                   const std::vector<std::int32_t>& name = {}) {
     double worst = 0;
@@ -120,7 +120,7 @@ TEST_P(Frames, TheLatticeByAnotherOffsetMovesAlike) {
 }
 
 TEST_P(Frames, ASampleTurnedHalfRoundMovesAlike) {
-    // (x, y, z) -> (-x, y, -z) is a rotation by pi: vectors and spins turn alike, the shear is
+    // (x, y, z) -> (-x, y, -z) is a rotation by pi: vectors and angular velocities turn alike, the shear is
     // reversed.
     const Vector turn(-1, 1, -1);
     Sample turned = flowing();
@@ -134,7 +134,7 @@ TEST_P(Frames, ASampleTurnedHalfRoundMovesAlike) {
 }
 
 TEST_P(Frames, ASampleInTheMirrorMovesAlike) {
-    // z -> -z leaves the shear as it is; spins, axial, keep their z and turn their x and y.
+    // z -> -z leaves the shear as it is; angular velocities, axial, keep their z and turn their x and y.
     Sample mirrored = flowing();
     for (auto& grain : mirrored.grains.motion) {
         grain.position = Vector(1, 1, -1) * grain.position;

@@ -23,7 +23,7 @@ const Wetting wetting{.reduced_pressure = 1, .bridge_volume = 4e-3};
 /// Net forces and torques on grains.
 using Loads = std::vector<Grains::ForceAndTorque>;
 
-/// Beads at random in a sheared cell, some of them overlapping, some joined by bridges, with
+/// Grains at random in a sheared cell, some of them overlapping, some joined by bridges, with
 /// velocities, remembered forces and, where an effect has them, remembered words.
 struct State {
     Grains grains;
@@ -78,7 +78,7 @@ bool same(const Loads& a, const Loads& b) {
     });
 }
 
-/// Values of the size that matters, away from neutral, in the units of a run at 1 kPa.
+/// Values of the smallest effect of interest, away from neutral, in the units of a run at 1 kPa.
 std::vector<EffectValues> on(const Effect& effect) {
     EffectValues values{effect.name, effect.neutral()};
     for (std::size_t k = 0; k < values.values.size(); ++k) {

@@ -1,4 +1,4 @@
-// Oblique impacts of two beads that do not spin, against closed forms. The beads are so stiff that
+// Oblique impacts of two grains that do not angular velocity, against closed forms. The grains are so stiff that
 // the contact hardly turns while it lasts.
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using namespace pendular::dem;
 
 constexpr double modulus = 1e9, friction = 0.2, approach = 0.1;
 
-/// Two beads that meet along direction 1 with a relative velocity (-approach, tangential, 0).
+/// Two grains that meet along direction 1 with a relative velocity (-approach, tangential, 0).
 class Impact {
   public:
     Impact(double tangential, double damping)
@@ -32,13 +32,13 @@ class Impact {
     }
     double overlap() const { return std::pow(cell_.pairs().narrow().root[0], 2); }
     double elastic() const { return Hertz::at(overlap(), modulus).elastic; }
-    /// Tangential force that slows the second bead down.
+    /// Tangential force that slows the second grain down.
     double tangential_force() const {
         const Pairs& pairs = cell_.pairs().narrow();
         return cell_.grains().number[static_cast<std::size_t>(pairs.second[0])] == 1 ? -pairs.sy[0]
                                                                                     : pairs.sy[0];
     }
-    /// Velocity of the second bead relative to the first.
+    /// Velocity of the second grain relative to the first.
     Vector velocity() const { return motion(1).velocity - motion(0).velocity; }
     double angular_velocity(int grain) const { return motion(grain).angular_velocity[2]; }
 
@@ -66,8 +66,8 @@ double restitution(double damping) {
 
 TEST(ObliqueImpact, SlidesThroughoutWithTheImpulseOfCoulomb) {
     // The viscous force is a function of h times dh/dt: over a whole impact its impulse vanishes,
-    // so that the elastic force alone carries (1 + e) v/2 and friction mu times that. Both beads
-    // spin up alike, by the impulse times 1/2 over the moment of inertia 1/10.
+    // so that the elastic force alone carries (1 + e) v/2 and friction mu times that. Both grains
+    // angular velocity up alike, by the impulse times 1/2 over the moment of inertia 1/10.
     // The contact turns by 0.3 x 1.5e-3 while it lasts, which is 0.5 % of a speed of 0.1.
     for (const double damping : {0.0, 0.1, 0.3}) {
         const double tangential = 0.3, e = restitution(damping);
@@ -109,7 +109,7 @@ TEST(ObliqueImpact, RollsOffWhereItStuck) {
     const double change = tangential - impact.velocity()[1];
     EXPECT_GT(change, 0);
     EXPECT_LT(change, 0.9 * friction * 2 * approach);
-    // Angular momentum about the point of contact: what the centres lose the spins have.
+    // Angular momentum about the point of contact: what the centres lose the angular velocities have.
     EXPECT_NEAR(impact.angular_velocity(0), 2.5 * change, 5e-3 * 2.5 * change);
 }
 

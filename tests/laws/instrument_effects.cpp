@@ -1,4 +1,4 @@
-// Laws of the effects that are maps: of the instrument, and of beads and liquid.
+// Laws of the effects that are maps: of the instrument, and of grains and liquid.
 #include <cmath>
 #include <random>
 

@@ -1,4 +1,4 @@
-// Neighbour lists of a sample large enough for bins, sheared so far that its beads are renumbered
+// Neighbour lists of a sample large enough for bins, sheared so far that its grains are renumbered
 // several times, against books kept from positions alone.
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ PairSet pairs_where(const Grains& grains, const Pairs& pairs, std::size_t count,
     return result;
 }
 
-/// Contacts and bridges of a sample from the distances of its beads at every step. Pairs are looked
+/// Contacts and bridges of a sample from the distances of its grains at every step. Pairs are looked
 /// for among those that were close at the last look at all pairs, which makes sure that none was
 /// missing.
 class Book {
@@ -205,7 +205,7 @@ TEST(NeighbourLists, RememberContactsAndBridgesWhenBeadsAreRenumbered) {
     Grains changed = sample.grains();
     Cell cell = sample.cell();
     PairList list = sample.pairs();
-    // By pair: tangential force on the bead of the larger number, sqrt(overlap), bridge.
+    // By pair: tangential force on the grain of the larger number, sqrt(overlap), bridge.
     using Memory = std::tuple<double, double, double, double, double>;
     const auto remembered = [](const Grains& of, const Pairs& pairs) {
         std::map<std::pair<int, int>, Memory> result;

@@ -12,7 +12,7 @@ using namespace pendular::dem;
 
 constexpr double modulus = 31622.8;  // stiffness number 1000
 
-/// Overlapping beads with random velocities in a sheared cell, and their pairs.
+/// Overlapping grains with random velocities in a sheared cell, and their pairs.
 struct State {
     Grains grains;
     Cell cell{7, 6, 8, 2.5};

@@ -37,7 +37,7 @@ Signature signature_of(const std::string& name, bool dry_only = false) {
     if (effect.is_switch()) {
         g = with_it.predict(friction, PredictionPart::slopes).value - plain.value;
     } else {
-        // A secant over the size that matters: at neutral the derivative of some is zero.
+        // A secant over the smallest effect of interest: at neutral the derivative of some is zero.
         Eigen::VectorXd at(2);
         const EffectParameter& p = effect.parameters.front();
         at << planted_friction,

@@ -24,7 +24,7 @@ Measured readings_of(const Eigen::VectorXd& values, unsigned seed) {
     return measured;
 }
 
-/// Parameters with the effect at three times the size that matters, within its bounds.
+/// Parameters with the effect at three times the smallest effect of interest, within its bounds.
 Eigen::VectorXd planted(const Model& model, const Effect& effect) {
     Eigen::VectorXd truth(static_cast<Eigen::Index>(model.parameters().size()));
     truth(0) = planted_friction;

@@ -137,7 +137,7 @@ TEST(Atlas, ReproducesThePublishedDryNumbers) {
     print("friction 0.09, I -> 0: stress ratio", "0.257 ± 0.002", text(ratio));
     print("friction 0.09, I -> 0: solid fraction", "0.6150 ± 0.0003", text(solid, "%.4f ± %.4f"));
     EXPECT_NEAR(ratio.value, 0.257, 2.6 * std::hypot(ratio.standard_error, 0.002));
-    // The correction to rigid beads is known to an eighth of 0.0042.
+    // The correction to rigid grains is known to an eighth of 0.0042.
     EXPECT_NEAR(solid.value, 0.6150, 2.6 * std::hypot(solid.standard_error, 0.0003, 0.0005));
     const Mean none = quasi_static_ratio(0), little = quasi_static_ratio(0.05);
     print("friction 0: stress ratio", "about 0.10", text(none));
@@ -179,7 +179,7 @@ TEST(Atlas, ReproducesThePublishedWetNumbers) {
         "P\\* = 1, friction 0.09: solid fraction", "0.594 (independently 0.588 to 0.592)",
         grid([](const auto& p) { return p.friction == 0.09 && p.wetting->reduced_pressure == 1; }),
         rigid, 0.588, 0.600);
-    // Structure depends on stiffness: Badetti et al.'s beads are eight times as stiff.
+    // Structure depends on stiffness: Badetti et al.'s grains are eight times as stiff.
     range("Z_d", "1 to 3.2", whole, value(Observable::distant_coordination), 0.5, 3.3);
     range("F_d/F0, P\\* >= 2", "0.48 to 0.60", strong, value(Observable::distant_force), 0.38,
           0.61);

@@ -20,7 +20,7 @@ using namespace pendular::dem;
 
 constexpr Wetting wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};
 
-/// Two beads that are moved by hand along x, their forces from the lists of a pair each.
+/// Two grains that are moved by hand along x, their forces from the lists of a pair each.
 struct TwoGrains {
     Grains grains{2};
     dem::Cell cell{20, 20, 20, 0};
@@ -34,7 +34,7 @@ struct TwoGrains {
         pairs = Pairs(find_pairs_by_brute_force(grains, cell, 0.6));
         pairs.fill_up(PairList::batch);
     }
-    /// Force that pulls the second bead towards the first at this gap.
+    /// Force that pulls the second grain towards the first at this gap.
     double attraction(double gap, bool as_distant = false) {
         grains.position(1)[0] = grains.position(0)[0] + 1 + gap;
         const PairLaws laws{cell, {}, material, bridges, 1e-3};
@@ -132,7 +132,7 @@ TEST(Bridges, DoNotEnterTheCoulombLimit) {
 
 using PairSet = std::set<std::pair<int, int>>;
 
-/// The beads of a pair by the numbers that never change.
+/// The grains of a pair by the numbers that never change.
 std::pair<int, int> called_at_first(const Grains& grains, const Neighbours& pairs, std::size_t k) {
     return std::minmax({grains.number[static_cast<std::size_t>(pairs.first[k])],
                         grains.number[static_cast<std::size_t>(pairs.second[k])]});
@@ -211,7 +211,7 @@ TEST(Bridges, NeverPushTheSampleAndLeaveMomentumAlone) {
     EXPECT_GT(sample.pairs().distant().size(), 0u);
 }
 
-/// One bead in the middle joined to others at gaps along directions that sample the sphere evenly.
+/// One grain in the middle joined to others at gaps along directions that sample the sphere evenly.
 struct Star {
     Grains grains;
     Pairs distant;

@@ -34,7 +34,7 @@ State some_state() {
             .length_anisotropy_12_distant = 0.0015};
 }
 
-/// Pairs of beads, a = 1, F0 = 1, and the sums of eq:stress over them, per volume.
+/// Pairs of grains, a = 1, F0 = 1, and the sums of eq:stress over them, per volume.
 struct Pairs {
     int grains = 100;
     double solid_fraction = 0.6;

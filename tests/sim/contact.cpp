@@ -1,4 +1,4 @@
-// Two beads meet: the contact law against closed forms.
+// Two grains meet: the contact law against closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace sim_contact_test {
 
 using namespace pendular::dem;
 
-/// Two beads approaching along x in a large, resting cell.
+/// Two grains approaching along x in a large, resting cell.
 struct Collision {
     Grains grains{2};
     Cell cell{20, 20, 20, 0};
@@ -73,7 +73,7 @@ TEST(HertzContact, ReboundsWithTheRestitutionOfItsDashpot) {
 }
 
 TEST(HertzContact, SticksTogetherNoLongerThanItIsDamped) {
-    // From zeta = sqrt(5/6) = 0.913 on the dashpot does not let the beads rebound.
+    // From zeta = sqrt(5/6) = 0.913 on the dashpot does not let the grains rebound.
     Collision collision(1e5, 0.98, 0.1, 2e-6);
     while (collision.time < 0.5) {
         collision.step();
@@ -83,7 +83,7 @@ TEST(HertzContact, SticksTogetherNoLongerThanItIsDamped) {
 
 TEST(MindlinContact, SlidesAtTheCoulombLimitAndSpinsTheBeadsUp) {
     // Pressed together and dragged past one another: the elastic normal force is that of the
-    // overlap, the tangential force mu times it, and both beads turn the same way.
+    // overlap, the tangential force mu times it, and both grains turn the same way.
     Collision c(1e5, 0.98, 0, 1e-5);
     c.material.friction = 0.2;
     c.grains.position(0)[0] = 9.5, c.grains.position(1)[0] = 10.49;
@@ -146,7 +146,7 @@ TEST(MindlinContact, TurnsItsTangentialForceWithThePair) {
 }
 
 TEST(MindlinContact, SpinsItsTangentialForceAboutItsNormal) {
-    // Both beads spin about the normal at the same rate: the force goes round with them, from +y to
+    // Both grains angular velocity about the normal at the same rate: the force goes round with them, from +y to
     // +z after a quarter turn about x.
     const int steps = 20000;
     const double dt = 0.5 * std::numbers::pi / steps;

@@ -1,4 +1,4 @@
-// Effects on grains between two beads, against closed forms.
+// Effects on grains between two grains, against closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using namespace pendular::dem;
 
 constexpr Wetting wetting{.reduced_pressure = 2, .bridge_volume = 4e-3};  // F0 = 0.5
 
-/// Two beads along direction 1 that are moved by hand, with effects between them.
+/// Two grains along direction 1 that are moved by hand, with effects between them.
 struct TwoGrains {
     Grains grains{2};
     dem::Cell cell{20, 20, 20, 0};
@@ -44,7 +44,7 @@ struct TwoGrains {
         grains.net_force.assign(2, {});
         pair_forces(grains, pairs, {0, pairs.size()}, laws, grains.net_force);
     }
-    /// Force that draws the beads together at this gap.
+    /// Force that draws the grains together at this gap.
     double attraction(double gap) {
         set_gap(gap);
         forces();
@@ -57,10 +57,10 @@ EffectValues on(const std::string& effect, double value = 1) {
 }
 
 TEST(RollingResistance, StopsSpinsThatRollAtItsPlasticLimit) {
-    // Held together, spinning against each other about direction 3 the beads roll and do not
+    // Held together, spinning against each other about direction 3 the grains roll and do not
     // slide. Past the elastic range each is slowed down by the torque M = coefficient F_N/2:
     // I dw/dt = -M, I = 1/10. What is left when the spring gives back its energy M^2/(2 K_r), K_r =
-    // K_T/4, is a spin below M/sqrt(2 K_r I) of either bead.
+    // K_T/4, is a angular velocity below M/sqrt(2 K_r I) of either grain.
     const double coefficient = 0.2, force = 5, torque = coefficient * force / 2;
     TwoGrains two({on("rolling-resistance", coefficient)}, false);
     two.dt = 1e-4;
@@ -126,7 +126,7 @@ TEST(WillettBridges, PullAsThePublishedFitSays) {
 
 TEST(ViscousBridges, ResistApproachAndPartingByLubrication) {
     // (3/2) pi eta R^2 X^2 v/(h + 0.01), R = 1/2, X = 1 - h/sqrt(h^2 + 4 V0/pi) (the effect's
-    // equation), beside the attraction that beads at rest have.
+    // equation), beside the attraction that grains at rest have.
     const double viscosity = 0.3, speed = 0.2;
     for (const double gap : {-1e-4, 0.0, 0.02, 0.1}) {
         TwoGrains two({on("viscous-bridges", viscosity)});
@@ -236,7 +236,7 @@ TEST(Polydispersity, SpreadsDiametersEvenlyAndCountsTheirVolume) {
 }
 
 TEST(Polydispersity, KeepsMomentumAndEnergyInElasticImpacts) {
-    // Head on, from rest in the centre of mass: beads of masses d^3 leave as fast as they came.
+    // Head on, from rest in the centre of mass: grains of masses d^3 leave as fast as they came.
     const double small = 0.7, large = 1.3, speed = 0.1;
     const double m1 = small * small * small, m2 = large * large * large;
     Sample sample{Grains(2), {20, 20, 20, 0}};
@@ -255,7 +255,7 @@ TEST(Polydispersity, KeepsMomentumAndEnergyInElasticImpacts) {
     do {
         cell.step();
     } while (!touching());
-    // The beads meet where their surfaces do.
+    // The grains meet where their surfaces do.
     const double distance = cell.grains().position(grain(1))[0] - cell.grains().position(grain(0))[0];
     EXPECT_NEAR(distance, (small + large) / 2, 1e-4);
     while (touching()) {

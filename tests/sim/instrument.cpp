@@ -53,7 +53,7 @@ TEST(InstrumentMap, IsNothingWithoutEffects) {
 }
 
 TEST(InstrumentMap, PutsBeadsBeforeTransducersAndNamesInOrder) {
-    // The weight is that of the beads truly in the cell, the friction of the walls acts over the
+    // The weight is that of the grains truly in the cell, the friction of the walls acts over the
     // true height and on the force less that weight, whatever scales show.
     const InstrumentMap map({active("wall-friction", 0.2), active("height-offset", 1e-3),
                              active("normal-force-offset", 0.5), active("grain-weight", 1),
@@ -174,7 +174,7 @@ TEST(ShownReading, AddsWhatTheInstrumentAdds) {
     EXPECT_NEAR(dragged(1), 0.6, 1e-12);
     EXPECT_NEAR(seen(active("torque-gain", 1.1))(0), 231, 1e-9);
     EXPECT_NEAR(seen(active("bead-loss", 0.04))(1), 0.6 / 0.96, 1e-12);
-    // The gap that the predicted solid fraction makes, with the recorded beads.
+    // The gap that the predicted solid fraction makes, with the recorded grains.
     const double gap = 56e-6 / (0.6 * cell.area());
     EXPECT_NEAR(seen(active("height-offset", 1e-3))(1), 0.6 * gap / (gap + 1e-3), 1e-12);
     EXPECT_NEAR((seen(active("lid-slip", 0.3)) - predicted).norm(), 0, 1e-9);

@@ -90,7 +90,7 @@ TEST(PairList, MissesNoContactUnderShearAndHeightChange) {
 }
 
 TEST(PairList, FollowsAnAffineShearInWhichNoBeadMovesOfItself) {
-    // Only the imposed shear brings beads together: no peculiar displacement warns the list.
+    // Only the imposed shear brings grains together: no peculiar displacement warns the list.
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> at(0, 1);
     Cell cell{7, 7, 7, 0};

@@ -119,7 +119,7 @@ TEST(Run, StopsWhenAskedTo) {
 }
 
 TEST(Run, SeesASampleCrystallise) {
-    // Eighty frictionless beads order into a crystal within a strain of some tens.
+    // Eighty frictionless grains order into a crystal within a strain of some tens.
     RunParameters p = small_run();
     p.grains = 80;
     p.friction = 0;
@@ -230,7 +230,7 @@ TEST(ShearCell, KeepsItsMomentum) {
 }
 
 TEST(ShearCell, SaysWhenItsStressIsNeverReached) {
-    // So soft that even beads pressed to a solid fraction of 0.8 do not carry the imposed stress.
+    // So soft that even grains pressed to a solid fraction of 0.8 do not carry the imposed stress.
     ShearCell sample(100, {.modulus = 0.5}, 0.05, 1);
     EXPECT_FALSE(sample.compress());
     EXPECT_LT(sample.stress().s22, 1);

@@ -12,7 +12,7 @@ namespace sim_structure_test {
 
 using namespace pendular::dem;
 
-/// One bead in the middle with contacts along the given directions.
+/// One grain in the middle with contacts along the given directions.
 Structure around_one_grain(const std::vector<std::array<double, 3>>& directions) {
     Grains grains(directions.size() + 1);
     Pairs pairs;

@@ -25,9 +25,9 @@ struct StoredRun {
 
 /// Every run that was ever carried out, in one SQLite file. A run is keyed by all that determines
 /// it
-/// (`dem::run_description` and the physics version) and never stored twice. Several processes and threads
-/// may read and write at once; each run is one transaction, so that a process killed at any instant
-/// loses the run it was at and nothing else.
+/// (`dem::run_description` and the physics version) and never stored twice. Several processes and
+/// threads may read and write at once; each run is one transaction, so that a process killed at any
+/// instant loses the run it was at and nothing else.
 ///
 /// The table `runs` has a column for each of `run_columns()`, so that any SQLite tool can query it.
 ///
@@ -50,8 +50,8 @@ class RunStore {
     /// Keeps a run. @return false where it is there already, which leaves the store as it is
     bool add(const dem::RunResult& run, int physics_version = dem::physics_version);
 
-    /// The steady run of as many beads, dry or wet like this one, whose flow is nearest to it, with
-    /// its final state; empty where there is none. The measure is
+    /// The steady run of as many grains, dry or wet like this one, whose flow is nearest to it,
+    /// with its final state; empty where there is none. The measure is
     ///     (d friction/0.1)^2 + (d ln I)^2 + (d ln kappa)^2 + (d ln P*)^2 + (d ln V0)^2.
     std::optional<StoredRun> nearest(const dem::RunParameters& parameters) const;
 
