@@ -276,7 +276,7 @@ TEST(Simulate, KeepsItsRun) {
     const Outcome run = run_pendular(words + " --json -" + store);
     ASSERT_EQ(run.code, 0) << run.errors;
     const Outcome next = run_pendular(words + " --friction 0.1 --start nearest --json -" + store);
-    EXPECT_THAT(next.errors, HasSubstr("started from run 1: friction 0.09"));
+    EXPECT_THAT(next.errors, HasSubstr("from the final state of run 1: friction 0.09"));
     EXPECT_TRUE(json::parse(next.output).contains("start"));
     expect_refused(words + " --start 7" + store, "has no run 7");
     expect_refused(words + " --start 1 --seed 2" + store, "no --seed");

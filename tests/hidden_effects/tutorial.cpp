@@ -52,7 +52,7 @@ TEST(Tutorial, DoesWhatItSays) {
     }
     EXPECT_THAT(said["import"][0], HasSubstr("24 readings are in"));
     EXPECT_THAT(said["calibrate"][0], HasSubstr("friction = 0.19"));
-    EXPECT_THAT(said["compare"][0], HasSubstr("as liquid content grows"));
+    EXPECT_THAT(said["compare"][0], HasSubstr("shear stress rises above the model as normal stress grows"));
     EXPECT_THAT(said["diagnose"][0], HasSubstr("Missing: wall-friction (0.1483"));
     EXPECT_THAT(said["effects"][0], HasSubstr("Janssen"));
     EXPECT_THAT(said["add"][0], HasSubstr("wall-friction added: chi2/dof falls from 16.3 to 0.994"));
