@@ -60,7 +60,7 @@ void climb(Ladder& ladder, LadderStep before, LadderStep after) {
 }
 
 bool fell_by_chance(const LadderStep& from, const LadderStep& to) {
-    // Where nothing more is fitted, chi2 may still change, as with a switch: as by one parameter.
+    // A switch changes chi2 without a further fitted parameter: it counts as one parameter.
     const boost::math::chi_squared law(std::max(1, from.dof - to.dof));
     return from.chi2 - to.chi2 <= boost::math::quantile(law, 0.95);
 }

@@ -37,7 +37,7 @@ class Squares {
     double count_ = 0;
 };
 
-/// Some readings and the others.
+/// Division of the readings into a subset and the rest.
 struct Split {
     std::vector<Reading> left_out, others;
 };
@@ -81,7 +81,8 @@ std::optional<LeftOut> left_out_errors(const std::shared_ptr<const Predictor>& m
         const Measured measured = stack(parts.others, c.direct);
         Fit refit = fit(rest, measured, c.fit.parameters);
         if (!determined(refit, measured)) {
-            // From the optimum an undetermined parameter would keep what it owes to this condition.
+            // A fit that started from the optimum would leave undetermined parameters at values
+            // that this condition set.
             refit = fit(rest, measured, start_of(rest));
             ++result.undetermined;
         }

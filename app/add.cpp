@@ -1,5 +1,5 @@
-// `pendular add` and `pendular drop`: an effect into a study or out of it, and what becomes of the
-// error.
+// `pendular add` and `pendular drop`: adds an effect to a study or removes it, and reports the
+// change of the error.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -21,17 +21,20 @@ namespace {
 
 const char* const about_add =
     R"(Adds an effect to the list in the study's study.toml (its comments and layout stay), fits the
-study with it and says what became of the error: chi2 and RMS error before and after, and that of
-conditions left out of the fit one after the other, which must fall too. )";
+study with it and reports the error before and after: chi2, the RMS error, and the RMS error at
+conditions left out of the fit one after the other, which must fall too. The parameters follow,
+before and after, with their change.
+)";
 
 const char* const about_drop =
     R"(Takes an effect out of the list in the study's study.toml (its comments and layout stay), fits
-the study without it and says what became of the error. )";
+the study without it and reports the error and the parameters before and after.
+)";
 
 const char* const about_both =
-    R"(The parameters follow, before and after, with how far they moved. Writes fit.json, ladder.json,
-which keeps every step, and the figure 'ladder' to the results folder. The study's file is changed
-last; where the fit does not converge, or is interrupted, it stays as it was.
+    R"(
+Writes fit.json, ladder.json, which keeps every step, and the figure 'ladder' to the results folder.
+The study's file is changed last; where the fit does not converge, or is interrupted, it stays as it was.
 
 The fit is emulated from the atlas and all stored runs, at the fidelity of the study's earlier fit;
 no simulation is made unless --confirm is given. 'pendular effects' lists the effects there are.)";

@@ -65,8 +65,8 @@ void or_abort(const MpiProcesses& processes, const std::function<void()>& work) 
     }
 }
 
-/// Says how long the missing runs will take, from the speed of the runs of the store, else from
-/// that of the atlas.
+/// Prints the expected duration of the missing runs, from the speed of the runs in the store, else
+/// of those in the atlas.
 std::optional<double> estimate_duration(const Survey& found, const RunStore& store, int threads,
                                         Console& console) {
     if (found.missing.empty()) {

@@ -34,8 +34,8 @@ std::string with_effects(const ModelSettings& model) {
                          : names + ", the RMS error of the model is";
 }
 
-/// "; the 12 readings that were only predicted are not described (p = 1e-9)": where what was fitted
-/// is described and what was only predicted is not.
+/// "; the 12 readings that were only predicted are not described (p = 1e-9)": where the model
+/// describes the fitted readings and not the predicted ones.
 std::string verdict_on_predicted(const Calibration& c, const Comparison& comparison) {
     if (c.fitted == c.readings.size() || comparison.predicted.p() >= incredible_p) return "";
     return fmt::format(
@@ -49,13 +49,13 @@ std::string verdict_on_predicted(const Calibration& c, const Comparison& compari
 int compare(const std::vector<std::string>& arguments) {
     Options options(
         "compare STUDY [options]",
-        "Puts the calibrated model and the readings side by side: the misfit by observable, "
-        "condition and file;\n"
-        "where the model fails beyond what its parameters can imitate (lack of fit, trends with "
-        "what was varied,\n"
-        "measurements that deviate); figures as SVG, PNG and PDF with their numbers as CSV. Give "
-        "'pendular calibrate'\n"
-        "first. No simulation is made.",
+        "Compares the calibrated model with the readings. Prints the misfit by observable, "
+        "condition and\n"
+        "file, and says where the model fails beyond what its parameters can imitate: lack of "
+        "fit, trends\n"
+        "with the varied quantities, measurements that deviate. Draws figures as SVG, PNG and PDF "
+        "with\n"
+        "their numbers as CSV. Run 'pendular calibrate' first. No simulation is made.",
         "  pendular compare examples/polystyrene\n"
         "  pendular compare my-study --out results --json -\n",
         true);

@@ -162,7 +162,7 @@ void Console::progress(const std::string& what, const EnsembleProgress& progress
     const bool terminal = isatty(STDERR_FILENO) != 0;
     const auto now = std::chrono::steady_clock::now();
     const bool same_stage = stage_ == what && progress.fraction >= fraction_shown_;
-    // A log of a long calibration is read later: ten lines per stage tell its course.
+    // Ten lines per stage record the progress of a long calibration in a log.
     if (now - last_ < std::chrono::milliseconds(terminal ? 200 : 10000) ||
         (!terminal && same_stage && progress.fraction < fraction_shown_ + 0.1)) {
         return;

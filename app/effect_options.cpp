@@ -30,7 +30,7 @@ std::string description(const EffectParameter& parameter) {
                        parameter.lower, parameter.upper, parameter.neutral);
 }
 
-/// Refuses an argument --EFFECT.PARAMETER that names nothing, or what the command cannot have.
+/// Refuses an argument --EFFECT.PARAMETER that is unknown or not allowed for the command.
 void check_name(const std::string& argument, const WhyNot& why_not) {
     const std::string name = argument.substr(0, argument.find('='));
     const std::size_t dot = name.find('.');

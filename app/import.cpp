@@ -15,12 +15,12 @@
 namespace pendular::app {
 namespace {
 
-/// " (readings or rows were set aside for 2 doubts)"; empty where none was.
+/// ", among them the rows of 2 doubts"; empty where no doubt set rows aside.
 std::string set_aside_text(const Measurements& measurements) {
     const std::size_t count = doubts_that_set_aside(measurements);
-    return count == 0 ? ""
-                      : fmt::format(" (readings or rows were set aside for {} doubt{})", count,
-                                    count == 1 ? "" : "s");
+    return count == 0
+               ? ""
+               : fmt::format(", among them the rows of {} doubt{}", count, count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -47,9 +47,9 @@ int import(const std::vector<std::string>& arguments) {
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
     console.answer(fmt::format(
-        "{} readings{} are in {}; {} ranges of rows were left out (excluded.csv beside it).",
-        measurements.readings.size(), set_aside_text(measurements), readings.string(),
-        measurements.excluded.size()));
+        "{} readings are in {}; {} ranges of rows were left out{} (excluded.csv beside it).",
+        measurements.readings.size(), readings.string(), measurements.excluded.size(),
+        set_aside_text(measurements)));
     for (const Doubt& doubt : measurements.doubts) {
         console.line(fmt::format("Doubt: {} {}", doubt.what,
                                  doubt.set_aside ? "Set aside; see excluded.csv." : "Kept."));

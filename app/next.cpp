@@ -95,6 +95,8 @@ int next(const std::vector<std::string>& arguments) {
         draw(figure, common->out_folder() / "figures");
         console.figures(common->out_folder() / "figures", {"next"});
     }
+    console.next(fmt::format("pendular diagnose {}   # once study.toml lists the new recording",
+                             common->study.string()));
     console.json(json);
     return done;
 }

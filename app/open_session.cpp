@@ -22,7 +22,7 @@ Listener shown_on(Console& console, bool quiet) {
         if (event.kind == Event::Kind::stage) {
             fmt::print(stderr, "{}\n", as_sentence(event.text));
         }
-        // A single fit takes less time than its line takes to read.
+        // A single fit is too short for a progress line.
         if (event.kind == Event::Kind::refits && event.number == 0 && event.total > 1) {
             fmt::print(stderr, "Diagnosis, {}: {} fits to do.\n", event.text, event.total);
         }
@@ -44,7 +44,7 @@ OpenSession::OpenSession(Console& console, const CommonOptions& options,
     : OpenSession(console, options, read_input(options.study, places_of(options, std::move(files))),
                   checked_seed(seed)) {}
 
-// The store comes after the input: what is refused leaves no store behind.
+// The store is opened after the input is checked, so that refused input creates no store.
 OpenSession::OpenSession(Console& console, const CommonOptions& options, StudyInput input,
                          std::uint64_t seed)
     : store_(open_store(options)),

@@ -155,7 +155,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& argu
         *words_ = words;
     }
     if (takes_study_ && study.empty()) {
-        throw InputError(fmt::format("the study or folder is missing; usage: pendular {}", usage_));
+        throw InputError(fmt::format(
+            "the name of the study, folder or file is missing; usage: pendular {}", usage_));
     }
     if (result.threads < 1) {
         throw InputError(

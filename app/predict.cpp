@@ -1,4 +1,4 @@
-// `pendular predict`: what known runs say of any state, without a new one.
+// `pendular predict`: predicts any state from known runs, without a new simulation.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -146,7 +146,7 @@ void predict_along(const RequestedState& requested, const VariedQuantity& varied
 int predict(const std::vector<std::string>& arguments) {
     Options options(
         "predict [options]",
-        "Tells at once what steady shear of beads would measure, with standard errors, "
+        "Predicts the observables of steady shear at once, with standard errors, "
         "from the runs of the\n"
         "atlas and of the store. Refuses a state that these runs do not support: outside of their "
         "convex hull,\n"

@@ -13,7 +13,7 @@
 namespace pendular::app {
 namespace {
 
-/// A value above 0 with its unit.
+/// Positive value with its unit.
 /// @throws InputError
 double positive(const std::string& words, const char* unit, const std::string& option) {
     double value = 0;

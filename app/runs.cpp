@@ -1,4 +1,4 @@
-// `pendular runs`: what the store holds.
+// `pendular runs`: lists, compares and maintains stored runs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -81,7 +81,7 @@ std::string flags(const dem::RunResult& run) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// Its effects after what stands before them, or nothing.
+/// Effects of a run, after a separator; empty for none.
 std::string with_effects(const dem::RunParameters& p, const std::string& before) {
     return p.effects.empty() ? "" : before + effects_text(p.effects);
 }
@@ -210,7 +210,7 @@ int take_in(const Request& request, Console& console, const std::string& what,
     demand_words(request, 1, what);
     for (const std::string& file : request.words) {
         if (!std::filesystem::exists(file)) {
-            // Before a store is made that nothing would be added to.
+            // Checked before a store is created that would stay empty.
             throw InputError(file + ": no such file");
         }
     }

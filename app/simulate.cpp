@@ -112,7 +112,7 @@ void refuse_impossible(const dem::RunParameters& run) {
     }
 }
 
-/// Outputs of a run besides its averages.
+/// Files that a run writes besides its averages.
 struct Extras {
     double snapshot_every = 0;  ///< strain; 0: none
     std::string checkpoint;

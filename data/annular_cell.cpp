@@ -34,7 +34,8 @@ double normal_force(double normal_stress, const AnnularCell& cell) {
 }
 
 double torque(double shear_stress, const AnnularCell& cell) {
-    // The conversion is proportional: what a torque of 1 N m shows is its factor, in either form.
+    // The conversion is proportional: the shear stress of a torque of 1 N m is its factor, in
+    // either variant.
     return shear_stress / pendular::shear_stress(1, cell);
 }
 

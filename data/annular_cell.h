@@ -26,7 +26,8 @@ double normal_stress(double normal_force, const AnnularCell& cell);
 /// Magnitude of the shear stress of an annular cell from its torque, stress uniform over the
 /// annulus [Pa].
 ///     s12 = 3 T / (2 pi (Re^3 - Ri^3))      from T = int_{Ri}^{Re} 2 pi r^2 s12 dr
-/// Source: direct integration; Badetti et al. (2018) print twice this value (Form::as_printed).
+/// Source: direct integration; Badetti et al. (2018) print twice this value
+/// (FormulaVariant::as_printed).
 double shear_stress(double torque, const AnnularCell& cell);
 
 /// Bead volume over sample volume [1]: V_S / (pi H (Re^2 - Ri^2)).

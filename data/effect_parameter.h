@@ -11,9 +11,9 @@ namespace pendular {
 struct EffectParameter {
     std::string name;  ///< "on": a switch, 0 or 1
     std::string unit = "1";
-    double lower = 0, upper = 1;  ///< [unit]
-    double neutral = 0;           ///< value at which the effect is gone [unit]
-    double smallest_of_interest = 1;           ///< how far from neutral it would matter to a user [unit]
+    double lower = 0, upper = 1;      ///< [unit]
+    double neutral = 0;               ///< value at which the effect is gone [unit]
+    double smallest_of_interest = 1;  ///< how far from neutral it would matter to a user [unit]
     std::string meaning;
     /// Amplitude to which the effect is proportional, as a function of the parameter's value; the
     /// value itself where empty. It must not have a zero slope at neutral, as 1 - cos has.

@@ -12,7 +12,7 @@ struct Position {
     int column = 0;
 };
 
-/// "file:line:column", leaving out what is not known.
+/// Text "file:line:column" without the parts that are unknown.
 std::string to_string(const Position& position);
 
 /// Error in the user's input: what() is "file:line:column: what is wrong; what to do". The program

@@ -82,8 +82,8 @@ struct Doubt {
     bool set_aside = true;          ///< whether they were moved to `excluded`
 };
 
-/// Scatter between replicates beyond that within them, relative to the values of (stress ratio,
-/// solid fraction) [1].
+/// Scatter between replicates in excess of the scatter within them, relative to the values of
+/// (stress ratio, solid fraction) [1].
 struct ReplicateScatter {
     /// Scatter from step to step in files that replicate each other.
     struct Group {
@@ -117,7 +117,7 @@ struct ReplicateScatter {
     bool stated = false;             ///< it is that of `[scatter]` in the study
 };
 
-/// Everything that was measured in a study, with nothing dropped in silence.
+/// All readings of a study, with every excluded row and its reason.
 struct Measurements {
     std::vector<Reading> readings;  ///< in run order
     ReplicateScatter scatter;       ///< that is in the covariances of the readings

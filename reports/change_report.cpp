@@ -21,7 +21,7 @@ std::string estimate(const LadderParameter* parameter) {
     return parameter ? with_error(parameter->value, parameter->standard_error) : "-";
 }
 
-/// Drift in the errors that the parameter had [1].
+/// Change of a parameter over its standard error before the change [1].
 double drift(const LadderParameter& before, const LadderParameter& after) {
     return (after.value - before.value) / before.standard_error;
 }

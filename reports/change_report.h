@@ -7,8 +7,9 @@
 
 namespace pendular {
 
-/// The change in one line: the error before and after.
-std::string verdict_of(const StudyChange& change, const LadderStep& before, const LadderStep& after);
+/// One line about the change: the error before and after.
+std::string verdict_of(const StudyChange& change, const LadderStep& before,
+                       const LadderStep& after);
 
 /// Errors before and after the change: chi2/dof, RMS errors [%] and those at conditions left out of
 /// the fit.
@@ -17,8 +18,9 @@ std::vector<std::string> error_changes(const LadderStep& before, const LadderSte
 /// Parameters before and after the change, with the change in standard errors.
 std::vector<std::string> parameter_changes(const LadderStep& before, const LadderStep& after);
 
-/// Whether the change served, where it did not, and what to do then; `study` as the user names it.
-std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before, const LadderStep& after,
-                                   const std::string& study);
+/// Sentences on whether the change improved the model, where it did not, and what to do next;
+/// `study` as the user named it.
+std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before,
+                                   const LadderStep& after, const std::string& study);
 
 }  // namespace pendular

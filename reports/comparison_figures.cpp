@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "reports/dry_figures.h"
-#include "reports/residual_figures.h"
 #include "reports/figure_style.h"
+#include "reports/residual_figures.h"
 #include "reports/wet_figures.h"
 
 namespace pendular {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "reports/figure_text.h"
 #include "reports/figure_style.h"
+#include "reports/figure_text.h"
 
 namespace pendular {
 namespace {
@@ -25,7 +25,7 @@ std::vector<const Finding*> most_telling(const Diagnosis& diagnosis) {
     return findings;
 }
 
-/// Beside the middle of its place by `aside`.
+/// Position of a bar: the middle of its place, shifted by `aside`.
 void add(Curve& curve, std::size_t place, double value, double aside = 0) {
     if (std::isfinite(value)) {
         curve.x.push_back(static_cast<double>(place) + 1 + aside);

@@ -247,12 +247,12 @@ namespace {
 /// Line on the size from which an effect would be seen.
 std::string unseen_line(const Finding& finding, const EffectParameter& p,
                         const std::string& effect) {
-    const std::string unit = p.unit == "1" ? "" : " " + p.unit;
     return p.is_switch()
                ? fmt::format("  {} would be seen in {:.0f} of 100 such studies.", effect,
                              100 * finding.power)
-               : fmt::format("  {} is seen from {:.2g}{} on; the smallest of interest is {:.2g}{}.",
-                             effect, finding.detectable, unit, p.smallest_of_interest, unit);
+               : fmt::format("  {} would be seen from {} on; the smallest size of interest is {}.",
+                             effect, with_unit(finding.detectable, p.unit),
+                             with_unit(p.smallest_of_interest, p.unit));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 #include "calib/model/run_design.h"
 #include "calib/model/study_state.h"
-#include "reports/model_curve.h"
 #include "reports/figure_style.h"
+#include "reports/model_curve.h"
 #include "reports/symbol_code.h"
 
 namespace pendular {
@@ -91,7 +91,7 @@ Curve runs_curve(const DryStudy& study, const Condition& condition, std::size_t 
     return curve;
 }
 
-/// The model of what grains do at a condition, against friction; other parameters as fitted.
+/// True flow of the model at a condition, against friction; other parameters as fitted.
 ModelCurve against_friction(const DryStudy& study, const Condition& condition) {
     const Predictor& flow = study.model.flow();
     Eigen::VectorXd parameters = study.model.flow_parameters(study.calibration.fit.parameters);
@@ -113,7 +113,7 @@ ModelCurve against_friction(const DryStudy& study, const Condition& condition) {
 }
 
 /// Mean of readings as they would be at a condition on an instrument that shows the truth: each is
-/// moved by what the fitted model says that this makes.
+/// shifted by the difference that the fitted model predicts.
 Shown corrected_mean(const DryStudy& study, const std::vector<std::size_t>& places,
                      const Condition& condition) {
     const Shown there =
@@ -164,7 +164,7 @@ Figure calibration_figure(const DryStudy& study) {
     return figure;
 }
 
-/// How readings of a series and the model of them are told from others.
+/// Symbols and line style of one series of readings and of its model.
 struct SeriesLook {
     const char* colour;
     Shape shape;
@@ -178,7 +178,8 @@ constexpr std::array<SeriesLook, 8> series_looks = {{{"#1f4fd8", Shape::circle},
                                                      {"#111111", Shape::circle},
                                                      {"#808080", Shape::square}}};
 
-/// The figure against the inertial number: its readings, parted as the model needs it.
+/// Readings of the figure against the inertial number, divided into series where one model curve
+/// cannot represent them.
 struct InertialFigure {
     const DryStudy& study;
     std::vector<CurveGroup> series;
@@ -209,7 +210,7 @@ InertialFigure inertial_figure_of(const DryStudy& study) {
         const ConditionPath path = one.path(c.readings, along_inertial_number);
         std::vector<double> x;
         std::vector<Condition> conditions;
-        // Faster than simulated there is no model to show; slower it is extrapolated.
+        // The model is not shown at higher rates than simulated; to lower rates it is extrapolated.
         for (int k = 0; k <= curve_steps; ++k) {
             x.push_back(figure.low *
                         std::pow(figure.fastest / figure.low, k / double{curve_steps}));
@@ -232,7 +233,7 @@ void draw_limit(Panel& panel, const std::vector<std::size_t>& quasi_static, cons
         {"model, I → 0", model.value[o], model.error[o], false, calibrated_colour});
 }
 
-/// Readings of a series and, where its curve does not tell it, the model of each of them.
+/// Readings of a series and, where the curve does not represent them, the prediction for each.
 void draw_series(Panel& panel, const InertialFigure& figure, std::size_t s, std::size_t o) {
     const CurveGroup& one = figure.series[s];
     const DryStudy& study = figure.study;
@@ -268,7 +269,7 @@ void draw_series(Panel& panel, const InertialFigure& figure, std::size_t s, std:
     if (!model.x.empty() && (!curve || figure.parted())) panel.curves.push_back(model);
 }
 
-/// The key where there are several series: what each looks like, then what kinds of data do.
+/// Key for several series: the look of each series, then of each kind of data.
 void explain_series(Panel& panel, const InertialFigure& figure) {
     for (std::size_t s = 0; s < figure.series.size(); ++s) {
         panel.curves.push_back({.label = figure.series[s].name,

@@ -10,7 +10,8 @@ namespace pendular {
 
 /// The figures of dry readings, none where there are none:
 /// - `calibration`: stress ratio and solid fraction against friction, of the readings at the lowest
-///   inertial number. The curve is what the grains do, without the instrument; where the study has
+///   inertial number. The curve is the flow of the grains, before the instrument shows it; where
+/// the study has
 ///   effects on the instrument, the measured band is corrected for them, by what the fitted model
 ///   says of each reading. They cross where these readings alone would put the friction. Source:
 ///   Badetti et al. (2018), the calibration figure.

@@ -69,7 +69,7 @@ std::string table_line(const std::string& name, const std::string& parameter,
                        status.empty() ? "" : fmt::format("{:<9}", status), summary);
 }
 
-/// One line for each parameter; the second and further ones say no more than that.
+/// One line for each parameter; the second and further lines hold the parameter only.
 void add_effect(std::vector<std::string>& lines, const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
     for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
@@ -101,7 +101,7 @@ std::string parameter_text(const EffectParameter& p) {
                        p.meaning);
 }
 
-/// "--torque-offset.torque 0.0001": a size that would matter.
+/// Option that sets an effect to its smallest size of interest, "--torque-offset.torque 0.0001".
 std::string options_of(const Effect& effect) {
     std::vector<std::string> options;
     for (const EffectParameter& p : effect.parameters) {
@@ -137,7 +137,7 @@ std::string status_text(const EffectEntry& entry) {
     return entry.status->listed ? "switched on" : "can be added";
 }
 
-/// Words of the registry as Markdown shows them.
+/// Text of an effect escaped for Markdown.
 std::string markdown(const std::string& words) {
     constexpr std::string_view special = "\\`*_|<>[]";
     std::string text;

@@ -9,7 +9,7 @@
 
 namespace pendular {
 
-/// How an effect stands to a study.
+/// Relation of an effect to a study.
 struct EffectStatus {
     bool listed = false;                 ///< the study switches it on
     std::optional<std::string> why_not;  /// why it does not apply; empty where it does
@@ -18,14 +18,14 @@ struct EffectStatus {
 /// An effect as the catalogue shows it.
 struct EffectEntry {
     const Effect* effect;
-    bool written = false;                         ///< by the user, in the study
+    bool written = false;                     ///< by the user, in the study
     std::optional<EffectStatus> status = {};  ///< empty without a study
 };
 
 /// The catalogue, one effect a line, grouped by what they change.
 std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries);
 
-/// Everything that is known of one effect, and how to switch it on.
+/// Full description of one effect, with the way to switch it on.
 std::vector<std::string> effect_page(const EffectEntry& entry);
 
 /// A page of the manual in Markdown, of one effect; `figure` is the Markdown of its figure, or why

@@ -10,9 +10,9 @@
 
 #include "calib/model/assemble_model.h"
 #include "calib/model/study_state.h"
+#include "reports/figure_style.h"
 #include "reports/figure_text.h"
 #include "reports/layout.h"
-#include "reports/figure_style.h"
 #include "sim/lab/lab_plan.h"
 
 namespace pendular {
@@ -45,7 +45,7 @@ struct Column {
     bool shows_height = false;  ///< [mm], in place of what was set
 };
 
-// Dry readings have no P*, but the normal stress that wet ones have there.
+// Dry readings have no P*: they are drawn at the P* of wet readings of equal normal stress.
 constexpr std::array<Column, 4> columns = {
     {{"reduced pressure P*", 0.5, 20, true, true,
       [](Condition& c, double value, const Study& study) {
@@ -65,7 +65,7 @@ Eigen::VectorXd plain_parameters() {
     return Eigen::VectorXd::Constant(1, friction);
 }
 
-/// Readings along a column, and where they stand.
+/// Readings along a column of panels, with their x values.
 struct Along {
     std::vector<double> at;
     std::vector<Condition> conditions;
@@ -92,8 +92,8 @@ Along along(const Column& column, bool dry, const Study& study, const Predictor&
     return all;
 }
 
-/// The size at which an effect is shown; where the study's liquid has one of its own, that much
-/// more.
+/// Size at which an effect is shown: the smallest of interest, added to the value that the study's
+/// liquid gives.
 double shown_size(const Effect& effect, const EffectParameter& p, const Study& study) {
     if (p.is_switch()) return 1;
     const double from = effect.given_by_liquid ? effect.unlisted_value(study.liquid) : p.neutral;
@@ -122,7 +122,7 @@ Changes changes_between(const Eigen::VectorXd& without, const Eigen::VectorXd& w
     return changes;
 }
 
-/// With the errors of the emulator, most of which both have in common.
+/// Includes the emulator's errors, most of which cancel in the change.
 Changes changes_of_grains(const ActiveEffect& active, const Study& study,
                           const Predictor& simulation, const std::vector<Condition>& conditions) {
     std::vector<Condition> both = conditions;
@@ -168,8 +168,9 @@ class Models {
         }
         const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(
             parameters.data(), static_cast<Eigen::Index>(parameters.size()));
-        return changes_between(without().predict(plain_parameters(), conditions, PredictionPart::slopes).value,
-                               model_->predict(at, conditions, PredictionPart::slopes).value);
+        return changes_between(
+            without().predict(plain_parameters(), conditions, PredictionPart::slopes).value,
+            model_->predict(at, conditions, PredictionPart::slopes).value);
     }
 
   private:

@@ -10,11 +10,11 @@
 
 namespace pendular {
 
-/// The study in which effects show what they do: the beads, liquid and cell that the virtual
-/// laboratory has by default. It lists the effects, so that runs with them serve it.
+/// Study in which the signatures of effects are drawn, with the default grains, liquid and cell of
+/// the virtual laboratory. It lists the effects, so that runs with them serve it.
 Study signature_study(const std::vector<Effect>& effects);
 
-/// Some of the conditions at which signatures are drawn, dry and wet.
+/// Conditions at which signatures are drawn, dry and wet.
 std::vector<Condition> signature_conditions(const Study& study);
 
 /// Figure of the change of readings by an effect of the smallest size of interest (a switch: on):

@@ -8,13 +8,13 @@
 
 namespace pendular {
 
-/// "= 0.02", "< 0.001"; with another word in place of "= ".
+/// Text of a probability: "= 0.02" or "< 0.001"; `equals` replaces "= ".
 std::string p_text(double p, const char* equals = "= ");
 
 /// Checks with p < 0.05, the smallest p first.
 std::vector<const Check*> significant_checks(const Checks& checks);
 
-/// Where a model fails, one line a check that is significant; before them that of all together.
+/// Lines that say where a model fails: first the overall check, then each significant one.
 std::vector<std::string> checks_table(const Checks& checks);
 
 /// Sentence that names the measurements with the least p; empty for an empty list.

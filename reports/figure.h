@@ -9,7 +9,7 @@
 
 namespace pendular {
 
-/// One set of data in a panel. Without data it explains a look in the key.
+/// One set of data in a panel. Without data it only adds an entry to the key.
 struct Curve {
     enum class Style { points, line, dotted_line, dashed_line, band, bars };
     std::string label;

@@ -16,7 +16,8 @@ inline const std::string stress_ratio_label = "stress ratio μ* = |σ_{12}|/σ_{
 inline const std::string solid_fraction_label = "solid fraction Φ_S";
 inline const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
                          calibrated_colour = "#c0392b", run_colour = "#5b9bd5",
-                         explaining_colour = "#606060";  ///< of what a key explains for all data
+                         explaining_colour =
+                             "#606060";  ///< colour of key entries that concern all data
 
 /// (stress ratio, solid fraction) with their standard errors.
 struct Shown {
@@ -38,8 +39,8 @@ struct MeasuredAndModel {
 };
 MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibration& calibration);
 
-/// Whether the mean of what the model predicts of these readings tells the prediction of each,
-/// within `told_apart` of its standard errors.
+/// Whether the mean prediction of these readings represents each of them, within `told_apart`
+/// standard errors.
 bool told_by_mean(const std::vector<std::size_t>& places, const Calibration& calibration);
 
 /// Predictions that differ by less, in standard errors of a reading, are drawn as one [1].

@@ -7,23 +7,23 @@
 
 namespace pendular {
 
-/// How a line on paper looks.
+/// Style of a drawn line.
 struct Pen {
     std::string colour;
     double width = 1;            ///< in gnuplot's units
     std::string dash = "solid";  ///< gnuplot dash type
 };
 
-/// Shapes and words in inches over a whole page, as commands for gnuplot. They go through its plot
-/// styles: the borders of its objects are drawn twice in SVG, once in black.
+/// Shapes and text placed in inches on a page, as commands for gnuplot. They use plot styles rather
+/// than gnuplot's objects, whose borders appear twice in SVG, once in black.
 class Ink {
   public:
     void line(Outline points, const Pen& pen);
     /// `opacity` from 0 to 1.
     void area(Outline closed, const std::string& colour, double opacity = 1);
-    /// Words beside a place, their middle at its height.
+    /// Text beside a point, vertically centred on it.
     void text(const std::string& text, PaperPoint place, bool end_there);
-    /// Words whose middle is there.
+    /// Text centred on a point.
     void centred(const std::string& text, PaperPoint place);
     /// A symbol of a given area [inch^2] at a place.
     void symbol(const Symbol& symbol, PaperPoint place, double area, const std::string& colour);

@@ -19,7 +19,7 @@ struct Size {
 constexpr Size above_another{6.0, 3.9}, side_by_side{5.2, 4.2}, alone{6.0, 5.0}, small{4.15, 2.95};
 constexpr double left_margin_unlabelled = 0.7;  ///< of small panels
 
-/// The least and greatest of what an axis has to show.
+/// Least and greatest value that an axis has to show.
 class Extent {
   public:
     void include(double value, double error = 0) {
@@ -109,7 +109,7 @@ void set_ranges(PanelPlace& place, const Panel& panel) {
     place.log_x = panel.log_x, place.log_y = panel.log_y;
 }
 
-/// The most lines that the words at a panel's axis take.
+/// Greatest number of lines of a label along a panel's axis.
 std::size_t name_lines(const Panel& panel) {
     std::size_t lines = 0;
     for (const auto& name : panel.x_names) {
@@ -118,7 +118,7 @@ std::size_t name_lines(const Panel& panel) {
     return lines;
 }
 
-/// Width of a panel's axes in which words along them do not touch.
+/// Width of a panel's axes at which labels along them do not touch.
 double width_for_names(const Panel& panel) {
     constexpr double character = 0.092, apart = 0.12, least = 0.62;
     std::size_t longest = 0;
@@ -211,7 +211,7 @@ Page page_of(const Figure& figure) {
         }
     }
     for (auto& place : page.panels) {
-        // So far from the upper edge; gnuplot counts from the lower one.
+        // Distance from the upper edge; gnuplot counts from the lower one.
         place.bottom += page.height;
         place.top += page.height;
     }

@@ -8,7 +8,7 @@
 
 namespace pendular {
 
-/// Ends of an axis.
+/// Range of an axis.
 using AxisRange = std::pair<double, double>;
 
 /// Where one pair of axes lies on the page, and what it spans.
@@ -21,7 +21,7 @@ struct PanelPlace {
     PaperPoint at(double value_x, double value_y) const;
 };
 
-/// Height of a line of the words that stand along an axis [inch].
+/// Height of a line of text along an axis [inch].
 constexpr double name_line = 0.19;
 
 /// A figure's page. Every place on it is known before it is drawn, so that symbols and key can be

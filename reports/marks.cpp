@@ -35,7 +35,7 @@ void draw_points(Ink& ink, const PanelPlace& place, const Curve& curve) {
 
 constexpr double bar_width = 0.62;  ///< in units of the axis
 
-/// Height for words above a bar that ends at `top`, clear of the panel's references.
+/// Height for text above a bar that ends at `top`, clear of the panel's references.
 double above_bar(const PanelPlace& place, const Panel& panel, double top) {
     constexpr double half_line = 0.11;
     double height = top + half_line;
@@ -48,7 +48,7 @@ double above_bar(const PanelPlace& place, const Panel& panel, double top) {
     return height;
 }
 
-/// Bars from the axis up, what each is worth above it.
+/// Bars from the axis up, with the value written above each.
 void draw_bars(Ink& ink, const PanelPlace& place, const Panel& panel, const Curve& curve) {
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
         const PaperPoint low = place.at(curve.x[k] - bar_width / 2, place.y.first),
@@ -73,7 +73,7 @@ void draw_names(Ink& ink, const PanelPlace& place, const Panel& panel) {
     }
 }
 
-/// One line of a key: words and the look they explain.
+/// One line of a key: text and a sample of the style that it explains.
 struct Entry {
     const std::string* label;
     const Curve* curve = nullptr;  ///< none: a reference, of this colour

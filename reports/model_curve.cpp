@@ -150,7 +150,8 @@ bool passes(const CurveGroup& series, const Predictor& model, const Calibration&
     for (const std::size_t k : series.members) {
         conditions.push_back(path.at(along.of(c.readings[k].condition)));
     }
-    const Eigen::VectorXd drawn = model.predict(c.fit.parameters, conditions, PredictionPart::values).value;
+    const Eigen::VectorXd drawn =
+        model.predict(c.fit.parameters, conditions, PredictionPart::values).value;
     for (std::size_t m = 0; m < series.members.size(); ++m) {
         const std::size_t k = series.members[m];
         const Reading& reading = c.readings[k];

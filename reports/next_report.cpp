@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "analysis/diagnosis/study_evidence.h"
-#include "reports/figure_text.h"
 #include "reports/figure_style.h"
+#include "reports/figure_text.h"
 #include "reports/with_error.h"
 
 namespace pendular {
@@ -65,10 +65,10 @@ std::string joined(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, "; "));
 }
 
-/// Adds the forecast of each rival at a point.
+/// Adds the prediction of each rival explanation at a point.
 void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next, const Plan& plan) {
     if (const auto& direct = next.points[plan.point].direct) {
-        lines.push_back(fmt::format("  {:<44} {:>30}", "if it is", direct->parameter));
+        lines.push_back(fmt::format("  {:<44} {:>30}", "if the missing effect is", direct->parameter));
         for (std::size_t k = 0; k < next.rivals.size(); ++k) {
             const Forecast& forecast = plan.forecasts[k];
             lines.push_back(
@@ -79,7 +79,7 @@ void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next,
                                     with_error(0, direct->standard_error, direct->unit)));
         return;
     }
-    lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", "if it is", "shear stress [Pa]",
+    lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", "if the missing effect is", "shear stress [Pa]",
                                 "solid fraction [1]"));
     for (std::size_t k = 0; k < next.rivals.size(); ++k) {
         const Forecast& forecast = plan.forecasts[k];
@@ -102,8 +102,8 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
     if (steps.empty()) {
         const Plan& best = shown_plan(next);
         lines.push_back(fmt::format(
-            "Not separable with this rig: {}, by up to {} at one point or {} in all. The most "
-            "telling is {}.",
+            "This rig cannot tell {} apart, with up to {} at one condition or {} in all. They "
+            "differ most at {}.",
             joined(pair_names(next, false)), readings(next.most_repeats), next.most_readings,
             where(next.points[best.point], next.study)));
         add_forecasts(lines, next, best);
@@ -115,7 +115,7 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
         add_forecasts(lines, next, plan_at(next, steps[0].point));
     } else {
         lines.push_back(fmt::format(
-            "No single point tells as much. These {} measurements together tell {} apart:",
+            "Take these {} measurements: together they tell {} apart.",
             next.series.readings(), apart));
         for (const Series::Step& step : steps) {
             lines.push_back(measure(step));
@@ -123,7 +123,7 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
         }
     }
     if (const auto left = pair_names(next, false); !left.empty()) {
-        lines.push_back(fmt::format("not told apart so: {}", joined(left)));
+        lines.push_back(fmt::format("Not told apart by these: {}.", joined(left)));
     }
     return lines;
 }
@@ -132,7 +132,7 @@ std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     const Sharpening& best = next.sharpenings.front();
     const Rival& model = next.rivals.front();
     std::vector<std::string> lines = {
-        fmt::format("No rivals to tell apart. What sharpens the parameters most: {}.",
+        fmt::format("Measure {}: that makes the parameters of the model most precise.",
                     to_measure(next.points[best.point], next.most_repeats, next.study))};
     const auto& parameters = model.model->parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {

@@ -8,8 +8,8 @@
 
 namespace pendular {
 
-/// The measurement in one line, then what each rival says of it, or the parameters' errors after
-/// it.
+/// One line about the measurement, then the prediction of each rival explanation for it, or the
+/// errors of the parameters after it.
 std::vector<std::string> next_lines(const NextMeasurement& next);
 
 /// Figure of the rivals' predictions along the normal stress, through the point to measure.

@@ -34,7 +34,7 @@ const Variable& variable_named(const std::string& name) {
     return *std::ranges::find(variables, name, &Variable::name);
 }
 
-/// Whether a run differs from the curve in nothing but the variable.
+/// Whether a run differs from the curve in the variable alone.
 bool beside(const dem::RunResult& run, const PredictionCurve& curve, const Variable& variable) {
     constexpr double tolerance = 0.05;
     const FlowState state = emulated::flow_state_of(run.parameters), &line = curve.states.front();
@@ -46,9 +46,11 @@ bool beside(const dem::RunResult& run, const PredictionCurve& curve, const Varia
         return false;
     }
     return std::ranges::all_of(variables, [&](const Variable& other) {
-        const bool smallest_of_interest = other.of && (!line.dry() || other.of(line) == line.friction ||
-                                          other.of(line) == line.inertial_number);
-        return !smallest_of_interest || other.name == variable.name || close(other.of(state), other.of(line));
+        const bool smallest_of_interest =
+            other.of && (!line.dry() || other.of(line) == line.friction ||
+                         other.of(line) == line.inertial_number);
+        return !smallest_of_interest || other.name == variable.name ||
+               close(other.of(state), other.of(line));
     });
 }
 

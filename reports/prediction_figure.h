@@ -11,7 +11,7 @@ namespace pendular {
 /// differ from it in the varied quantity alone, up to 5 %, and in stiffness not by more than that.
 Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator);
 
-/// The curve as CSV: the states, then every observable with its standard error.
+/// Curve as CSV: the states, then every observable with its standard error.
 std::string prediction_table(const PredictionCurve& curve);
 
 }  // namespace pendular

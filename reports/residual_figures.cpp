@@ -9,8 +9,8 @@
 #include <string>
 
 #include "analysis/diagnosis/study_evidence.h"
-#include "reports/figure_text.h"
 #include "reports/figure_style.h"
+#include "reports/figure_text.h"
 
 namespace pendular {
 namespace {
@@ -87,7 +87,7 @@ Figure residuals_along(const Comparison& comparison) {
     return figure;
 }
 
-/// How a map shows a residual: the larger, the larger its symbol.
+/// Symbol of a residual in a map: its area grows with the residual.
 struct Look {
     double from, to;
     double area;

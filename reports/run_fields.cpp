@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "reports/figure_text.h"
 #include "reports/figure_style.h"
+#include "reports/figure_text.h"
 #include "sim/dem/grain_effects.h"
 #include "sim/runs/run_request.h"
 
@@ -73,8 +73,8 @@ std::string table_of(const dem::RunResult& run, const std::vector<Field>& shared
     return text;
 }
 
-/// A field as points with error bars; what was seen nowhere is left out, and so is what a
-/// logarithmic axis cannot show.
+/// A field as points with error bars. Bins without samples are left out, and on a logarithmic axis
+/// values that are not positive.
 Curve curve_of(const dem::BinnedMeans& field, const std::string& label, const std::string& colour,
                Symbol symbol) {
     Curve curve{.label = label, .colour = colour, .symbol = symbol};

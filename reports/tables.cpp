@@ -146,7 +146,8 @@ std::string deviations(const std::vector<Overestimate>& points) {
     for (const auto& [at, replicates] : groups) {
         Estimate mean;
         for (const Overestimate& one : replicates) {
-            // The errors of replicates share that of the line, so that their mean has no less.
+            // The errors of replicates include the shared error of the line, so that their mean has
+            // at least this error.
             mean.value += one.relative.value / static_cast<double>(replicates.size());
             mean.standard_error +=
                 one.relative.standard_error / static_cast<double>(replicates.size());

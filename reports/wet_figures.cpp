@@ -8,8 +8,8 @@
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/structural_cohesion.h"
 #include "calib/fit/wet_groups.h"
-#include "reports/model_curve.h"
 #include "reports/figure_style.h"
+#include "reports/model_curve.h"
 #include "reports/symbol_code.h"
 
 namespace pendular {
@@ -49,9 +49,9 @@ struct WetStudy {
     }
     std::string model_word() const { return simulated() ? "simulated" : "model"; }
     std::string at_readings() const { return simulated() ? "simulated" : "model at the readings"; }
-    /// Force of a bridge [µN] of the study's liquid, which the axes go by.
+    /// Pull-off force F0 [µN] of the study's liquid, which the axes use.
     double force() const { return 1e6 * pull_off_force(calibration.grains, *calibration.liquid); }
-    /// That of the liquid as effects make it.
+    /// Pull-off force F0 [µN] of the liquid as changed by effects.
     double fitted_force() const {
         const Condition& wet = calibration.readings[groups.front().members.front()].condition;
         const auto liquid = study_model.imposed(calibration.fit.parameters, {wet}).front().liquid;
@@ -132,8 +132,8 @@ ModelCurve model_of(const WetStudy& study, const CurveGroup& series) {
     return {x, predict_unseen(study.model, study.calibration, conditions), conditions};
 }
 
-/// Curves of one content: several where what is shown depends on the mass of beads or the file.
-/// Where a curve cannot tell what is predicted of the readings there is none.
+/// Curves of one content: several where what is shown depends on the mass of beads or the file. No
+/// curve is drawn where it would not represent the predictions of the readings.
 void draw_model(Panel& panel, const WetStudy& study, const WetGroup& group, std::size_t o) {
     for (const CurveGroup& series :
          curve_groups(group.members, study.model, study.calibration, along_inverse_normal_stress,
@@ -161,8 +161,8 @@ void draw_points(Panel& panel, const WetStudy& study, const WetGroup& group, std
     panel.curves.push_back(simulated);
 }
 
-/// Dry readings of the same inertial number and the model of them, where 1/P* = 0: as one, or each
-/// by itself where the model says that the instrument shows them apart.
+/// Dry readings of the same inertial number and the model of them, where 1/P* = 0: as one point, or
+/// one by one where the model predicts that the instrument shows different values.
 void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
     const Calibration& c = study.calibration;
     std::vector<std::size_t> dry;
@@ -198,7 +198,7 @@ void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
     panel.curves.push_back(simulated);
 }
 
-/// "measured", or what the model is called.
+/// Name of a series: "measured", or the name of the model.
 std::string source_of(const CohesionLine& line, const WetStudy& study) {
     return line.source == "measured" ? line.source : study.model_word();
 }
@@ -220,7 +220,7 @@ Curve kind(const std::string& label, Curve::Style style, const Symbol& symbol = 
     return {.label = label, .style = style, .colour = explaining_colour, .symbol = symbol};
 }
 
-/// The key: the code of each content, then what the kinds of data look like.
+/// Key: the code of each liquid content, then the look of each kind of data.
 void explain(Panel& panel, const WetStudy& study, bool with_dry, bool with_lines) {
     using Style = Curve::Style;
     const auto code = [&](double content, const std::string& label) {

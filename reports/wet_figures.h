@@ -16,8 +16,8 @@ namespace pendular {
 ///   the model depends on the mass of beads or on the file there is a curve for each;
 /// - `reduced_cohesion` against liquid content: measured, of the model, and explained by the
 ///   simulated structure, with and without capillary shear stress; where there is a line to take it
-///   from. What the structure explains is raised by what effects on the instrument make of the
-///   model's cohesion, so that all are as the instrument shows them.
+///   from. The cohesion explained by structure is scaled by the change that instrument effects
+///   make to the model's cohesion, so that all values are as the instrument shows them.
 /// F0 is that of the study's liquid on all axes, as in tables, so that measured points stay where
 /// they are when another liquid is fitted; the title says what F0 was fitted.
 /// The lines are the calibration's, made with these options. All show the wet readings of the

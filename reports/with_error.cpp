@@ -13,7 +13,7 @@ struct Prefix {
     const char* letter;
 };
 
-/// Prefix of a unit that people scale; none for angles, ratios and rates.
+/// SI prefix for a value with this unit; none for angles, ratios and rates.
 Prefix prefix_of(double size, const std::string& unit) {
     const bool scaled = unit == "N m" || unit == "N" || unit == "m" || unit == "N/m" ||
                         unit == "Pa" || unit == "Pa s";
@@ -49,6 +49,12 @@ std::string with_error(double value, double error) {
 std::string with_error(double value, double error, const std::string& unit) {
     const Prefix prefix = prefix_of(std::max(std::abs(value), std::abs(error)), unit);
     const std::string number = with_error(value / prefix.factor, error / prefix.factor);
+    return unit == "1" ? number : fmt::format("{} {}{}", number, prefix.letter, unit);
+}
+
+std::string with_unit(double value, const std::string& unit) {
+    const Prefix prefix = prefix_of(std::abs(value), unit);
+    const std::string number = fmt::format("{:.2g}", value / prefix.factor);
     return unit == "1" ? number : fmt::format("{} {}{}", number, prefix.letter, unit);
 }
 

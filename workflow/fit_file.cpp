@@ -52,7 +52,7 @@ Json model_json(const ModelSettings& m) {
     return json;
 }
 
-/// The formulas of the study's own effects.
+/// Formulas of the effects that the study defines.
 Json formulas_json(const std::vector<WrittenEffect>& effects) {
     Json json = Json::object();
     for (const WrittenEffect& effect : effects) {
@@ -74,8 +74,8 @@ Json direct_json(const std::vector<DirectMeasurement>& direct) {
 }
 
 /// JSON of the parts of a study, besides its readings, that a calibration rests on.
-Json basis_json(const GrainProperties& grains, const std::optional<Liquid>& liquid, const ModelSettings& model,
-                const std::vector<WrittenEffect>& written,
+Json basis_json(const GrainProperties& grains, const std::optional<Liquid>& liquid,
+                const ModelSettings& model, const std::vector<WrittenEffect>& written,
                 const std::vector<DirectMeasurement>& direct) {
     return {{"grains", grains_json(grains)},
             {"liquid", liquid_json(liquid)},
@@ -120,8 +120,8 @@ void read_emulator(const Json& json, Calibration& c) {
         c.orders.push_back({order.at("runs"), order.at("why")});
     }
     for (const auto& [name, hyperparameters] : json.at("scales").items()) {
-        c.hyperparameters[dem::observable_named(name)] =
-            Hyperparameters::from_array(hyperparameters.get<std::array<double, Hyperparameters::count>>());
+        c.hyperparameters[dem::observable_named(name)] = Hyperparameters::from_array(
+            hyperparameters.get<std::array<double, Hyperparameters::count>>());
     }
 }
 

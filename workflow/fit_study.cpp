@@ -11,8 +11,8 @@
 namespace pendular {
 namespace {
 
-/// With known runs fresh ones at the optimum confirm a fit, or none are made; without any, one
-/// round more confirms it.
+/// With known runs, new runs at the optimum confirm a fit if requested; without known runs, one
+/// more round confirms it.
 CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOptions& session,
                                const FitOptions& options) {
     CalibrationRequest request{.fidelity = session.fidelity,

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Infinite degrees of freedom, of a scatter that is known, are null.
+/// Infinite degrees of freedom, for a scatter that is known exactly, become null.
 Json freedom_json(double freedom) {
     return std::isfinite(freedom) ? Json(freedom) : Json();
 }

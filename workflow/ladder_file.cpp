@@ -24,27 +24,29 @@ std::array<double, 2> pair_from(const Json& json) {
     return {json.at("shear_stress").get<double>(), json.at("solid_fraction").get<double>()};
 }
 
-/// A number that is no number is null in JSON.
+/// NaN becomes null in JSON.
 double number_from(const Json& json) {
     return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
 
 LadderStep ladder_step_from(const Json& json) {
     LadderStep ladder_step{.step = json.at("step"),
-              .change = json.at("change"),
-              .effect = json.at("effect"),
-              .effects = json.at("effects"),
-              .parameters = {},
-              .chi2 = json.at("chi2"),
-              .dof = json.at("dof"),
-              .rms_percent = pair_from(json.at("rms_percent")),
-              .left_out_percent = {}};
-    if (ladder_step.change != "start" && ladder_step.change != "add" && ladder_step.change != "drop") {
+                           .change = json.at("change"),
+                           .effect = json.at("effect"),
+                           .effects = json.at("effects"),
+                           .parameters = {},
+                           .chi2 = json.at("chi2"),
+                           .dof = json.at("dof"),
+                           .rms_percent = pair_from(json.at("rms_percent")),
+                           .left_out_percent = {}};
+    if (ladder_step.change != "start" && ladder_step.change != "add" &&
+        ladder_step.change != "drop") {
         throw std::invalid_argument(fmt::format("no change is called '{}'", ladder_step.change));
     }
     for (const auto& [name, parameter] : json.at("parameters").items()) {
-        ladder_step.parameters.push_back({name, parameter.at("unit"), number_from(parameter.at("value")),
-                                   number_from(parameter.at("stderr"))});
+        ladder_step.parameters.push_back({name, parameter.at("unit"),
+                                          number_from(parameter.at("value")),
+                                          number_from(parameter.at("stderr"))});
     }
     if (!json.at("left_out_percent").is_null()) {
         ladder_step.left_out_percent = pair_from(json.at("left_out_percent"));

@@ -12,7 +12,7 @@ namespace pendular {
 
 namespace {
 
-/// The places that a session writes to, where its user names none.
+/// Default output files of a session.
 OutputPlaces with_own_files(const std::filesystem::path& study, OutputPlaces places) {
     if (places.folder.empty()) places.folder = study_folder(study) / "out";
     if (places.files.empty()) places.files = {"fit.json", "fit_runs.csv", "ladder.json"};

@@ -26,7 +26,7 @@ Emulator emulator_of_known_runs(const Fidelity& fidelity, const RunStore* store)
     return Emulator(known->runs, std::move(known->hyperparameters));
 }
 
-/// The correction to very soft grains may lead to solid fractions that no packing has.
+/// The correction to very soft grains may give solid fractions beyond any packing.
 /// @throws InputError for them
 void demand_physical(const std::vector<EmulatedObservable>& observables, double stiffness_number) {
     for (const auto& one : observables) {

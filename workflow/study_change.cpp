@@ -115,7 +115,7 @@ std::optional<Calibration> earlier_fit(const std::filesystem::path& file,
     }
 }
 
-/// @throws dem::Interrupted where that was asked for meanwhile
+/// @throws dem::Interrupted where the user asked to stop
 Fitted fitted(const ResolvedStudy& study, Calibration c, const SessionOptions& session) {
     Fitted result = fitted(study, std::move(c));
     if (session.stop.stop_requested()) throw interrupted_with(session.store);

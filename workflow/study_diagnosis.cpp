@@ -33,7 +33,7 @@ std::string cause_of(const std::string& quantity) {
     return "the " + std::string(pendular::quantity(quantity).meaning);
 }
 
-/// A measurement that cannot be right comes before any effect.
+/// An implausible measurement takes precedence over any effect.
 void suspect_measurement(StudyDiagnosis& result, const Study& study,
                          const Measurements& measurements) {
     std::set<std::string> suspects;
@@ -65,7 +65,7 @@ KnownRuns known_for(const ResolvedStudy& study, const SessionOptions& session) {
     return std::move(*known);
 }
 
-/// @throws InputError for readings that tell nothing of a model
+/// @throws InputError for too few readings to test a model
 void check_readings(const std::vector<Reading>& readings, const Study& study,
                     const Fidelity& fidelity) {
     check_range(readings, study, fidelity);

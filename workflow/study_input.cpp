@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Everything a study is read from.
+/// All files that a study is read from.
 std::vector<fs::path> inputs_of(const Study& study) {
     std::vector<fs::path> inputs = {study.file};
     for (const Source& source : study.sources) {

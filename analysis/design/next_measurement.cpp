@@ -11,7 +11,7 @@
 namespace pendular {
 namespace {
 
-/// Even steps of the logarithm from one end to the other.
+/// Points from one end of a range to the other, evenly spaced in the logarithm.
 std::vector<double> steps(const Span& span, int count) {
     if (span.greatest <= span.least * (1 + 1e-9)) {
         return {span.least};
@@ -32,13 +32,13 @@ struct Forecasts {
 
 Forecasts forecasts_of(const Rival& rival, const std::vector<Point>& points) {
     Forecasts result;
-    // A few points at a time: the covariance of all with all is not wanted.
+    // A few points at a time, since the covariance of all points with each other is not needed.
     for (const Point& point : points) {
         const Prediction predicted = predicted_at(rival, {point});
-        result.at.push_back(
-            {.value = predicted.value,
-             .from_parameters = predicted.jacobian * rival.covariance * predicted.jacobian.transpose(),
-             .from_simulation = predicted.covariance});
+        result.at.push_back({.value = predicted.value,
+                             .from_parameters = predicted.jacobian * rival.covariance *
+                                                predicted.jacobian.transpose(),
+                             .from_simulation = predicted.covariance});
         result.slopes.push_back(predicted.jacobian);
     }
     return result;
@@ -178,7 +178,7 @@ Rig rig_of(const std::vector<Reading>& readings) {
         }
     }
     if (rig.inertial_number->least <= 0) {
-        // Steps of the logarithm do not begin at rest.
+        // A logarithmic scale cannot start from zero.
         constexpr double slow = 1e-3;
         rig.inertial_number = Span{slow, std::max(slow, rig.inertial_number->greatest)};
     }

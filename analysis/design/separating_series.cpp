@@ -12,11 +12,11 @@ namespace {
 using Pair = std::pair<std::size_t, std::size_t>;
 using Counts = std::map<std::size_t, int>;  ///< readings at each point
 
-/// Less than this is no step towards telling rivals apart.
+/// Smallest gain in separation that counts as progress.
 constexpr double least_gain = 1e-3 * telling_noncentrality;
 
-/// Two rivals at all points: their difference, and the covariance of what each of them leaves of
-/// a measurement, but for its noise.
+/// Two rivals at all points: their difference, and the covariance of the residuals of a measurement
+/// under each, without its noise.
 struct Contrast {
     Pair rivals;
     Eigen::VectorXd difference;
@@ -65,7 +65,8 @@ class SeriesSearch {
         for (const Contrast& contrast : contrasts_) {
             wanted.push_back(&contrast);
         }
-        // Readings spent on pairs that stay together are wasted: without these, once more.
+        // Readings spent on pairs that stay indistinguishable are wasted: the search is repeated
+        // without these pairs.
         Counts counts;
         while (!wanted.empty()) {
             counts = greedy(wanted);
@@ -103,7 +104,7 @@ class SeriesSearch {
     bool told(const Contrast& contrast, const Counts& counts) const {
         return noncentrality(contrast, counts) >= telling_noncentrality;
     }
-    /// How far the pairs are on their way, each up to its end.
+    /// Sum of the separations reached, each limited to the required one.
     double progress(const std::vector<const Contrast*>& wanted, const Counts& counts) const {
         double sum = 0;
         for (const Contrast* contrast : wanted) {

@@ -14,10 +14,10 @@
 namespace pendular {
 namespace {
 
-/// A change is seen anew at the amplitude that it seems to have, where it is not small.
+/// A signature is computed again at the estimated amplitude where this is not small.
 constexpr double worth_sharpening = 4;
 constexpr int most_sharpenings = 3;
-/// A switch is identifiable if it is seen at least so often.
+/// Power from which on a switch counts as identifiable [1].
 constexpr double hardly_seen = 0.1;
 /// One diagnosis from its fit to its verdict.
 class Diagnostician {
@@ -129,7 +129,8 @@ Finding Diagnostician::finding_of(std::size_t k, const ScoreTest& test) const {
     };
     const double estimate = test.estimate(0);
     finding.value = value(estimate);
-    // Where the parameter's square counts, one standard error about zero is no slope.
+    // Where the response is quadratic in the parameter, it has no slope within one standard error
+    // of zero.
     const double low = test.one_sided ? std::max(estimate, 0.0) : estimate - test.standard_error;
     const double high = (test.one_sided ? std::max(estimate, 0.0) : estimate) + test.standard_error;
     finding.standard_error = std::abs(value(high) - value(low)) / (test.one_sided ? 1 : 2);

@@ -12,13 +12,13 @@
 namespace pendular {
 namespace {
 
-/// From this p on, of the test alone, a candidate is not refitted.
+/// p value of the single test from which on a candidate is not refitted.
 constexpr double worth_refitting = 0.05;
-/// A pair is refitted where its second part takes at least this off chi2 by the linear estimate.
+/// A pair is refitted where its second member lowers chi2 by at least this, by the linear estimate.
 constexpr double worth_a_pair = 1;
-/// Models whose chi2 differ by less may be refused or stand for other reasons than that.
+/// Difference of chi2 below which other criteria decide between two models.
 constexpr double all_the_same = 10;
-/// By how much a refit may lower chi2 more than the linear estimate says.
+/// Largest excess of a refit's reduction of chi2 over the linear estimate.
 constexpr double foretelling_error = 0.2;
 /// Candidates that are refitted together.
 constexpr std::size_t best_singles = 6;
@@ -52,13 +52,13 @@ class Search {
     void search_singles();
     void search_suspects();
     void search_pairs();
-    /// Whether a model that takes this off chi2 by the linear estimate may do better than those
-    /// that were refitted and refused.
+    /// Whether a model with this linear estimate of the reduction of chi2 may do better than those
+    /// that were refitted and rejected.
     bool may_do_better(double drop) const;
-    /// chi2 that a choice would leave were everything linear: switches on, amplitudes within
-    /// bounds.
+    /// chi2 that remains with an effect set in the linear approximation: switches on, amplitudes
+    /// within bounds.
     double left_by(const EffectSet& chosen) const;
-    /// The amplitude nearest to this one that a candidate can have.
+    /// Amplitude within the candidate's bounds that is nearest to this one.
     double within_bounds(std::size_t candidate, double amplitude) const;
     /// A model to be refitted.
     struct Trial {
@@ -66,7 +66,8 @@ class Search {
         std::optional<std::size_t> suspect;
         Eigen::VectorXd start;
     };
-    /// Refits and judges them, side by side where there are further instances of the space.
+    /// Refits and judges the models, in parallel where several instances of the space are
+    /// available.
     void try_all(std::string_view what, const std::vector<Trial>& trials);
     void take(Explanation explanation);
     Eigen::VectorXd start_with(const EffectSet& chosen, const Eigen::MatrixXd& columns) const;
@@ -80,7 +81,7 @@ class Search {
 };
 
 Eigen::VectorXd Search::start_with(const EffectSet& chosen, const Eigen::MatrixXd& columns) const {
-    // Of the linear problem: all amplitudes together, and what the parameters then change by.
+    // Solution of the linear problem: all amplitudes together, and the change of the parameters.
     const Eigen::MatrixXd whitened = scanned_.residuals.whiten(columns);
     const Eigen::VectorXd amplitudes =
         scanned_.residuals.project(whitened).colPivHouseholderQr().solve(
@@ -109,7 +110,7 @@ Eigen::VectorXd Search::start_with(const EffectSet& chosen, const Eigen::MatrixX
     return start;
 }
 
-/// Refitted and judged; none where so much of it is wanted that nothing real could show these
+/// The refitted and judged model; empty where the required amplitude is impossible for these
 /// readings.
 std::optional<Explanation> explained(const Explanations& explanations, const EffectSet& chosen,
                                      std::optional<std::size_t> suspect,
@@ -167,7 +168,7 @@ void Search::search_singles() {
     }
     std::ranges::sort(worth, std::greater<>(),
                       [](const Finding* finding) { return finding->test.predicted_reduction; });
-    // The best first, then those that may do better than what was refused of them.
+    // The best first, then those that may do better than the rejected ones.
     for (std::size_t from = 0; from < worth.size(); from += best_singles) {
         std::vector<Trial> trials;
         for (std::size_t k = from; k < std::min(from + best_singles, worth.size()); ++k) {
@@ -187,7 +188,8 @@ void Search::search_suspects() {
     std::vector<std::size_t> worth;
     for (std::size_t k = 0; k < scanned_.suspect_tests.size(); ++k) {
         const ScoreTest& test = scanned_.suspect_tests[k];
-        if (test.p() < worth_refitting && may_do_better(test.predicted_reduction)) worth.push_back(k);
+        if (test.p() < worth_refitting && may_do_better(test.predicted_reduction))
+            worth.push_back(k);
     }
     std::ranges::sort(worth, {}, [&](std::size_t k) { return scanned_.suspect_tests[k].p(); });
     worth.resize(std::min(worth.size(), options_.most_suspects));
@@ -226,7 +228,7 @@ double Search::left_by(const EffectSet& chosen) const {
             columns.push_back({change.col(c), k, change.cols() == 1});
         }
     }
-    // An amplitude that would leave its bounds stays there, and the others are found anew.
+    // An amplitude that would leave its bounds is held there, and the others are solved for again.
     while (!columns.empty()) {
         Eigen::MatrixXd all(left.size(), static_cast<Eigen::Index>(columns.size()));
         for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -275,7 +277,7 @@ void Search::search_pairs() {
         for (const std::size_t j : seen) {
             if (i >= j) continue;
             const double left = left_by({i, j});
-            // Where one part brings nothing beside the other, that one was not enough alone.
+            // Where one member of a pair adds nothing, the other was not sufficient alone.
             if (left < std::min(left_alone[i], left_alone[j]) - worth_a_pair &&
                 may_do_better(scanned_.base.chi2 - left)) {
                 pairs.push_back({{i, j}, left});

@@ -9,8 +9,7 @@
 namespace pendular {
 namespace {
 
-/// A model with an error of the measurement that a fit may find: a factor on each of a suspect's
-/// columns.
+/// A model with a measurement error to be fitted: a factor on each column of a suspect measurement.
 class WithSuspect : public Model {
   public:
     WithSuspect(const Model& inside, const SuspectMeasurement& suspect)
@@ -33,7 +32,7 @@ class WithSuspect : public Model {
     ParameterBounds bounds() const override {
         const ParameterBounds range = inside_.bounds();
         ParameterBounds all{Eigen::VectorXd::Constant(size(), -widest),
-                      Eigen::VectorXd::Constant(size(), widest)};
+                            Eigen::VectorXd::Constant(size(), widest)};
         all.lower.head(range.lower.size()) = range.lower;
         all.upper.head(range.upper.size()) = range.upper;
         return all;
@@ -51,10 +50,10 @@ class WithSuspect : public Model {
     std::vector<Parameter> parameters_;
 };
 
-/// To far less than a standard error: what the fit of a study goes to would take minutes.
+/// Converges to far less than a standard error; the tolerance of a study's fit would take minutes.
 constexpr FitEffort quick{.most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
 
-/// A model that lacks this much below the significance is not fitted to its last digits.
+/// p value below which a model is rejected without converging its fit fully.
 constexpr double hopeless = 0.1;
 
 }  // namespace
@@ -77,7 +76,7 @@ Explanation Explanations::refit(const EffectSet& chosen, std::optional<std::size
                                    evidence_.measured, from, quick)
                              : fit(*model, evidence_.measured, from, quick);
     };
-    // With the weights of the start, and once more with those of the answer.
+    // Fitted with the weights of the start, then again with those of the result.
     fit_from(start);
     if (lack_of_fit_p(residuals_of(result)) > hopeless * half_significance()) {
         fit_from(result.fit.parameters);

@@ -21,7 +21,7 @@ double trace_of_projected(const WeightedResiduals& residuals, const Eigen::Matri
     return residuals.project(residuals.whiten_covariance(covariance)).trace();
 }
 
-/// One column, with the errors of the change taken into account.
+/// Statistic of one column, with the errors of the change included.
 void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const Signature& signature,
                     const Eigen::VectorXd& projected, bool is_switch) {
     const double v = projected.squaredNorm();
@@ -117,7 +117,7 @@ double ScoreTest::detectable(double wanted, double limit) const {
     if (!(information > 0)) {
         return INFINITY;
     }
-    // The other tail of a two-sided test counts for nothing at powers worth asking for.
+    // The other tail of the two-sided test is negligible at powers of interest.
     const double away =
         std::sqrt(critical(limit)) + boost::math::quantile(boost::math::normal(), wanted);
     return away * std::sqrt(length) / information;

@@ -23,7 +23,7 @@ Eigen::VectorXd Addition::change_at(const Eigen::VectorXd& values) const {
     try {
         return space_.with(more)->predict(all, PredictionPart::values).value - values_;
     } catch (const std::domain_error&) {
-        // Nothing real could show these readings with so much of it: no change that can be seen.
+        // These readings are impossible at this amplitude, so there is no change to compute.
         return Eigen::VectorXd::Constant(values_.size(), std::nan(""));
     }
 }
@@ -98,7 +98,8 @@ double Addition::amplitude_at(double value, bool one_sided) const {
     const EffectParameter& p = candidate().parameters.front();
     if (one_sided && p.amplitude != nullptr) {
         return (p.amplitude(value) - p.amplitude(p.neutral)) /
-               (p.amplitude(p.neutral + direction(p) * p.smallest_of_interest) - p.amplitude(p.neutral));
+               (p.amplitude(p.neutral + direction(p) * p.smallest_of_interest) -
+                p.amplitude(p.neutral));
     }
     return (one_sided ? direction(p) : 1) * (value - p.neutral) / p.smallest_of_interest;
 }

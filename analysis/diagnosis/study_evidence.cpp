@@ -20,7 +20,7 @@ namespace {
 
 /// A factor on the shear stresses and one on the solid fractions of some readings.
 SuspectMeasurement suspect(std::string name, const std::vector<std::size_t>& readings,
-                const Eigen::VectorXd& values) {
+                           const Eigen::VectorXd& values) {
     SuspectMeasurement result{std::move(name), Eigen::MatrixXd::Zero(values.size(), 2)};
     for (const std::size_t k : readings) {
         for (const Eigen::Index observable : {0, 1}) {
@@ -85,7 +85,7 @@ std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::
         const auto of_readings =
             covariate.values.head(2 * static_cast<Eigen::Index>(readings.size()));
         const double low = of_readings.minCoeff(), high = of_readings.maxCoeff();
-        // Ranks of the time are the run order.
+        // The ranks of the times give the run order.
         const bool known = name == "run order" && !result.empty() && result.back().name == "time";
         if (!known && high - low > 0.1 * std::max(std::abs(low), std::abs(high))) {
             result.push_back(std::move(covariate));
@@ -106,7 +106,7 @@ EntryKinds entries_of(const std::vector<Reading>& readings,
         kinds.replicated |= reading.replicates > 1;
     }
     for (std::size_t k = 0; k < direct; ++k) {
-        // Like no other entry, and none of the observables that trend with a covariate.
+        // A group of its own, excluded from the trends with covariates.
         kinds.observable.push_back(kinds.observables.size() + k);
         kinds.conditions.push_back({static_cast<Eigen::Index>(2 * readings.size() + k)});
     }
@@ -133,7 +133,7 @@ void add_direct(Evidence& evidence, const std::vector<DirectMeasurement>& direct
         evidence.errors.kind.push_back(known);
         evidence.conditions.push_back({entry});
         auto& column = columns[each.parameter];
-        // The same for all of them, of the size of an error.
+        // An error common to all of them, of the size of one standard error.
         const double off = column.size() > 0 ? column.maxCoeff() : each.standard_error;
         if (column.size() == 0) column.setZero(evidence.measured.value.size(), 1);
         column(entry++, 0) = off;
@@ -260,8 +260,8 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
     for (const auto& group : groups) {
         if (groups.size() > 1 && suspected.insert(group).second) {
             evidence.suspects.push_back(
-                suspect("the readings at " + condition_text(readings[group.front()].condition), group,
-                        evidence.measured.value));
+                suspect("the readings at " + condition_text(readings[group.front()].condition),
+                        group, evidence.measured.value));
         }
     }
     for (const auto& [file, members] : files) {

@@ -12,7 +12,7 @@ namespace {
 /// Doubts that are listed one by one; further ones are counted.
 constexpr std::size_t most_doubts = 5;
 
-/// Whether a parameter ended where its range ends, though not where its effect vanishes.
+/// Whether a parameter ended at a bound other than its neutral value.
 bool out_of_range(const Fit& fit, const std::vector<Parameter>& parameters, std::size_t k) {
     const Parameter& p = parameters[k];
     const bool friction = k == 0;
@@ -21,7 +21,7 @@ bool out_of_range(const Fit& fit, const std::vector<Parameter>& parameters, std:
     return fit.at_bound[k] && (friction || !lower || p.lower != 0);
 }
 
-/// Places that doubts set aside: each reading, or a row for each group of rows.
+/// Origins that doubts set aside: of each reading, or of the first row of each group.
 std::size_t readings_set_aside(const Measurements& measurements) {
     std::set<std::pair<std::string, int>> rows;
     for (const Doubt& doubt : measurements.doubts) {

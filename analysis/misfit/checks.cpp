@@ -25,7 +25,7 @@ std::vector<Eigen::Index> order_along(const Eigen::VectorXd& values) {
     return order;
 }
 
-/// Ranks from -1 to 1, those of equal values alike; 0 where there is no value.
+/// Ranks scaled to -1 to 1, equal for equal values; 0 where there is no value.
 Eigen::VectorXd ranks(const Eigen::VectorXd& values) {
     const auto n = static_cast<double>(values.size() - values.array().isNaN().count());
     Eigen::VectorXd result(values.size());
@@ -55,7 +55,7 @@ class Checking {
     Checking(const WeightedResiduals& residuals, const EntryKinds& kinds,
              const std::vector<Covariate>& covariates, const NullDraws& draws)
         : residuals_(residuals), kinds_(kinds), covariates_(covariates) {
-        // Away from the optimum too, as where only some readings were fitted.
+        // Also valid away from the optimum, as where only some readings were fitted.
         own_residuals_ = residuals.project(residuals.residuals());
         drawn_residuals_ = residuals.project(draws.whitened(residuals));
     }
@@ -113,7 +113,7 @@ class Checking {
     }
     void trends(const Covariate& covariate) {
         for (std::size_t o = 0; o < kinds_.observables.size(); ++o) {
-            // In proportion to what was measured, and of this observable alone.
+            // Residuals proportional to the measured value, of this observable alone.
             Eigen::VectorXd along = ranks(covariate.values).cwiseProduct(residuals_.measured());
             for (Eigen::Index k = 0; k < along.size(); ++k) {
                 if (kinds_.observable[static_cast<std::size_t>(k)] != o) along(k) = 0;

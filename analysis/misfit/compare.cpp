@@ -37,8 +37,8 @@ std::vector<ConditionMisfit> misfit_by_condition(const std::vector<Reading>& rea
     return groups;
 }
 
-/// Misfits as independent ones of variance 1 that are as like their own normalised misfits as can
-/// be, so that the squares are parts of chi2, none of them negative:
+/// Transforms misfits to independent ones of variance 1 that are as close to the normalised misfits
+/// as possible, so that the squares are parts of chi2, none of them negative:
 ///     R^(-1/2) V^(-1/2) e,   Sigma = V^(1/2) R V^(1/2),  V diagonal.
 /// Source: Kessy, Lewin and Strimmer, Am. Stat. 72 (2018) 309, ZCA-cor whitening.
 Eigen::VectorXd whitened_alike(const Eigen::VectorXd& misfit, const Eigen::MatrixXd& covariance) {

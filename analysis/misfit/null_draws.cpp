@@ -10,7 +10,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// nu/chi2_nu: a true variance over the one believed; 1 where that is known.
+/// nu/chi2_nu: ratio of a true variance to its estimate; 1 where the variance is known.
 double over_believed(double freedom, Random& random) {
     return std::isfinite(freedom) ? freedom / std::chi_squared_distribution<double>(freedom)(random)
                                   : 1.0;
@@ -23,7 +23,7 @@ double drawn_variance(const SharedErrors& shared, Random& random) {
     return std::max(0.0, between - within) / shared.steps;
 }
 
-/// Square root of the covariance of what entries do not share.
+/// Square root of the covariance of the errors that entries do not share.
 Eigen::MatrixXd own_root(const Measured& measured, const ErrorKnowledge& knowledge) {
     Eigen::MatrixXd own = measured.covariance;
     for (const SharedErrors& shared : knowledge.shared) {

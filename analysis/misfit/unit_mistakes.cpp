@@ -14,7 +14,7 @@
 namespace pendular {
 namespace {
 
-/// A factor between two units of a column, and what was mistaken for what.
+/// A factor between two units of a column, with a text that names the mistake.
 struct Factor {
     double value;
     std::string_view meaning;
@@ -105,7 +105,7 @@ const std::vector<Column>& columns() {
     return all;
 }
 
-/// Steady shear of grains, within what a model can be asked; generous at its ends.
+/// Ranges of steady shear of grains for which a model can be evaluated, with wide margins.
 bool possible(const Reading& reading, const Study& study) {
     const Condition& c = reading.condition;
     const double ratio = reading.stress_ratio();
@@ -119,10 +119,10 @@ bool possible(const Reading& reading, const Study& study) {
            (c.dry() || (pressure > 0.3 && c.liquid_content > 0.002 && c.liquid_content < 0.065));
 }
 
-/// Errors that the model may have far from its runs, of (shear stress, solid fraction) [1].
+/// Assumed errors of the model far from its runs, of (shear stress, solid fraction) [1].
 const Eigen::Array2d model_floor(0.005, 0.001);
 
-/// chi2 of readings against what a model says at frictions in between.
+/// chi2 of readings against a model's predictions, interpolated in friction.
 class Misfits {
   public:
     Misfits(const Predictor& model, const Eigen::VectorXd& parameters)
@@ -197,7 +197,7 @@ bool has_column(const Reading& reading, const FileGroup& group, const Column& co
            !(column.name == "liquid content" && reading.condition.dry());
 }
 
-/// None if the factor changes no reading or makes one impossible.
+/// Empty if the factor changes no reading or makes one impossible.
 std::optional<Trial> multiplied(const std::vector<Reading>& readings, const FileGroup& group,
                                 const Column& column, double factor, const Study& study) {
     Trial trial{.readings = readings, .changed = {}};
@@ -211,7 +211,7 @@ std::optional<Trial> multiplied(const std::vector<Reading>& readings, const File
     return trial;
 }
 
-/// Least chi2 of a trial, which asks the model only for conditions that changed.
+/// Least chi2 of a trial; only changed conditions are predicted anew.
 double chi2_of(const Trial& trial, const Column& column, const Misfits& misfits,
                const Eigen::MatrixXd& as_read) {
     if (!column.changes_condition) return Misfits::least(trial.readings, as_read);
@@ -250,7 +250,7 @@ std::vector<FileGroup> groups_to_try(const std::vector<Reading>& readings, const
     return groups;
 }
 
-/// Whether a factor mends better than the best so far, or as well and is likelier.
+/// Whether a factor lowers chi2 more than the best so far, or equally and is the likelier mistake.
 /// @param dof degrees of freedom, by which chi2 varies by chance
 bool better(double chi2, const Factor& factor, const std::optional<UnitMistake>& best, int dof) {
     if (!best) return true;

@@ -48,7 +48,7 @@ Eigen::MatrixXd WeightedResiduals::means_over(
         Eigen::MatrixXd::Zero(size(), static_cast<Eigen::Index>(groups.size()));
     for (std::size_t k = 0; k < groups.size(); ++k) {
         for (const Eigen::Index entry : groups[k]) {
-            // Alone it is its own mean, even where it was measured as zero.
+            // A single reading is its own mean, even where it was measured as zero.
             members(entry, static_cast<Eigen::Index>(k)) =
                 groups[k].size() == 1 ? 1 : measured_(entry);
         }

@@ -70,8 +70,8 @@ class Design {
         if (!effect.is_switch()) parameters.insert(parameters.end(), values.begin(), values.end());
         const Eigen::VectorXd all = Eigen::Map<Eigen::VectorXd>(
             parameters.data(), static_cast<Eigen::Index>(parameters.size()));
-        return residuals_->project(
-            residuals_->whiten(model->predict(all, conditions_, PredictionPart::values).value - base_));
+        return residuals_->project(residuals_->whiten(
+            model->predict(all, conditions_, PredictionPart::values).value - base_));
     }
 
     /// Part of a change that the best pair of the catalogue's effects does not explain.
@@ -137,7 +137,8 @@ double value_reaching(const Design& design, const Effect& effect, double wanted,
     const EffectParameter& p = design.parameter_of(effect);
     const double room =
         p.upper - p.neutral >= p.neutral - p.lower ? p.upper - p.neutral : p.lower - p.neutral;
-    double distance = room > 0 ? p.smallest_of_interest : -p.smallest_of_interest, power = 2, before = 0, v_before = 0;
+    double distance = room > 0 ? p.smallest_of_interest : -p.smallest_of_interest, power = 2,
+           before = 0, v_before = 0;
     for (int turn = 0; turn < 20; ++turn) {
         distance = room > 0 ? std::min(distance, room) : std::max(distance, room);
         const double v = noncentrality_of(design, effect, p.neutral + distance, outside);

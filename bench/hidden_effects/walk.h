@@ -26,7 +26,8 @@ struct Outcome {
                                         ///< laboratory, nothing
     double chi2 = 0;                    ///< of the joint fit
     int dof = 0;
-    std::optional<double> foretold_reduction, refitted_reduction;  ///< of chi2 by a single hidden effect
+    std::optional<double> foretold_reduction,
+        refitted_reduction;  ///< of chi2 by a single hidden effect
 
     /// The error before and after `add` of what is hidden, where it is in the confidence set.
     struct Added {

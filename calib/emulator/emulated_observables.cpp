@@ -8,10 +8,10 @@ namespace {
 
 using dem::Observable;
 
-/// Softer grains overlap more than the correction to rigid ones was measured for.
+/// Lowest stiffness number for which the correction to rigid grains was measured.
 constexpr double softest = 300;
 
-/// How much stiffer or softer grains may be that tell of structure.
+/// Greatest ratio of stiffness numbers at which runs still serve as training runs for structure.
 constexpr double stiffness_factor = 2;
 
 bool depends_on_stiffness(Observable which) {
@@ -75,7 +75,7 @@ Coordinates place_of(const FlowState& state) {
 }
 
 bool of_bridges(Observable which) {
-    // Z* counts distant bridges, which are there however little they matter, and none in dry flow.
+    // Z* counts distant bridges, which exist at any pull-off force and are absent in dry flow.
     return dem::needs_bridges(which) || which == Observable::effective_coordination;
 }
 
@@ -108,7 +108,8 @@ Mean training_value(const dem::RunResult& run, Observable which) {
 }
 
 const std::vector<Observable>& observables() {
-    // But for what a run imposes, what tells that it crystallised, and the parts of the work.
+    // All observables except the imposed ones, those that reveal a crystal, and the parts of the
+    // dissipation.
     static const std::vector<Observable> all = [] {
         using enum Observable;
         std::vector<Observable> emulated;

@@ -32,8 +32,8 @@ Estimate estimate(const Jet& jet, Eigen::Index k) {
     return {jet.value(k), variance > 0 ? std::sqrt(variance) : 0.0};
 }
 
-/// From rigid grains to those of a stiffness number: of the shift at the reference stiffness a part
-/// reference/kappa is there. The errors of the overlap are small beside those of the correction.
+/// From rigid grains to those of a stiffness number: the part reference/kappa of the shift at the
+/// reference stiffness applies. The errors of the overlap are small beside those of the correction.
 void soften(Jet& fraction, const Jet& overlap, double stiffness_number) {
     const double part = emulated::reference_stiffness / stiffness_number;
     const double rigid = fraction.value(0), shift = dem::rigidity_shift(rigid, overlap.value(0));

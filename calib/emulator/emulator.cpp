@@ -18,7 +18,7 @@ using namespace emulated;
 
 namespace {
 
-/// How large the amplitude of an effect comes in studies; in the units of a run at 1 kPa.
+/// Usual range of an effect's amplitude in studies, in the units of a run at 1 kPa.
 double response_scale(const std::string& name) {
     const Effect& effect = built_in_effect(name);
     const EffectParameter& p = effect.parameters.front();
@@ -31,8 +31,8 @@ double response_scale(const std::string& name) {
     return p.amplitude ? p.amplitude(value) : value - p.neutral;
 }
 
-/// The amplitude with which an effect grows in proportion, as far as friction lets it be felt, 0 at
-/// neutral; that of the first parameter.
+/// Effective amplitude to which the response is proportional, from the first parameter; 0 at its
+/// neutral value.
 double response_amplitude(const EffectValues& values, double friction) {
     const Effect& effect = built_in_effect(values.effect);
     const EffectParameter& p = effect.parameters.front();
@@ -51,8 +51,8 @@ double response_size(const EffectValues& values, const FlowState& state, Observa
            (with_pressure ? state.inverse_pressure : 1);
 }
 
-/// How far an effect goes, of the order of 1: over what it comes to in studies, or over what
-/// friction lets it be at most.
+/// Amplitude of an effect scaled to the order of 1: over its usual range in studies, or over the
+/// greatest effective amplitude at this friction.
 double response_degree(const EffectValues& values, double friction) {
     const EffectParameter& p = built_in_effect(values.effect).parameters.front();
     const double most = p.effective_amplitude ? p.effective_amplitude(p.upper, friction)
@@ -60,7 +60,7 @@ double response_degree(const EffectValues& values, double friction) {
     return most > 0 ? response_amplitude(values, friction) / most : 0;
 }
 
-/// Where the response to an effect is asked; widths are those of the studies' range.
+/// Coordinates at which the response to an effect is evaluated, scaled by the range of the studies.
 ResponsePlace response_place(const FlowState& state, const EffectValues& values) {
     const Coordinates at = place_of(state);
     ResponsePlace place;

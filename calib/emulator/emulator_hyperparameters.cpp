@@ -15,8 +15,8 @@ EmulatorHyperparameters read_hyperparameters(const std::filesystem::path& file) 
     const Table table = read_table(file);
     if (table.header.cells.size() != Hyperparameters::count + 1) {
         throw InputError(table.at_header(0),
-                         fmt::format("{} columns are needed, there are {}", Hyperparameters::count + 1,
-                                     table.header.cells.size()));
+                         fmt::format("{} columns are needed, there are {}",
+                                     Hyperparameters::count + 1, table.header.cells.size()));
     }
     EmulatorHyperparameters result;
     for (const Row& row : table.rows) {
@@ -38,7 +38,8 @@ EmulatorHyperparameters read_hyperparameters(const std::filesystem::path& file) 
     return result;
 }
 
-void write_hyperparameters(const std::filesystem::path& file, const EmulatorHyperparameters& hyperparameters) {
+void write_hyperparameters(const std::filesystem::path& file,
+                           const EmulatorHyperparameters& hyperparameters) {
     std::string text = "observable";
     for (const auto name : Hyperparameters::names) {
         text += fmt::format(",{}", name);

@@ -10,8 +10,9 @@
 namespace pendular {
 namespace {
 
-/// Median and standard deviation of the logarithm, before the runs speak. Lengths are of the order
-/// of the range, amplitudes a tenth of the quantity; block averages state errors to some 20 %.
+/// Prior of a hyperparameter: median, and standard deviation of its logarithm. Lengths are of the
+/// order of the range, amplitudes a tenth of the quantity; block averages state errors to some 20
+/// %.
 struct Broad {
     Hyperparameters median;
     std::array<double, Hyperparameters::count> deviation;
@@ -31,7 +32,7 @@ Broad prior(double unit) {
             .deviation = {2, 0.7, 0.7, 2, 0.7, 0.7, 0.7, 0.7, 0.3, 2}};
 }
 
-/// The cost as Ceres wants it.
+/// Cost function in the form that Ceres requires.
 class Cost : public ceres::FirstOrderFunction {
   public:
     Cost(Domain domain, const Observations& known, double unit)

@@ -79,14 +79,16 @@ Eigen::VectorXd GaussianProcess::mean(const std::vector<Requested>& requested) c
         std::array<double, 1 + coordinate_count> sums;
     };
     std::vector<Place> places;
-    const bool derivatives = std::ranges::any_of(
-        requested, [](const Requested& one) { return one.functional.derivative != Functional::value; });
+    const bool derivatives = std::ranges::any_of(requested, [](const Requested& one) {
+        return one.functional.derivative != Functional::value;
+    });
     Eigen::VectorXd result(static_cast<Eigen::Index>(requested.size()));
     for (std::size_t c = 0; c < requested.size(); ++c) {
         const auto quantity = static_cast<std::size_t>(requested[c].quantity);
         const Kernel::Prepared at = prepared(requested[c]);
         auto place = std::find_if(places.begin(), places.end(), [&](const Place& known) {
-            return known.quantity == requested[c].quantity && known.at == requested[c].functional.at;
+            return known.quantity == requested[c].quantity &&
+                   known.at == requested[c].functional.at;
         });
         if (place == places.end()) {
             place = places.insert(place,

@@ -11,8 +11,8 @@ constexpr int pressure = 2;  // u among the coordinates
 /// Coefficients of the polynomial are known to be no larger than about this many units.
 constexpr double coefficient_scale = 5;
 
-/// Weak capillarity already closes contacts that hardly touched: below this 1/P* things change
-/// with 1/P* itself, above it with its logarithm.
+/// Weak capillarity already closes contacts that hardly touched: below this 1/P* the response is
+/// linear in 1/P*, above it in its logarithm.
 constexpr double weak_capillarity = 0.1;
 
 double inverse_square(double length) {
@@ -22,7 +22,8 @@ double inverse_square(double length) {
 }  // namespace
 
 std::array<double, Hyperparameters::count> Hyperparameters::as_array() const {
-    return {dry_amplitude, dry_x, dry_q, wet_amplitude, wet_x, wet_q, wet_u, wet_v, noise, between_run_scatter};
+    return {dry_amplitude, dry_x, dry_q, wet_amplitude, wet_x,
+            wet_q,         wet_u, wet_v, noise,         between_run_scatter};
 }
 
 Hyperparameters Hyperparameters::from_array(const std::array<double, count>& a) {
@@ -105,7 +106,7 @@ double Kernel::of_part(const Part& part, const Prepared& a, const Prepared& b) {
     if (da == Functional::value && db == Functional::value) {
         return whole * amplitude_a * amplitude_b;
     }
-    // Of the product amplitude(a) amplitude(b) exp(-exponent/2).
+    // Derivative of the product amplitude(a) amplitude(b) exp(-exponent/2).
     const bool linear = part.amplitude == Amplitude::linear;
     const double growth_a = linear && da == pressure, growth_b = linear && db == pressure;
     const auto ka = static_cast<std::size_t>(std::max(da, 0)),
@@ -196,9 +197,9 @@ Eigen::MatrixXd Kernel::matrix(const std::vector<Prepared>& of) const {
     return result;
 }
 
-std::array<double, Hyperparameters::of_processes> Kernel::half_traces(const std::vector<Prepared>& values,
-                                                             const Eigen::MatrixXd& weights) const {
-    // Of a part K: dK/d(ln amplitude) = 2 K, dK/d(ln length) = K (difference/length)^2.
+std::array<double, Hyperparameters::of_processes> Kernel::half_traces(
+    const std::vector<Prepared>& values, const Eigen::MatrixXd& weights) const {
+    // Derivatives of a part K: dK/d(ln amplitude) = 2 K, dK/d(ln length) = K (difference/length)^2.
     std::array<double, Hyperparameters::of_processes> traces{};
     for (std::size_t p = 0; p < parts_.size(); ++p) {
         double* const own = traces.data() + (is_dry_[p] ? 0 : 3);

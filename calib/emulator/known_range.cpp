@@ -16,7 +16,7 @@ namespace {
 using RunPoint = Eigen::Vector4d;
 using RunPoints = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
-/// Below this 1/P* things change with 1/P* itself, above it with its logarithm (as in `Kernel`).
+/// Below this 1/P* the response is linear in 1/P*, above it in its logarithm (as in `Kernel`).
 constexpr double pressure_scale = 0.1;
 constexpr double typical_volume = 2e-3;
 
@@ -115,7 +115,7 @@ KnownRange::KnownRange(const Emulator& emulator) : emulator_(emulator) {
     RunPoints dry_runs = scaled(dry);
     dry_runs.row(3).setZero();
     dry_ = {with_limit(dry_runs), dry_runs.cols()};
-    // At 1/P* = 0 the bridge volume is of no consequence: dry runs know all of them.
+    // At 1/P* = 0 the bridge volume has no influence: dry runs support every volume.
     RunPoints dry_as_wet(4, wet.empty() ? 0 : 2 * dry_runs.cols());
     if (!wet.empty()) {
         dry_as_wet << dry_runs, dry_runs;

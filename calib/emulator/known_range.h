@@ -7,9 +7,10 @@
 
 namespace pendular {
 
-/// Which states the known runs support. A state is supported where
+/// Range of states that the known runs support. A state is supported where
 /// - it lies in the convex hull of the runs' states in the emulator's coordinates x = ln(friction +
-///   0.02), q = sqrt(I), ln(1 + 10/P*) and ln V0, or no farther outside than `margin` of the
+///   0.02), q = sqrt(I), ln(1 + 10/P*) and ln(V0/a^3), with V0 the bridge volume, or no farther
+/// outside than `margin` of the
 ///   range that the runs cover,
 /// - the emulator's standard error is at most `largest_ratio_error` of the stress ratio and
 ///   `largest_fraction_error` of the solid fraction, and

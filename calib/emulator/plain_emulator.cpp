@@ -18,12 +18,12 @@ using namespace emulated;
 
 namespace {
 
-/// Whether it says something of grains without effects.
+/// Whether a run tells about grains without effects.
 bool teaches(const dem::RunResult& run, Observable which, double structure_stiffness) {
     return run.parameters.effects.empty() && tells(run, which, structure_stiffness);
 }
 
-/// The observable under whose name the process stands that answers for this one.
+/// Observable under whose name the process for this observable is stored.
 Observable process_for(Observable which) {
     return in_pair(which) ? pair[0] : which;
 }
@@ -64,7 +64,7 @@ Observations observations_of(const std::vector<dem::RunResult>& runs, Observable
     known.values = Eigen::MatrixXd(
         Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
             values.data(), static_cast<Eigen::Index>(known.at.size()), m));
-    // A run that states no error, as where nothing varies, still is not exact.
+    // A run without a stated error, as where nothing varies, is not exact either.
     constexpr double least_error = 1e-4;
     const Eigen::RowVectorXd sizes = known.values.cwiseAbs().colwise().mean();
     for (auto& noise : known.noise) {
@@ -78,7 +78,7 @@ double unit_of(const Observations& known, Eigen::Index quantity) {
                      static_cast<double>(known.at.size()));
 }
 
-/// A query is a sum of what a process can be asked, each with a factor.
+/// A query as a weighted sum of the quantities that a process predicts.
 struct Term {
     double factor = 1;
     GaussianProcess::Requested requested;
@@ -112,8 +112,8 @@ std::vector<Term> terms_of(const Query& query) {
     }
 }
 
-/// The queries that one process answers: their places in the list, all they ask, and the map from
-/// those answers to the queries'.
+/// Queries that one process answers: their indices, the values to predict, and the linear map from
+/// these to the queries' answers.
 struct Share {
     std::vector<Eigen::Index> queries;
     std::vector<GaussianProcess::Requested> requested;

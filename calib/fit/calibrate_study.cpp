@@ -21,7 +21,8 @@ namespace {
 /// Lowest stiffness number at which the rigidity shift was measured (dem::rigidity_factor).
 constexpr double softest_corrected = 300;
 
-/// Wet runs are made until the variance of their noise is no more than this part of the readings'.
+/// Wet runs are made until the variance of their noise is at most this share of the readings'
+/// variance [1].
 constexpr double wet_noise_ratio = 0.4;
 constexpr int most_wet_turns = 4;
 
@@ -33,9 +34,9 @@ void check_wet(const Reading& reading, const Study& study, const Fidelity& fidel
     for (const double bridges : {4.0, 12.0}) {
         try {
             check_run({.stiffness_number = fidelity.stiffness_number,
-                   .wetting = dem::Wetting{pressure,
-                                           dem::bridge_volume(condition.liquid_content, bridges)},
-                   .grains = fidelity.grains});
+                       .wetting = dem::Wetting{pressure, dem::bridge_volume(
+                                                             condition.liquid_content, bridges)},
+                       .grains = fidelity.grains});
         } catch (const std::invalid_argument& error) {
             throw InputError(
                 reading.origin,
@@ -79,7 +80,7 @@ void check_fitted(const Study& study, const Measurements& measurements, const Ca
                                  study.model.fit_to == "dry" ? "dry " : "", why));
 }
 
-/// @throws InputError where a first design would have to tell what effects on grains do
+/// @throws InputError where a study with effects on grains has no known runs
 void check_effects(const std::vector<const Effect*>& effects, const CalibrationRequest& request) {
     const auto grains = std::ranges::find_if(effects, &Effect::of_grains);
     if (request.known.runs.empty() && grains != effects.end()) {
@@ -90,7 +91,7 @@ void check_effects(const std::vector<const Effect*>& effects, const CalibrationR
     }
 }
 
-/// The model of some readings, which the planner's runs make better.
+/// Model of some readings, improved by the planner's runs.
 class PlannedModel : public LearningModel {
   public:
     PlannedModel(const ResolvedStudy& study, RunPlanner& planner)
@@ -296,7 +297,7 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
             request.stage("wet readings");
         }
         wet_known = learn_wet(model, c);
-        // An emulator learns of dry flow from wet runs too, and the friction with it.
+        // The emulator learns about dry flow from wet runs too, which also changes the friction.
         c.fit = model.fit_again(fitted, c.fit.parameters);
     }
     c.prediction = predict_readings(model.whole().model(), c);

@@ -58,7 +58,7 @@ std::optional<std::string> unsupported_note(const Calibration& c, const RunPlann
             : "'pendular calibrate' without --no-confirm simulates there");
 }
 
-/// Says so where the model is less sure of the fitted readings than they are themselves.
+/// Notes where the model's errors exceed those of the fitted readings.
 std::optional<std::string> unsure_note(const Calibration& c) {
     const Measured readings = stack(part(c.readings, 0, c.fitted));
     const auto rms_percent = [&](const Eigen::MatrixXd& covariance, int first) {
@@ -90,7 +90,7 @@ std::string bound_note(const Parameter& parameter, double value, const ResolvedS
         const Effect& effect = resolved.catalogue().find(name);
         const double neutral =
             effect.parameters[effect.parameter(parameter.name.substr(dot + 1))].neutral;
-        // Without being listed it is on all the same, at what the study gives.
+        // Without being listed, the effect stays on at the value that the study gives.
         const bool stays_on = effect.given_by_liquid && study.liquid;
         if (!stays_on && std::abs(value - neutral) <= close) {
             const auto folder = study.file.parent_path();

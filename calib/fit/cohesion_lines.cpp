@@ -223,8 +223,9 @@ double stress_ratio(const CohesionLine& line, double reduced_pressure) {
     return line.stress_ratio_intercept.value + line.reduced_cohesion.value / reduced_pressure;
 }
 
-std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings, const GrainProperties& grains,
-                                         const Liquid& liquid, const CohesionOptions& options,
+std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
+                                         const GrainProperties& grains, const Liquid& liquid,
+                                         const CohesionOptions& options,
                                          std::vector<std::string>& notes) {
     const Measured measured = stack(readings);
     return lines({"measured",

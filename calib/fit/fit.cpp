@@ -32,7 +32,7 @@ class Whitening {
     Eigen::LLT<Eigen::MatrixXd> llt_;
 };
 
-/// Where both the parameter's own range and the model's support allow it.
+/// Range allowed by both the parameter's bounds and the model's support.
 ParameterBounds allowed(const Model& model) {
     ParameterBounds range = model.bounds();
     for (Eigen::Index k = 0; k < range.lower.size(); ++k) {
@@ -84,7 +84,7 @@ class WhitenedResiduals : public ceres::CostFunction {
         }
         return true;
     }
-    /// How often a step led out of the range.
+    /// Number of steps that led out of the range.
     int refused() const { return refused_; }
 
   private:
@@ -116,7 +116,7 @@ struct Minimum {
     std::string message;
 };
 
-/// How to search for a minimum.
+/// Settings of a search for a minimum.
 struct Search {
     double radius = 1e4;   ///< of the first step, in lengths of the columns of the derivatives
     bool bounded = false;  ///< Ceres knows of the range from the start
@@ -148,7 +148,7 @@ Minimum minimise(const Model& model, const Measured& measured, const Whitening& 
     options.gradient_tolerance = 1e-12;
     options.parameter_tolerance = 1e-12;
     if (!effort.elsewhere) {
-        // Along each step at bounds; its standard of 20 evaluations is for cheap models.
+        // Evaluations along each step at bounds; the standard of 20 suits cheap models.
         options.max_num_line_search_step_size_iterations = 3;
     }
     ceres::Solver::Summary summary;
@@ -248,7 +248,7 @@ Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const Whitening& whit
     return covariance * whitened_jacobian.transpose() * whitened * whitened_jacobian * covariance;
 }
 
-/// Adds what errors that readings share put between them; that of each alone is there.
+/// Adds the covariance between readings due to shared errors; the variances are there already.
 void add_shared_errors(const std::vector<Reading>& readings, Measured& measured) {
     struct Part {
         Eigen::Index entry;
@@ -315,7 +315,8 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     Fit result;
     result.dof = static_cast<int>(measured.value.size() - from.size());
     result.chi2 = std::numeric_limits<double>::infinity();
-    // A search may run onto a plateau, from where it does not see the valley; others may not.
+    // A search may end on a plateau without reaching the minimum, so several start at different
+    // points.
     for (const Search& search : {Search{}, Search{.bounded = true}, Search{.radius = 1}}) {
         Minimum minimum = minimise(model, measured, whitening, range, from, effort, search);
         if (minimum.usable) {
@@ -415,7 +416,7 @@ Fit calibrate(LearningModel& learning, const Measured& measured, const Calibrati
         learning.improve(at, excess);
         const Model& model = learning.model();
         best = fit(model, measured, at);
-        // Once more with the weights of the answer itself.
+        // Repeated with the weights that belong to the result.
         best = fit(model, measured, best.parameters);
         if (report) {
             report(round, best);
@@ -424,7 +425,7 @@ Fit calibrate(LearningModel& learning, const Measured& measured, const Calibrati
         const bool done =
             round >= options.fewest_rounds && settled(best) && excess <= 1 && learning.confirmed();
         at = best.parameters;
-        // What the readings do not determine, more simulation cannot.
+        // Parameters that the readings do not determine gain nothing from more simulation.
         if (done || (round >= options.fewest_rounds && !best.converged)) {
             return best;
         }

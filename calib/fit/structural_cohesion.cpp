@@ -41,7 +41,9 @@ class Means {
         const EmulatedSimulation& simulation = model_.simulation();
         const std::vector<EffectiveCondition> imposed = model_.imposed(parameters, conditions_);
         const Eigen::VectorXd predicted =
-            simulation.predict_flow(parameters.head(1), with_dry_twins(imposed), PredictionPart::values).value;
+            simulation
+                .predict_flow(parameters.head(1), with_dry_twins(imposed), PredictionPart::values)
+                .value;
         if (slopes) *slopes = Eigen::RowVectorXd::Zero(predicted.size());
         Eigen::Vector2d mean = Eigen::Vector2d::Zero();
         auto dry = 2 * static_cast<Eigen::Index>(imposed.size());
@@ -85,7 +87,7 @@ class Means {
     }
 
   private:
-    /// By all parameters; 0 by those that are known exactly.
+    /// Derivatives by all parameters; 0 for those that are known exactly.
     Eigen::Matrix2Xd derivatives() const {
         constexpr double share = 0.01;  // of a standard error: far above rounding, nearly a tangent
         Eigen::Matrix2Xd result = Eigen::Matrix2Xd::Zero(2, c_.fit.parameters.size());

@@ -12,8 +12,8 @@ namespace {
 std::shared_ptr<const EmulatedSimulation> simulation_of(const Study& study, const Calibration& c) {
     const double structure_stiffness =
         c.cold ? c.fidelity.stiffness_number : emulated::reference_stiffness;
-    return std::make_shared<EmulatedSimulation>(study, c.fidelity,
-                                                Emulator(c.runs, c.hyperparameters, structure_stiffness));
+    return std::make_shared<EmulatedSimulation>(
+        study, c.fidelity, Emulator(c.runs, c.hyperparameters, structure_stiffness));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::shared_ptr<const EffectModel> assemble_model(
     const Study& study, std::shared_ptr<const EmulatedSimulation> simulation,
     const std::vector<const Effect*>& effects);
 
-/// The terms of a closure as the effects on closures among these make them.
+/// Terms of a closure that these effects switch on.
 closures::Terms terms_of(const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

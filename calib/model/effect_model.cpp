@@ -122,7 +122,7 @@ Eigen::VectorXd EffectModel::shown(const Truths& truths, const Eigen::VectorXd& 
 
 Eigen::MatrixXd EffectModel::shown_by_predicted(const Truths& truths,
                                                 const Eigen::VectorXd& predicted) const {
-    // Of each reading by its own two predictions.
+    // Covariance of each reading from its own two predictions.
     const Eigen::Index n = predicted.size();
     Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(n, n);
     constexpr double step = 1e-5;
@@ -147,7 +147,7 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
     const auto inside = static_cast<Eigen::Index>(inside_->parameters().size());
     const Eigen::VectorXd own = inside_parameters(parameters);
     const auto values_at = [&](const Eigen::VectorXd& at) {
-        // The model inside is asked only for what has changed.
+        // Only changed conditions are predicted again by the model inside.
         const Truths there = truths_at(at, conditions);
         const Eigen::VectorXd own_there = inside_parameters(at);
         std::vector<EffectiveCondition> changed;
@@ -175,7 +175,8 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
         below(k) = std::max(parameters(k) - step, p.lower);
         return Eigen::VectorXd((values_at(above) - values_at(below)) / (above(k) - below(k)));
     };
-    // The model inside knows its own slopes but for how effects on grains change with them.
+    // The model inside gives its own slopes, except for how effects on grains change with its
+    // parameters.
     const bool grains = std::ranges::any_of(effects_, &Effect::of_grains);
     for (Eigen::Index k = 0; grains && k < inside; ++k) {
         result.jacobian.col(k) = quotient(k, step_share * std::max(0.1, parameters(k)));
@@ -231,7 +232,7 @@ ModelSpace::ChangeErrors EffectModel::change_errors(
         };
         return {covariance(here) - covariance(there), Eigen::MatrixXd::Zero(n, n)};
     }
-    // Predictions without, then those of the conditions that are others with.
+    // Predictions without the effect, then those of the conditions that it changes.
     std::vector<EffectiveCondition> requested = there.imposed;
     std::vector<Eigen::Index> place;  // of a reading's prediction with
     for (std::size_t k = 0; k < here.imposed.size(); ++k) {

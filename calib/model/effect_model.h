@@ -15,9 +15,10 @@ namespace pendular {
 ///
 /// A reading's condition is what the instrument shows. The instrument map is inverted there to find
 /// the condition that is truly imposed, effects on grains, liquid and grains change it, the model
-/// inside predicts, and the map makes of that what is shown. Where no effect touches a reading it
-/// is predicted bit for bit as by the model inside. Derivatives by effects are central differences
-/// over a thousandth of the smallest effect of interest: those of smooth functions, not of noise.
+/// inside predicts, and the map turns the prediction into the values shown. Where no effect touches
+/// a reading it is predicted bit for bit as by the model inside. Derivatives by effects are central
+/// differences over a thousandth of the smallest effect of interest: those of smooth functions, not
+/// of noise.
 class EffectModel : public Predictor {
   public:
     /// The effects must outlive it. The closure effects among them are the caller's.
@@ -30,9 +31,9 @@ class EffectModel : public Predictor {
     ParameterBounds bounds() const override;
 
     /// Errors of the change from a model on the same inner model, with fewer effects, to this one.
-    /// An effect on grains is known from runs of its own, whose errors have nothing to do with
-    /// those of the model without; what others change follows from predictions at neighbouring
-    /// conditions, whose errors are much the same.
+    /// An effect on grains is known from runs of its own, whose errors are independent of those of
+    /// the model without it. The change by other effects follows from predictions at neighbouring
+    /// conditions, whose errors are nearly equal.
     ModelSpace::ChangeErrors change_errors(const Eigen::VectorXd& parameters,
                                            const EffectModel& without,
                                            const Eigen::VectorXd& parameters_without,

@@ -145,8 +145,8 @@ Prediction EmulatedSimulation::predict_slopes(const std::vector<FlowState>& stat
         const Eigen::Vector3d by_log_volume =
             state.dry() ? Eigen::Vector3d::Zero()
                         : Eigen::Vector3d(state.bridge_volume * said.segment<3>(9 * k + 6));
-        // From rigid grains to those of the study: of the shift at the reference stiffness a part
-        // 1 - share is there.
+        // From rigid grains to those of the study: the part 1 - share of the shift at the reference
+        // stiffness applies.
         const double share = stiffness_left(condition);
         const double shift = dem::rigidity_shift(value(1), value(2));
         const auto with_stiffness = [&](const Eigen::Vector3d& change) {

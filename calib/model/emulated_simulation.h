@@ -15,7 +15,7 @@ namespace pendular {
 
 /// Predictor of dry and wet readings by the emulator; its parameter is the friction.
 ///
-/// A solid fraction is that of rigid grains less what the study's stiffness adds, known from the
+/// The solid fraction is that of rigid grains, corrected for the study's stiffness by means of the
 /// overlaps. A liquid content is turned into a bridge volume with the emulated coordination.
 class EmulatedSimulation : public FlowPredictor {
   public:

@@ -23,8 +23,8 @@ struct Parameter {
 enum class PredictionPart { values, slopes, covariance };
 
 /// Prediction of n readings with its errors. Entries 2 k and 2 k + 1 belong to reading k: its shear
-/// stress magnitude [Pa] and its solid fraction [1]. Where a model is asked for a study's direct
-/// measurements too, m entries follow, one each in its unit. What was not asked for is empty.
+/// stress magnitude [Pa] and its solid fraction [1]. Where direct measurements are predicted too, m
+/// entries follow, one for each in its unit. Parts that were not requested are empty.
 struct Prediction {
     Eigen::VectorXd value;     ///< 2 n + m
     Eigen::MatrixXd jacobian;  ///< 2 n + m x parameters
@@ -33,7 +33,8 @@ struct Prediction {
     Eigen::MatrixXd run_noise;  ///< the part of `covariance` that more runs would reduce
 };
 
-/// Place of what was measured directly among parameters; none where it is not among them.
+/// Index of a directly measured parameter among the model's parameters; empty where the model lacks
+/// it.
 std::optional<Eigen::Index> place_of(const DirectMeasurement& direct,
                                      const std::vector<Parameter>& parameters);
 
@@ -52,7 +53,7 @@ struct ParameterBounds {
 
 /// Predicts the readings of a study as functions of its parameters. The derivatives are those of
 /// the value returned, so that a least-squares solver never differentiates noise. A model never
-/// changes: any number of threads may ask it at once.
+/// changes, so that any number of threads may use it at once.
 class Model {
   public:
     virtual ~Model() = default;

@@ -11,34 +11,34 @@
 
 namespace pendular {
 
-/// Something that a model may lack.
+/// A possible addition to a model, such as an effect.
 struct Candidate {
     std::string name;
     std::vector<EffectParameter> parameters;
 
-    /// Whether it is there or not, with nothing to fit.
+    /// Whether it is a switch: present or absent, with nothing to fit.
     bool is_switch() const;
-    /// Parameters that a fit has more with it.
+    /// Number of parameters that it adds to a fit.
     std::size_t free_parameters() const;
 };
 
 /// Candidates by their places among all of them, in the order of their parameters.
 using EffectSet = std::vector<std::size_t>;
 
-/// A model with everything that it may lack: all the models that arise by adding some of it. Any
-/// number of threads may ask it at once.
+/// A model with its candidates for addition: the space of all models made by adding some of them.
+/// Any number of threads may ask it at once.
 class ModelSpace {
   public:
     virtual ~ModelSpace() = default;
 
     virtual const std::vector<Candidate>& candidates() const = 0;
 
-    /// The model with some candidates, whose parameters are those of the model without any and then
-    /// those of the candidates that are no switches.
+    /// Model with some candidates added. Its parameters are those of the bare model, then those of
+    /// the candidates that are no switches.
     virtual std::shared_ptr<const Model> with(const EffectSet& chosen) const = 0;
 
-    /// Covariance of what the model's own errors make of a change g = f(with) - f(without); n x n
-    /// each, empty where the model is exact in it.
+    /// Covariance, from the model's own errors, of a change of prediction g = f(with) - f(without);
+    /// n x n each, empty where the model is exact.
     struct ChangeErrors {
         Eigen::MatrixXd change;        ///< Cov(g, g)
         Eigen::MatrixXd with_without;  ///< Cov(f(without), g)

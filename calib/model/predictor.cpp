@@ -11,7 +11,8 @@ Predictor::Point Predictor::predict_at(const Eigen::VectorXd& parameters,
 }
 
 Prediction FlowPredictor::predict(const Eigen::VectorXd& parameters,
-                                  const std::vector<Condition>& conditions, PredictionPart what) const {
+                                  const std::vector<Condition>& conditions,
+                                  PredictionPart what) const {
     return predict_flow(parameters, without_effects(conditions), what);
 }
 

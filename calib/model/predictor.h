@@ -11,8 +11,7 @@
 namespace pendular {
 
 /// Predicts what an instrument shows at any conditions, such as the simulation behind the readings
-/// of a study. A predictor is a value: it never changes, and any number of threads may ask it at
-/// once.
+/// of a study. A predictor never changes, so that any number of threads may use it at once.
 class Predictor {
   public:
     virtual ~Predictor() = default;

@@ -40,7 +40,8 @@ double RumpfModel::Closure::rumpf_stress(double dry, double fraction,
 Eigen::VectorXd RumpfModel::predict_values(
     const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const {
     const Eigen::VectorXd simulated =
-        simulation_->predict_flow(parameters, with_dry_twins(conditions), PredictionPart::values).value;
+        simulation_->predict_flow(parameters, with_dry_twins(conditions), PredictionPart::values)
+            .value;
     const auto n = static_cast<Eigen::Index>(conditions.size());
     Eigen::VectorXd values = simulated.head(2 * n);
     Eigen::Index twin = 2 * n;

@@ -13,11 +13,10 @@ namespace pendular {
 /// Base `rumpf`: the simulated dry law with the cohesion of Rumpf's formula, its solid fraction and
 /// coordination simulated,
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)]                          (eq:strength3)
-/// or, with the capillary shear stress, that less a^2 s12cap/(F0 P*) (eq:strength2).
-/// Dry readings and all solid fractions are those of the simulation. It neglects the shear stress
-/// that capillary forces carry where it is left out, and is then too high at little liquid. The
-/// error of Z*, a few per mille, is not in its covariance. Source: Badetti et al. (2018),
-/// eq:strength3 and eq:cohesion3, after Rumpf.
+/// or, with the capillary shear stress, that less a^2 s12cap/(F0 P*) (eq:strength2). Dry readings
+/// and all solid fractions are those of the simulation. Without the capillary shear stress it is
+/// too high at small liquid contents. The error of Z*, a few per mille, is not in its covariance.
+/// Source: Badetti et al. (2018), eq:strength3 and eq:cohesion3, after Rumpf.
 class RumpfModel : public FlowPredictor {
   public:
     RumpfModel(std::shared_ptr<const EmulatedSimulation> simulation, const Study& study,

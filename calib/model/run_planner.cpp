@@ -23,10 +23,10 @@ using emulated::pairs_at;
 
 /// Runs that one round of confirmation orders at least and at most.
 constexpr std::size_t fewest_confirming = 4, most_confirming = 16;
-/// Below this probability fresh runs do not agree with what was said of them.
+/// Probability below which new runs disagree with the emulator's predictions for them.
 constexpr double significance = 0.01;
 
-/// How far from a friction runs are ordered, in ln(friction + 0.05).
+/// Greatest distance of ordered runs from a friction, in ln(friction + 0.05).
 constexpr double spread = 0.2;
 /// Factor by which the variance is to fall where there was no run yet.
 constexpr double unknown = 1e9;
@@ -67,7 +67,7 @@ double slowest(const std::vector<Condition>& conditions) {
     return least;
 }
 
-/// Whether two states need no two runs.
+/// Whether one run serves two states.
 bool near(const FlowState& a, const FlowState& b) {
     constexpr double same = 0.05;
     const auto alike = [&](double x, double y) {
@@ -104,7 +104,7 @@ RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditi
     double structure_stiffness = emulated::reference_stiffness;
     if (known.runs.empty() && orders_more_) {
         if (extrapolated(conditions, fidelity.lowest_inertial_number)) {
-            // Two would leave open how the quasi-static limit is approached.
+            // Two inertial numbers would not determine the approach to the quasi-static limit.
             extrapolates_ = true;
             inertial_numbers_.push_back(std::min(
                 extrapolation_factor * fidelity.lowest_inertial_number, fastest_extrapolated));
@@ -170,7 +170,7 @@ RunPlanner::Candidates RunPlanner::candidates(double friction,
     const auto states_at = [&](double at) {
         std::vector<FlowState> states;
         if (has_grain_effects(conditions)) {
-            // Their size goes with the reading: its own state, once.
+            // Their size depends on the reading: one run at its own state.
             for (const EffectiveCondition& condition : conditions) {
                 EffectiveCondition simulated = condition;
                 simulated.inertial_number =
@@ -253,9 +253,9 @@ void RunPlanner::improve(double friction, const std::vector<EffectiveCondition>&
 void RunPlanner::improve_wet(double friction, const std::vector<EffectiveCondition>& conditions,
                              int turns) {
     begin_wet(friction);
-    // What lies beyond the known runs first, whatever rounds the dry readings took.
+    // States outside the known range come first, regardless of the rounds for the dry readings.
     order_beyond(friction, conditions, true);
-    // The first runs only confirm; more are asked for where predictions stay too uncertain.
+    // The first runs only confirm; more are ordered where predictions stay too uncertain.
     confirm(friction, conditions, true, began_wet_ ? 1 + turns : 1);
     began_wet_ = true;
 }
@@ -288,7 +288,7 @@ void RunPlanner::order_beyond(double friction, const std::vector<EffectiveCondit
     if (targets.empty() || !orders_more_) {
         return;  // a calibration names the readings whose predictions runs do not support
     }
-    // The error to begin with is that of a guess.
+    // The initial error is that of a prior guess.
     order(most_informative(targets, from, unknown), "since " + why + " of the known runs");
 }
 

@@ -14,17 +14,17 @@
 
 namespace pendular {
 
-/// Runs that were ordered, and why.
+/// Runs that were ordered, with the reason.
 struct Order {
     std::size_t runs = 0;
     std::string why;
 };
 
-/// Decides which runs would sharpen the predictions of a study most, has them carried out and so
-/// makes better predictors, one after the other. It orders runs at conditions beyond all known
-/// ones, where an emulator must not guess, and at the optimum of a fit, where they confirm what it
-/// said of them. Those are chosen to lower the variance of the predictions most. Where nothing is
-/// known it begins with a design of its own, which fills the space of the study's conditions.
+/// Decides which runs would sharpen the predictions of a study most, has them carried out and makes
+/// a better predictor from them, repeatedly. It orders runs at conditions outside the known range,
+/// where an emulator must not extrapolate, and at the optimum of a fit, where runs confirm the
+/// emulator; the latter are chosen to lower the variance of the predictions most. Without known
+/// runs it begins with a design that fills the space of the study's conditions.
 class RunPlanner {
   public:
     /// `conditions`: of the study's readings, which the predictions are for. Without known runs the
@@ -44,11 +44,11 @@ class RunPlanner {
     /// Improves the wet predictions alone, with `turns` times as many runs for each wet setting.
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
-    /// Whether the last fresh runs agreed with what the emulator said of them before, at 1 %.
+    /// Whether the last new runs agreed with the emulator's predictions for them, at the 1 % level.
     bool confirmed() const { return confirmed_ || !orders_more_; }
-    /// Whether it may order runs.
+    /// Whether new runs may be ordered.
     bool orders_more() const { return orders_more_; }
-    /// All that was ordered so far.
+    /// All orders so far.
     const std::vector<Order>& orders() const { return orders_; }
     /// Lines the user should read, such as runs left out.
     const std::vector<std::string>& notes() const { return notes_; }
@@ -73,11 +73,12 @@ class RunPlanner {
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
-    /// Carries runs out at these states. @return those that can teach
+    /// Carries out runs at these states. @return those that can serve as training runs
     std::vector<dem::RunResult> simulate_states(const std::vector<FlowState>& states,
-                                          const std::string& why);
+                                                const std::string& why);
     /// Carries runs out at these states and learns from them.
-    /// @return probability that they are so far from what the emulator said of them before
+    /// @return probability of a difference at least as large between these runs and the emulator's
+    /// predictions
     double order(const std::vector<FlowState>& states, const std::string& why);
     void add_order(std::size_t runs, const std::string& why);
     void use(Emulator emulator);

@@ -83,7 +83,7 @@ void StudyModels::add_candidate(const Effect& effect) {
             {effect.name, "no known run has it alone; 'pendular campaign' makes such runs", true});
     } else {
         Candidate candidate{effect.name, effect.parameters};
-        // Where it is on in any case, what may be wrong is the value that the study gives.
+        // Where the effect is always on, the candidate is another value than the study gives.
         candidate.parameters.front().neutral = effect.unlisted_value(study_.study().liquid);
         offered_.push_back(&effect);
         candidates_.push_back(std::move(candidate));
@@ -117,7 +117,7 @@ ModelSpace::ChangeErrors StudyModels::change_errors(const EffectSet& chosen,
     }
     ChangeErrors errors =
         predictor(more)->change_errors(with_it, *predictor(chosen), parameters, conditions_);
-    // No error of the simulation is in a direct measurement.
+    // A direct measurement has no simulation error.
     widen(errors.change, std::ssize(direct()));
     widen(errors.with_without, std::ssize(direct()));
     return errors;

@@ -12,10 +12,10 @@
 
 namespace pendular {
 
-/// An effect that is no candidate, and why.
+/// An effect that is no candidate, with the reason.
 struct LeftAside {
     std::string effect, why;
-    bool without_runs = false;  ///< it applies, but no run tells what it does
+    bool without_runs = false;  ///< it applies, but no known run includes it
 };
 
 /// The emulated model of a study, with the effects that the study lists, and every further effect

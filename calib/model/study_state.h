@@ -8,7 +8,7 @@
 
 namespace pendular {
 
-/// 1/P* of a wet condition, with the liquid that effects make of the study's.
+/// 1/P* of a wet condition [1], with the liquid as changed by effects.
 double inverse_pressure_of(const EffectiveCondition& condition, const Study& study);
 
 /// Run of a study's grains at a state, without a seed; over the fidelity's strain.

@@ -20,8 +20,8 @@ namespace pendular {
 /// not say so, and is read as `angular_velocity`.
 class Columns {
   public:
-    /// Keeps a reference to the table. What is wrong with a header cell is said by the functions
-    /// below when its column is asked for, so that columns nobody needs may read as they like.
+    /// Keeps a reference to the table. A faulty header cell raises an error only when its column is
+    /// requested, so that unused columns may have any header.
     explicit Columns(const Table& table);
 
     /// @throws InputError, like all that follow, at the header cell for a unit that is none or of

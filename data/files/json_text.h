@@ -15,8 +15,8 @@ constexpr int json_format = 1;
 /// null, which the schemas allow where that can be.
 std::string json_text(const nlohmann::ordered_json& object, int indent = 2);
 
-/// Refuses what a version wrote that this one does not understand. Files without a format are older
-/// than formats, and pass.
+/// Refuses a file of a format that this version does not understand. Files without a format predate
+/// formats and pass.
 /// @throws InputError naming the file and what to do, which is `advice`
 void check_json_format(const nlohmann::ordered_json& object, const std::filesystem::path& file,
                        std::string_view advice);

@@ -15,9 +15,9 @@ struct Digits {
 /// nothing.
 Digits digits_of(const std::vector<std::string_view>& cells);
 
-/// Step between neighbouring numbers of that size in a column written so, in its unit: the coarser
-/// of the last decimal and the last significant digit. Rounding to it makes an error of up to half
-/// a step, of variance step^2/12.
+/// Step between neighbouring numbers of a given size in a column with these digits, in its unit:
+/// the coarser of the last decimal and the last significant digit. Rounding to it makes an error of
+/// up to half a step, of variance step^2/12.
 double resolution_of(double value, const Digits& digits);
 
 }  // namespace pendular

@@ -120,7 +120,7 @@ void write_whole(const std::filesystem::path& path, const std::string& content, 
         write_into(path, content);  // a device or a pipe has no whole to keep
         return;
     }
-    // A link keeps pointing where it did: the file behind it is the one replaced.
+    // A symbolic link stays as it is: the file it points to is replaced.
     const std::filesystem::path target = std::filesystem::weakly_canonical(path);
     const std::filesystem::path temporary = fmt::format("{}.{}.part", target.string(), getpid());
     try {

@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<Quantity>& table() {
     static const std::vector<Quantity> all = {
-        // What is imposed on a sample.
+        // Imposed conditions.
         {"normal_stress",
          "σ22",
          "Pa",
@@ -33,7 +33,7 @@ const std::vector<Quantity>& table() {
         {"reduced_pressure", "P*", "1", "a^2 s22 over the pull-off force of a bridge", {"P*"}},
         {"stiffness_number", "κ", "1", "(E/(1 - nu^2)/s22)^(2/3)", {"kappa", "κ"}},
         {"bridge_volume", "V0/a³", "1", "volume of a liquid bridge over a^3"},
-        // What is measured or predicted.
+        // Measured or predicted quantities.
         {"shear_stress",
          "|σ12|",
          "Pa",
@@ -46,7 +46,7 @@ const std::vector<Quantity>& table() {
 #define OBSERVABLE(name, symbol, unit, grains, meaning, ...) \
     {#name, symbol, unit, meaning, {__VA_ARGS__}},
 #include "data/quantities/observables.def"
-        // What a rheometer records.
+        // Quantities recorded by a rheometer.
         {"time", "t", "s", "time since the recording began", {"t", "elapsed time"}},
         {"torque", "T", "N m", "torque on the lid", {"T", "M", "moment"}},
         {"normal_force",
@@ -69,7 +69,7 @@ const std::vector<Quantity>& table() {
          "1",
          "number of the step of constant set points",
          {"step", "segment", "interval number", "step number"}},
-        // Where a reading comes from.
+        // Origin of a reading.
         {"sampled_seconds", "", "s", "length of the steady part a reading was averaged over"},
         {"replicates", "", "1", "readings of the same condition, this one included"},
         {"error_assumed", "", "1", "1 where an error was assumed rather than measured"},

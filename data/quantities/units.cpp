@@ -48,7 +48,7 @@ const std::map<std::string, std::string, std::less<>> words = {
     {"percent", "%"},      {"Pas", "Pa.s"},       {"mPas", "mPa.s"},   {"cc", "cm3"},
     {"ccm", "cm3"},        {"radians", "radian"}, {"kgfcm", "kgf.cm"}, {"gfcm", "gram_force.cm"}};
 
-/// Words that are another unit than the one surely meant, and the right one.
+/// Spellings that are valid units but surely mean another unit, with the meant one.
 const std::map<std::string, std::string, std::less<>> case_traps = {
     {"pa", "Pa"},   {"kpa", "kPa"}, {"mpa", "MPa' or 'mPa"},
     {"Mpa", "MPa"}, {"MPA", "MPa"}, {"hpa", "hPa"},

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double row_tolerance = 0.05, factor_tolerance = 0.02;
 
-/// Two columns of one recording that say the same, in SI units.
+/// Two columns of one recording that hold the same quantity, in SI units.
 struct ColumnPair {
     std::string stated, measured;  ///< "shear stress", "torque"
     std::string quantity;
@@ -39,7 +39,7 @@ ColumnPair pair_of(const char* stated, const char* measured, const char* quantit
                          [](double v) { return std::isfinite(v); });
     const double resolved = least_step(known) + factor * least_step(measured_values);
     return {stated, measured, quantity, values, scaled(measured_values, factor),
-            // Columns of few levels resolve nothing: half of their median is the most.
+            // Columns of few levels resolve little: the resolution is at most half of the median.
             std::min(resolved, 0.5 * std::abs(median(known)))};
 }
 
@@ -63,7 +63,7 @@ std::vector<ColumnPair> pairs_of(const Recording& recording, const AnnularCell& 
     return pairs;
 }
 
-/// Whether a row says enough: values far enough from zero to be compared.
+/// Whether the values of a row are far enough from zero to be compared.
 bool comparable(const ColumnPair& pair, std::size_t i) {
     const double stated = std::abs(pair.values[i]), computed = std::abs(pair.computed[i]);
     return std::isfinite(stated) && std::max(stated, computed) > 5 * pair.tolerance && computed > 0;

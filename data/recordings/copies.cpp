@@ -42,7 +42,7 @@ double usual_spacing(const std::vector<double>& time) {
     return median(std::move(spacings));
 }
 
-/// Rows between which the time goes on.
+/// Rows between restarts of time.
 std::vector<Step> stretches_of_time(const std::vector<double>& time) {
     std::vector<Step> stretches;
     std::size_t begin = 0;
@@ -54,7 +54,7 @@ std::vector<Step> stretches_of_time(const std::vector<double>& time) {
     return stretches;
 }
 
-/// Where most of some numbers lie within a width: the middle of them.
+/// Middle of the interval of a given width that holds most of the numbers.
 double densest(std::vector<double> values, double width) {
     std::ranges::sort(values);
     std::size_t best = 0, most = 0;

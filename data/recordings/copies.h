@@ -21,8 +21,9 @@ namespace pendular {
 /// whose times may be the same.
 class KnownRows {
   public:
-    /// Takes the copies out of a recording and lists them in `result` with what they repeat. Where
-    /// the study says something else of the copied rows than of the original, that is a doubt.
+    /// Takes the copies out of a recording and lists them in `result` with what they repeat. Raises
+    /// a doubt where the study states another liquid content or bead volume for the copy than for
+    /// the original.
     void take_out_copies(Recording& recording, const Source& source, Measurements& result);
 
   private:
@@ -35,7 +36,7 @@ class KnownRows {
 
         std::size_t size() const { return time.size(); }
     };
-    /// For each row of a later stretch the row of an earlier one that it repeats.
+    /// For each row of the later stretch, the row of the earlier one that it repeats, if any.
     using Matches = std::vector<std::optional<std::size_t>>;
 
     static Stretch stretch(const Recording& recording, const Step& rows, const Source& source);

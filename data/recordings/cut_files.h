@@ -9,7 +9,7 @@
 namespace pendular {
 
 /// Notes on recordings that end before their replicates do: files of one entry of the study whose
-/// steps are the first ones of a longer file, and of which nothing was left out after the last one.
+/// steps are the first ones of a longer file, without excluded rows after the last step.
 std::vector<std::string> notes_on_cut_files(const Study& study, const Measurements& measurements);
 
 }  // namespace pendular

@@ -17,7 +17,7 @@ const Eigen::Vector2d largest_filling_difference(0.05, 0.03);
 /// Differences to be noted: as a share of the largest, and over the scatter of the files' own
 /// steps.
 constexpr double noted_share = 0.5, noted_ratio = 3;
-/// Probability per study that a condition is said to scatter too much where none does.
+/// Probability per study of a false report that a condition scatters too much.
 constexpr double far_by_chance = 1e-3;
 constexpr double fewest_to_judge_conditions = 4;
 
@@ -38,7 +38,7 @@ Values without_file(const Values& values, std::size_t file) {
     return rest;
 }
 
-/// How much more replicates of one condition scatter than those of all others, by an F test.
+/// Compares the scatter of the replicates of one condition with that of all others by an F test.
 struct FarCondition {
     std::size_t condition = 0;
     double variance = 0;  ///< of one of its values, relative [1]

@@ -153,7 +153,7 @@ std::string reason_of(const Impossible& each) {
                        each.check);
 }
 
-/// The readings that are wrong in one way.
+/// Readings that violate the same limit.
 struct ImpossibleGroup {
     Impossible first;
     double least, greatest;
@@ -215,7 +215,7 @@ void doubt_impossible_readings(Measurements& measurements, const Study& study) {
 
 namespace {
 
-/// Why a column that never changes cannot be what it says; empty where there is no reason to doubt.
+/// Reason to doubt a column that never changes; empty where there is none.
 struct StuckColumn {
     std::string_view quantity;
     std::string what;  ///< "the torque is 0.03 N m"

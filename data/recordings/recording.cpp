@@ -41,8 +41,8 @@ void check_row(const Row& row, const Columns& columns) {
         throw InputError(columns.at(row, "interval"), "an interval must be a whole number");
 }
 
-/// A column of what other columns give as well; empty where the file has none that can be read,
-/// since nothing depends on it, and not a number where a cell is none.
+/// A redundant column: empty where the file has none that can be read, since nothing depends on it,
+/// and NaN where a cell is no number.
 std::vector<double> repeated_column(const Table& table, const Columns& columns,
                                     std::string_view name) {
     std::vector<double> values;

@@ -17,8 +17,7 @@ struct Recording {
     std::vector<double> normal_force;
     std::vector<double> height;
     std::vector<double> angular_velocity;
-    // What says the same again; empty where the file has no such column, not a number where a cell
-    // is empty.
+    // Redundant columns: empty where the file lacks the column, NaN where a cell is empty.
     std::vector<double> shear_stress = {};
     std::vector<double> normal_stress = {};
     std::vector<double> shear_rate = {};

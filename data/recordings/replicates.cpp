@@ -19,13 +19,13 @@ namespace {
 constexpr double assumed_error = 0.02;
 /// Relative variances below this are the rounding of computers, not errors.
 constexpr double no_error = 1e-12;
-/// From a factor of two on, more replicates are worth a word.
+/// From a factor of two on, a note recommends more replicates.
 constexpr double worth_a_note = 2;
 
-/// Fillings usually share errors of half the scatter of a step, which is believed like one measured
-/// difference between fillings.
+/// Prior: fillings usually share errors of half the scatter of a step, with the weight of one
+/// measured difference between fillings.
 constexpr double usual_filling = 0.5, usual_freedom = 1;
-/// Filling errors are seen from this probability on that chance alone makes files differ so.
+/// Filling errors are reported where the probability that files differ so by chance is below this.
 constexpr double hint_of_fillings = 0.03;
 
 /// Factor on a standard error estimated with so many degrees of freedom, so that twice the product
@@ -119,8 +119,8 @@ class Pooling {
 };
 
 void Pooling::find_load_exponents() {
-    // Both observables have one cause for it, so they are judged together: chance makes the
-    // evidence of the two as large in at most 5 of 100 studies.
+    // Both observables depend on load for the same reason, so they are judged together: chance
+    // makes their joint evidence as large in at most 5 of 100 studies.
     constexpr double enough = 5.99;
     std::array<LoadExponent, 2> found;
     for (const Eigen::Index o : {0, 1}) {
@@ -144,7 +144,7 @@ bool files_differ(const ReplicateScatter::Filling& filling) {
            hint_of_fillings;
 }
 
-/// A few fillings hardly tell their scatter: what is known of others counts like so many more.
+/// A few fillings hardly determine their scatter: the prior counts like this many more.
 void temper(ReplicateScatter::Filling& filling) {
     const double usual = filling.within * (1 + filling.steps * usual_filling * usual_filling);
     filling.between = (filling.freedom_between * filling.between + usual_freedom * usual) /
@@ -172,11 +172,12 @@ void Pooling::estimate_fillings() {
             filling.steps /= filling.freedom_between;
             const bool seen = files_differ(filling);
             temper(filling);
-            // Widened: what fillings share must not weigh more than the little that is known of it.
+            // Widened, so that the shared error of fillings carries no more weight than few
+            // fillings justify.
             filling.variance = widened(filling.freedom_between) *
                                std::max(0.0, (filling.between - filling.within) / filling.steps);
-            // Errors that are not seen are taken for known: if every size that a few fillings do
-            // not exclude counted in tests, these would see next to nothing.
+            // Filling errors that are not significant are treated as known: tests that allowed for
+            // every size that a few fillings do not exclude would detect next to nothing.
             if (!seen) filling.freedom_between = INFINITY;
         }
         all_.scatter.filling[static_cast<std::size_t>(o)] = filling;
@@ -261,8 +262,8 @@ void Pooling::add_steps(std::size_t k) {
         reading.scatter_freedom(o) = estimated ? group.freedom(o) : INFINITY;
     }
     Eigen::Matrix2d step = shape.asDiagonal() * group.excess * shape.asDiagonal();
-    // No reading is surer than replicates at its load show, however little it varies within its
-    // run.
+    // The error of a reading is at least the scatter of replicates at its load, however little it
+    // varies within its run.
     for (const Eigen::Index o : {0, 1}) {
         const double least = group.mean_square(o) * shape(o) * shape(o);
         const double more = least - relative_variance(reading, o) - step(o, o);

@@ -84,7 +84,7 @@ void add_rounding(const ReplicateTable& table, const std::vector<Eigen::Vector2d
                     std::sqrt(reading.estimated_covariance()(o, o)) / reading.resolution(o);
                 reading.covariance(o, o) += variance;
                 if (table.groups[g].size() < 2) continue;
-                // Numbers after those of the files' errors.
+                // Identifiers that follow those of the files' errors.
                 SharedError error{
                     .source = 2 * (table.files.size() + g) + static_cast<std::size_t>(o),
                     .known = true};

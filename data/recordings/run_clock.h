@@ -2,8 +2,9 @@
 
 namespace pendular {
 
-/// Time since the first recording began, where each recording has a Time column of its own: while
-/// times go on they count as they stand, and where they restart, the new stretch follows the last.
+/// Clock that continues across recordings, each of which has its own time column. Times that
+/// increase are used as recorded; where they restart, the new recording follows the last one
+/// without a pause.
 class RunClock {
   public:
     /// Offset for the times of the next stretch, given its first and last time [s].

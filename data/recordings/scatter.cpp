@@ -14,10 +14,11 @@ namespace {
 constexpr double exponent_prior = 0.5, largest_exponent = 2;
 constexpr double fewest_for_exponent = 10;
 
-/// Sets scatter differently from this probability on that chance alone makes them differ so.
+/// Sets are taken to scatter differently where the probability of such a difference by chance is
+/// below this.
 constexpr double unlike = 0.02;
-/// A set that scatters unlike others stands for itself from so many degrees of freedom on: what it
-/// were drawn towards others by would be a bias of its errors.
+/// A set that scatters unlike the others keeps its own estimate from this many degrees of freedom
+/// on: shrinking it would bias its errors.
 constexpr double enough_alone = 5;
 
 double load_variance(const ReplicatedValue& value, double exponent) {

@@ -6,7 +6,7 @@
 
 namespace pendular {
 
-/// One value of a reading among others of the same condition.
+/// One value of a reading, with its deviation from the mean of its condition.
 struct ReplicatedValue {
     std::size_t reading = 0;    ///< its place among the readings
     std::size_t condition = 0;  ///< readings of one condition replicate each other
@@ -14,8 +14,8 @@ struct ReplicatedValue {
     double deviation = 0;       ///< value over the mean of its condition, less 1 [1]
     double within = 0;          ///< variance within its run, relative to the value [1]
     double load = 1;            ///< normal stress over the reference [1]
-    /// Variance that rounding makes different between replicates, over that of a step at load 1
-    /// [1].
+    /// Variance of the rounding errors that differ between replicates, over the variance of a step
+    /// at load 1 [1].
     double rounding = 0;
 };
 
@@ -24,9 +24,9 @@ struct ReplicatedValue {
 struct ScatterSums {
     double within = 0;          ///< sum of squares left by conditions and files
     double freedom_within = 0;  ///< degrees of freedom of `within`
-    double between = 0;         ///< sum of squares that the files take off, conditions adjusted for
+    double between = 0;  ///< reduction of the sum of squares by the files, adjusted for conditions
     double freedom_between = 0;
-    double steps = 0;  ///< trace of the files' design, conditions adjusted for
+    double steps = 0;  ///< trace of the files' design matrix, adjusted for conditions
     /// Part of the mean square at load 1 that the variances within runs explain, times
     /// freedom_within.
     double run_variance = 0;
@@ -37,7 +37,7 @@ struct ScatterSums {
 /// Analyses values whose files are connected through common conditions. Where conditions and files
 /// leave no degree of freedom, files are not told apart from steps.
 /// Source: Searle, Casella and McCulloch, Variance Components (1992), chapter 5.
-/// @param tell_files false: all scatter counts as that of steps
+/// @param tell_files false: all scatter is attributed to steps
 ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double exponent,
                             bool tell_files = true);
 
@@ -54,16 +54,17 @@ struct LoadExponent {
 /// freedom tell.
 LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
 
-/// Variance of relative deviations [1], estimated with some degrees of freedom.
+/// Mean square of relative deviations [1]: an estimate of their variance, with its degrees of
+/// freedom.
 struct MeanSquare {
     double value = 0;
     double freedom = 0;
 };
 
-/// Mean squares of sets that may scatter alike or not: one for all where Bartlett's test does not
-/// tell them apart (p > 0.02); else each set's own from 5 degrees of freedom on, and below that
-/// drawn towards what they have in common as far as they agree.
-/// Source: Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3, moderated variances.
+/// Estimates the mean square [1] of each set. All sets share one where Bartlett's test finds no
+/// difference (p > 0.02). Otherwise a set with 5 degrees of freedom or more keeps its own; the
+/// others are shrunk towards the common value, the more the better the sets agree. Source: Smyth,
+/// Stat. Appl. Genet. Mol. Biol. 3 (2004) 3, moderated variances.
 std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own);
 
 }  // namespace pendular

@@ -116,8 +116,8 @@ std::string short_strain(const char* what, double strain, const StepSeries& seri
         what, strain, setting.least_strain, looks_like(series));
 }
 
-/// Adds the reading of one step, or what was left out and why; its number to `coarse` where the
-/// resolution of a column limits its error.
+/// Adds the reading of one step, or the excluded rows with the reason; its number to `coarse` where
+/// the resolution of a column limits its error.
 void reduce_step(const StepSeries& series, int number, const Setting& setting,
                  std::vector<int>& coarse, Measurements& result) {
     const auto exclude = [&](std::size_t end, const std::string& reason) {

@@ -25,18 +25,18 @@ namespace pendular {
 ///
 /// Single rows that jump far off their neighbours and back (`spikes`) are left out first.
 ///
-/// A step whose steady part covers less than the choice's least strain is no steady shear, however
-/// constant it looks: grains forget their arrangement over strains of order 1. It is left out, with
-/// what it looks like instead.
+/// A step whose steady part covers less than the least strain of `choice` is no steady shear, even
+/// if it looks constant: grains lose their initial arrangement only over strains of order 1. It is
+/// excluded, with a description of what it looks like instead.
 ///
-/// The time of a reading is the mean time of the steady part, on a clock that has seen the
+/// The time of a reading is the mean time of the steady part, on the clock that continues from the
 /// recordings before this one.
 /// @throws InputError where the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content, RunClock& clock,
                               const ImportSettings& choice = {});
 
-/// Reduces a recording that is the first of its study.
+/// Reduces the first recording of a study.
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content);
 

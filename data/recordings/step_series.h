@@ -21,12 +21,13 @@ struct StepSeries {
     bool flipped = false;       ///< whether the torque was negative
 
     std::size_t size() const { return time.size(); }
-    /// The samples from `begin` on.
+    /// Series of the samples from `begin` on.
     StepSeries from(std::size_t begin) const;
 };
 
-/// The rows of a step, interpolated linearly to even spacing where neighbours are less than half or
-/// more than one and a half times as far apart as usual. A wholly negative torque is flipped.
+/// Converts the rows of a step to a series. Times are interpolated linearly to even spacing where a
+/// spacing is less than half or more than one and a half times the usual one. A wholly negative
+/// torque is flipped.
 /// @throws InputError at the first row whose torque has the rarer sign, if both signs are more than
 ///         noise around zero while the lid turns
 StepSeries step_series(const Recording& recording, const Step& step);

@@ -8,7 +8,7 @@
 namespace pendular {
 namespace {
 
-/// A set point counts as changed beyond this part of itself.
+/// Relative change from which on a set point counts as changed [1].
 constexpr double tolerance = 0.05;
 
 using Series = std::span<const double>;
@@ -106,7 +106,7 @@ std::vector<Step> between(std::vector<std::size_t> boundaries, std::size_t size)
     return steps;
 }
 
-/// Joins what is too short to be a level of its own to the step it leads to.
+/// Joins a stretch that is too short to be a level to the step that follows it.
 std::vector<Step> without_passages(const std::vector<Step>& steps) {
     std::vector<Step> result;
     std::size_t begin = 0;

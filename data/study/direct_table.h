@@ -9,8 +9,8 @@ namespace pendular {
 
 class StudyTable;
 
-/// A direct measurement of an effect as a study states it. What it means is not known here: the
-/// unit is the effect's.
+/// A direct measurement of an effect as the study states it, not yet interpreted: its unit is that
+/// of the effect's parameter.
 struct StatedDirect {
     std::string effect;
     std::string value;  ///< empty where it has not been measured yet
@@ -19,11 +19,11 @@ struct StatedDirect {
     Position effect_position = {}, value_position = {}, error_position = {};
 };
 
-/// [[direct]] of a study: what was measured.
+/// Reads the direct measurements that were made: [[direct]] of a study.
 /// @throws InputError for anything missing or unknown
 std::vector<StatedDirect> read_direct(const StudyTable& root);
 
-/// [[rig.direct]]: what can be measured.
+/// Reads the direct measurements that the rig can make: [[rig.direct]].
 /// @throws InputError for anything missing, unknown or impossible
 std::vector<StatedDirect> read_direct_of_rig(const StudyTable& rig);
 

@@ -16,25 +16,25 @@ struct Formula {
     Position position;
 };
 
-/// An effect that a user states in the study, [[effect]]. What its formulas mean is not known here.
+/// An effect that a user defines in the study, [[effect]], its formulas not yet compiled.
 struct WrittenEffect {
     std::string name;
-    std::string parameter;        ///< "on": a switch
-    std::string unit = "1";       ///< SI
-    double lower = 0, upper = 1;  ///< [unit]
-    double neutral = 0;           ///< [unit]
-    double smallest_of_interest = 1;           ///< [unit]
-    std::string summary = {};     ///< empty where the user gave none
+    std::string parameter;            ///< "on": a switch
+    std::string unit = "1";           ///< SI
+    double lower = 0, upper = 1;      ///< [unit]
+    double neutral = 0;               ///< [unit]
+    double smallest_of_interest = 1;  ///< [unit]
+    std::string summary = {};         ///< empty where the user gave none
     std::vector<Formula> formulas;
     Position position;  ///< of the table
     Position name_position = {}, parameter_position = {};
 
-    /// Whether the formulas are of what the instrument shows, not of what the beads show.
+    /// Whether the formulas change what the instrument shows rather than the flow of the grains.
     bool of_instrument() const;
 };
 
-/// Quantities that a formula of an [[effect]] can set: on the instrument and on the beads. An
-/// effect sets quantities of one of the two.
+/// Quantities that the formulas of an [[effect]] can set: those of the instrument or those of the
+/// flow. One effect sets quantities of one kind only.
 const std::vector<std::string>& instrument_targets();
 const std::vector<std::string>& flow_targets();
 

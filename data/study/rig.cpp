@@ -13,7 +13,7 @@ const std::vector<std::string> rig_keys = {
     "repeats",       "readings",        "wet_cost",   "filling_cost",    "wait",
     "hour_cost",     "direct"};
 
-/// One value or two ends, all positive.
+/// One value, or the lower and upper end of a range; all positive.
 std::optional<Span> span(const StudyTable& table, std::string_view key, std::string_view unit) {
     const std::vector<double> values = table.quantities(key, unit);
     if (values.empty()) return std::nullopt;
@@ -38,7 +38,8 @@ int count(const StudyTable& table, std::string_view key, int by_default) {
 
 }  // namespace
 
-std::optional<Rig> read_rig(const StudyTable& root, const GrainProperties& grains, bool has_liquid) {
+std::optional<Rig> read_rig(const StudyTable& root, const GrainProperties& grains,
+                            bool has_liquid) {
     const auto table = root.table("rig", rig_keys);
     if (!table) return std::nullopt;
     Rig rig;

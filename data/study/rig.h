@@ -10,7 +10,7 @@ namespace pendular {
 
 class StudyTable;
 
-/// Ends of what can be set, the least first.
+/// Range of values that a rig can be set to.
 struct Span {
     double least = 0, greatest = 0;
 };
@@ -27,10 +27,10 @@ struct Rig {
     int readings = 12;        ///< most in all, where one point is not enough
     double wet_cost = 1;      ///< of a wet reading, in dry ones
     double filling_cost = 0;  ///< of filling the cell with another amount of beads, in dry readings
-    /// Before a reading is taken, after the last one that was [s].
+    /// Possible waiting times between the last reading and the next one [s].
     std::vector<double> waits = {0};
-    double hour_cost = 1;  ///< of an hour of that, in dry readings
-    /// Effects that can be measured by themselves.
+    double hour_cost = 1;  ///< cost of an hour of waiting, in dry readings
+    /// Effects whose parameter can be measured directly.
     std::vector<StatedDirect> direct = {};
 };
 

@@ -70,7 +70,8 @@ struct Study {
 ///         key), of the wrong dimension, or impossible (Ri >= Re, density <= 0, ...)
 Study read_study(const std::filesystem::path& study);
 
-/// Why separate bridges do not describe beads of this liquid content; empty where they do.
+/// Warning where a liquid content [1] is beyond the range of separate liquid bridges; empty within
+/// it.
 std::optional<std::string> pendular_range_warning(double liquid_content);
 
 }  // namespace pendular

@@ -155,7 +155,7 @@ std::vector<std::string> names_in(const toml::array* list) {
     return names;
 }
 
-/// "a", "b": as TOML has them.
+/// Names as TOML writes them: "a", "b".
 std::string quoted_names(const std::vector<std::string>& names) {
     std::string result;
     for (const std::string& name : names)
@@ -215,7 +215,8 @@ std::vector<Edit> add_to_empty(const StudyText& study, const List& list, const s
              study.indent(list.close) + "  " + element + "," + study.line_break()}};
 }
 
-/// Behind the last element: on a line of its own where that one has one, in its quotes.
+/// Adds an element after the last one, with the same quotes, on its own line where the last one has
+/// its own.
 std::vector<Edit> add_to_list(const StudyText& study, const List& list, const std::string& name) {
     if (list.elements.empty()) return add_to_empty(study, list, name);
     const Element& last = list.elements.back();
@@ -289,7 +290,7 @@ Edit new_table(const StudyText& study, const std::string& name) {
             fmt::format("{0}{1}[model]{1}effects = [\"{2}\"]{1}", complete ? "" : end, end, name)};
 }
 
-/// The edited text, after a look whether it says what it should and nothing else has changed.
+/// Returns the edited text after checking that the list is right and nothing else has changed.
 std::string checked(const StudyText& study, const std::vector<Edit>& edits,
                     const std::vector<std::string>& names) {
     toml::array list;

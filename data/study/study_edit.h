@@ -14,7 +14,8 @@ namespace pendular {
 std::string with_effect(const std::string& text, const std::string& file, std::string_view name);
 
 /// Returns the text of study.toml without the effect in its list.
-/// @throws InputError likewise, and where the effect is not listed, with what is
+/// @throws InputError as `with_effect` does, and where the effect is not listed, naming those that
+/// are
 std::string without_effect(const std::string& text, const std::string& file, std::string_view name);
 
 /// Puts a text in the place of a study file, whole or not at all. `read_text` gives the text.

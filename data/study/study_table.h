@@ -20,14 +20,14 @@ namespace pendular {
 
 class Unit;
 
-/// A word of a file and where it stands.
+/// Text in a file with its position.
 struct Word {
     std::string text;
     Position position;
 };
 
-/// A table of a study or campaign file with the keys it may have. Whatever is asked of it is
-/// checked, and what is wrong ends in an InputError at the key's or value's line and column.
+/// A table of a study or campaign file with the keys it may have. Every value is checked as it is
+/// read; a wrong one raises an InputError at the line and column of its key or value.
 class StudyTable {
   public:
     /// Parses a whole study file; `keys` are those of its top level.
@@ -43,7 +43,7 @@ class StudyTable {
     /// Position of a key's value, or of the table where the key is missing.
     Position at(std::string_view key) const;
     const Position& position() const { return position_; }
-    /// As the file has it: "[grains]", "[[effect]]"; empty of the whole file.
+    /// Name as written in the file, "[grains]" or "[[effect]]"; empty for the whole file.
     const std::string& name() const { return name_; }
 
     /// The table under a key, [key]; empty if there is none.

@@ -13,7 +13,7 @@ struct CellState {
     double bead_volume = 0;       ///< in the cell [m^3]
     double time = 0;              ///< since the first recording began [s]
 
-    // The same on either side.
+    // No effect changes these.
     double inner_radius = 0, outer_radius = 0;  ///< of the cell [m]
     double density = 0;                         ///< of the beads [kg/m^3]
     double diameter = 0;                        ///< of the beads [m]

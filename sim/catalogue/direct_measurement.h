@@ -8,9 +8,9 @@
 
 namespace pendular {
 
-/// The parameter of an effect, measured by itself apart from any shear of the beads: a drag by the
-/// torque of the empty cell, a contact angle by a drop. A model without the effect says that it is
-/// neutral.
+/// Direct measurement of an effect's parameter, without shearing the grains: a drag by the torque
+/// of the empty cell, a contact angle by a drop. A model without the effect predicts the neutral
+/// value.
 struct DirectMeasurement {
     std::string parameter;      ///< "torque-offset.torque"
     std::string unit;           ///< SI

@@ -11,7 +11,7 @@
 namespace pendular {
 namespace {
 
-/// The place of what is called so; names the nearest where nothing is.
+/// Index of the entry with this name; the error names the nearest known one.
 template <typename Named>
 std::size_t place_of(const std::vector<Named>& all, std::string_view name, const char* kind) {
     const auto found = std::ranges::find(all, name, &Named::name);
@@ -24,7 +24,7 @@ std::size_t place_of(const std::vector<Named>& all, std::string_view name, const
     return static_cast<std::size_t>(found - all.begin());
 }
 
-/// SI value of the unit of a run for what is measured in this unit.
+/// SI value of the run's unit for a quantity with this SI unit.
 double run_unit(const std::string& unit, double normal_stress, const GrainProperties& grains) {
     const double diameter = grains.diameter;
     if (unit == "N") {
@@ -104,7 +104,8 @@ const Effect& built_in_effect(std::string_view name) {
     return effect_named(built_in_effects(), name);
 }
 
-EffectValues in_run_units(const EffectValues& values, double normal_stress, const GrainProperties& grains) {
+EffectValues in_run_units(const EffectValues& values, double normal_stress,
+                          const GrainProperties& grains) {
     EffectValues result = values;
     const Effect& effect = built_in_effect(values.effect);
     for (std::size_t k = 0; k < result.values.size(); ++k) {

@@ -24,13 +24,13 @@ struct ChangeInstrument {
     enum class Where { grains, transducers } where = Where::grains;
 };
 
-/// An effect that puts other beads or another liquid in the place of the study's: no new physics, a
-/// condition changed. The liquid of a wet condition is filled in.
+/// An effect that replaces the study's grains or liquid by others: a changed condition rather than
+/// new physics. The liquid of a wet condition is filled in.
 struct ChangeCondition {
     std::function<EffectiveCondition(EffectiveCondition, const Values&)> change;
 };
 
-/// An effect on the closures of a base: a term that its formula takes in.
+/// An effect that adds a term to the closures of a base.
 struct ChangeClosure {
     std::string base;                       ///< that has the closure, as in "rumpf"
     bool closures::Terms::*term = nullptr;  ///< that is on with the effect
@@ -54,8 +54,8 @@ using Change = std::variant<ChangeInstrument, ChangeCondition, dem::ChangePairs,
 /// Readings that an effect touches.
 enum class Touches { all, dry, wet };
 
-/// A physical effect that may be missing from a model: everything that is known of it. Each has one
-/// file in sim/effects, after which it is named; CMake collects them.
+/// A physical effect that may be missing from a model, with all that the program knows of it. Each
+/// has one file in sim/effects, after which it is named; CMake collects them.
 struct Effect {
     std::string name = {};  ///< from the file's name, as in "torque-offset"
     std::string summary;    ///< one line
@@ -77,7 +77,7 @@ struct Effect {
     bool of_instrument() const { return std::holds_alternative<ChangeInstrument>(change); }
     /// Whether it changes what a run simulates.
     bool of_grains() const;
-    /// Whether it puts other beads or another liquid in the place of the study's.
+    /// Whether it replaces the study's grains or liquid by others.
     bool of_condition() const { return std::holds_alternative<ChangeCondition>(change); }
     bool of_closure() const { return std::holds_alternative<ChangeClosure>(change); }
     /// The model that it changes: the base that has its closure, or none in particular.
@@ -131,6 +131,7 @@ const Effect& built_in_effect(std::string_view name);
 /// Values in the units of a run (bead diameter, mass and normal stress are 1) of values in SI units
 /// at a normal stress [Pa].
 /// @throws std::invalid_argument where the effect is not built in
-EffectValues in_run_units(const EffectValues& values, double normal_stress, const GrainProperties& grains);
+EffectValues in_run_units(const EffectValues& values, double normal_stress,
+                          const GrainProperties& grains);
 
 }  // namespace pendular

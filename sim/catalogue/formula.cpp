@@ -67,7 +67,7 @@ std::optional<std::size_t> assignment_in(const std::string& text) {
     return std::nullopt;
 }
 
-/// @throws FormulaError for what muParser would take in silence
+/// @throws FormulaError for mistakes that muParser accepts
 void refuse_traps(const std::string& text) {
     if (const auto at = text.find('\0'); at != std::string::npos)
         throw FormulaError(fmt::format("a zero byte {}; remove it", place(text, at)));

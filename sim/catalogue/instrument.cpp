@@ -30,7 +30,7 @@ CellState hyperparameters_of(const CellState& shown) {
     };
     CellState scales;
     scales.normal_force = size(shown.normal_force, std::max(std::abs(shown.weight()), 1e-6));
-    // A torque may be shown as nearly nothing: what a stress ratio of 0.1 makes of the force.
+    // A shown torque may be close to zero: its size is that of a stress ratio of 0.1 at the force.
     scales.torque = size(shown.torque, 0.1 * scales.normal_force * shown.outer_radius);
     scales.height = size(shown.height, shown.diameter);
     scales.angular_velocity = shown.angular_velocity != 0 ? std::abs(shown.angular_velocity) : 1;
@@ -89,8 +89,8 @@ double size_of(const Vector& residual) {
                                 : std::numeric_limits<double>::infinity();
 }
 
-/// The best that Newton's method finds, shortening steps that lead away. Stops where rounding lets
-/// it come no closer.
+/// Solves by Newton's method, shortening steps that increase the residual. Stops where rounding
+/// prevents further progress.
 Vector solve(const Equations& equations) {
     constexpr int most_steps = 50, most_halvings = 12;
     Vector x = equations.first_guess(), residual = equations.residual(x);

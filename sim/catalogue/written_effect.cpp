@@ -132,7 +132,7 @@ std::vector<std::string> known_names(const std::string& parameter) {
     return names;
 }
 
-/// One formula with what it gives.
+/// One formula with the quantity that it sets.
 template <typename State>
 class ShownValue {
   public:
@@ -176,7 +176,7 @@ class ShownValue {
         return value;
     }
 
-    /// "torque = 0.1, drag = 3": what the formula mentions.
+    /// Values of the variables in the formula, as in "torque = 0.1, drag = 3".
     std::string mentioned(const State& state, double parameter) const {
         const auto all = values(state, parameter);
         std::vector<std::string> parts;
@@ -301,7 +301,7 @@ class ShownValues {
     Touches touches_ = Touches::all;
 };
 
-/// A parameter that is called like something else would hide it.
+/// A parameter with the name of a variable or function would hide it.
 void check_parameter(const WrittenEffect& written) {
     std::vector<std::string> taken = CompiledFormula::reserved_words();
     for (const auto& names : {known_names<CellState>(""), known_names<GrainState>("")}) {

@@ -19,7 +19,8 @@ void load(Archive& archive, Vector& v) {
     archive(cereal::binary_data(&v, sizeof v));
 }
 
-/// The bits of a state that has a `serialize` member, for a program of the same layout.
+/// Serialises a state that has a `serialize` member to bytes, for a program of the same memory
+/// layout.
 template <typename State>
 std::string archived(const State& state) {
     std::ostringstream stream(std::ios::binary);
@@ -28,8 +29,8 @@ std::string archived(const State& state) {
     return std::move(stream).str();
 }
 
-/// Reads the bits back into a state of the same layout.
-/// @return false where the bits are those of another layout
+/// Reads the bytes back into a state.
+/// @return false where the bytes belong to another layout
 template <typename State>
 bool restore(const std::string& bits, State& state) {
     std::istringstream stream(bits, std::ios::binary);

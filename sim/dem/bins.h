@@ -18,8 +18,8 @@ class Bins {
     /// With fewer than three bins in a direction a neighbour bin would be searched twice.
     bool enough() const;
 
-    /// Bin of a grain inside the cell: one that rounding puts outside goes to the last bin before
-    /// the face, where it is, not to the one across the cell.
+    /// Bin of a grain inside the cell. A grain that rounding puts outside is counted in the last
+    /// bin before that face, not in the bin on the opposite side.
     std::array<int, 3> bin_of(const Vector& position) const;
     int count(int direction) const { return count_[direction]; }
     std::size_t index(int b1, int b2, int b3) const {

@@ -27,7 +27,8 @@ constexpr double typical_coordination = 7.5;
 inline double liquid_content(double bridge_volume, double coordination) {
     return 3 * coordination * bridge_volume / std::numbers::pi;
 }
-/// Bridge volume V0/a^3 [1] that gives a liquid content at this coordination; its inverse.
+/// Bridge volume V0/a^3 [1] that gives a liquid content at this coordination; the inverse of
+/// `liquid_content`.
 inline double bridge_volume(double liquid_content, double coordination) {
     return std::numbers::pi * liquid_content / (3 * coordination);
 }
@@ -35,9 +36,9 @@ inline double bridge_volume(double liquid_content, double coordination) {
 /// Capillary attraction of two equal grains joined by a bridge, in reduced units.
 ///     F = F0 [1 - 1/sqrt(1 + c/h^2)] = F0 [1 - h/sqrt(h^2 + c)],  c = 4 V0/(pi a)
 /// at a gap h, F0 = pi a Gamma cos(theta) in contact. A bridge forms on contact and lives until the
-/// gap exceeds D0 = V0^(1/3).
-/// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the grain radius in c; Badetti et
-/// al. (2018), eq:Maugis, print half of it (Form::as_printed).
+/// gap exceeds D0 = V0^(1/3). Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the
+/// grain radius in c; Badetti et al. (2018), eq:Maugis, print half of it
+/// (FormulaVariant::as_printed).
 struct BridgeLaw {
     double pull_off_force = 0;    ///< pull-off force F0; 0: dry
     double rupture_distance = 0;  ///< rupture distance D0
@@ -72,7 +73,8 @@ struct BridgeLaw {
         const double root_at_rupture = std::sqrt(rupture_distance * rupture_distance + curvature);
         return -pull_off_force * (rupture_distance - gap - (root_at_rupture - root));
     }
-    /// Whether a bridge is there, 1 or 0, after one was (1) or was not (0) at the step before.
+    /// 1 where a bridge joins the grains, else 0, given whether one did at the step before (1 or
+    /// 0).
     double joined(double overlap, double gap, double before) const {
         return overlap > 0 ? 1.0 : gap > rupture_distance ? 0.0 : before;
     }

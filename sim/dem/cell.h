@@ -53,7 +53,8 @@ namespace image_code {
 constexpr int reach = 2;
 constexpr int per_direction = 2 * reach + 1;
 constexpr int count = per_direction * per_direction * per_direction;
-/// A place far outside the cell: pairs that only fill up the last batch never touch.
+/// Position far outside the cell, for the pairs that only fill up the last batch and must never
+/// touch.
 constexpr int nowhere = count;
 
 constexpr int of(Image image) {

@@ -30,7 +30,7 @@ struct PairBatch {
     double* coulomb_limit;    ///< largest tangential force, from the base law
     double *fx, *fy, *fz;     ///< force on the second grain; on the first it is opposite
     double *tx, *ty, *tz;     ///< torque on the second grain; on the first it is opposite
-    double* const* contact_history = nullptr;  ///< memory[word][pair]
+    double* const* contact_history = nullptr;  ///< contact_history[number][pair]
 };
 
 /// Quantities that all pairs of a run share.

@@ -15,7 +15,7 @@ namespace pendular::dem {
 /// each, and an empty line; the state follows in binary.
 class Checkpoint {
   public:
-    /// Locks the file, which need not be there, through FILE.lock beside it.
+    /// Locks the file through FILE.lock beside it; the file itself need not exist.
     /// @throws InputError where another process uses it or its folder cannot be written
     explicit Checkpoint(const std::filesystem::path& file,
                         std::chrono::duration<double> every = std::chrono::minutes(10));
@@ -23,8 +23,8 @@ class Checkpoint {
     Checkpoint(const Checkpoint&) = delete;
     Checkpoint& operator=(const Checkpoint&) = delete;
 
-    /// The state saved last of the run described by these lines "name = value"; empty where there
-    /// is no file.
+    /// Last saved state of the run that these lines "name = value" describe; empty where there is
+    /// no file.
     /// @throws InputError where the file is of another run, another version or not whole; the file
     /// is left alone
     std::optional<std::string> read(const std::string& run) const;

@@ -14,11 +14,11 @@
 
 namespace pendular::dem {
 
-/// Coordinate that a field depends on. Names, units and meanings stand in `coordinates`.
+/// Coordinate that a field depends on; `coordinates` has their names, units and meanings.
 enum class Coordinate { height, angle, relative_force, gap };
 
-/// Quantity that a run measures as a function of one coordinate. Names, units and meanings stand in
-/// `fields`.
+/// Quantity that a run measures as a function of one coordinate; `fields` has their names, units
+/// and meanings.
 enum class Field {
     velocity,
     solid_fraction,
@@ -80,7 +80,7 @@ constexpr const FieldAbout& about(Field which) {
 constexpr const CoordinateAbout& about(Coordinate which) {
     return coordinates[static_cast<std::size_t>(which)];
 }
-/// Whether it runs across the gradient; the others are distributions over pairs.
+/// Whether a field is a profile across the gradient; the others are distributions over pairs.
 constexpr bool is_profile(Field which) {
     return about(which).coordinate == Coordinate::height;
 }
@@ -111,7 +111,7 @@ struct BinnedMeans {
     std::vector<Mean> means;
 };
 
-/// A field in the making: its value in a bin is sum over weight.
+/// Sums from which a field is made: its value in a bin is sum over weight.
 struct BinnedSums {
     std::vector<double> sum, weight;
 
@@ -128,15 +128,15 @@ class MotionProfile {
   public:
     explicit MotionProfile(std::size_t bins = 0) : bins_(bins) {}
 
-    /// Adds the peculiar velocities of a state.
+    /// Adds the velocities of one state relative to the imposed flow.
     void add(const Grains& grains, double height);
     /// Localization [1]: 0 uniform shear, 1 an infinitely thin band.
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
     /// Source: Badetti et al. (2018), eq:defdelta.
     double localization(double height, double shear_rate) const;
-    /// Over shear rate times height.
+    /// Mean velocity in each bin, over shear rate times height [1].
     BinnedSums velocity(double height, double shear_rate) const;
-    /// Over (diameter times shear rate)^2.
+    /// Variance of the velocities in each bin, over (diameter times shear rate)^2 [1].
     BinnedSums temperature(double shear_rate) const;
 
     template <typename Archive>

@@ -17,7 +17,7 @@ struct Flow {
         archive(shear_rate, height_rate, length_rate, width_rate);
     }
 
-    /// The gradient applied to a vector: of positions their velocity.
+    /// Velocity gradient times a vector: for a position, the imposed velocity there.
     [[gnu::always_inline]] Vector operator()(const Vector& r) const {
         return Vector(length_rate, height_rate, width_rate) * r + r[1] * Vector(shear_rate, 0, 0);
     }

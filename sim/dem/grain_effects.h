@@ -13,8 +13,7 @@
 
 namespace pendular::dem {
 
-/// An effect on grains that is on in a run. What it changes and the names of its parameters outlive
-/// the run.
+/// An effect on grains that is on in a run. The effect it refers to must outlive the run.
 struct GrainEffect {
     std::variant<const ChangePairs*, const ChangeSample*> change;
     std::span<const EffectParameter> parameters;
@@ -31,7 +30,7 @@ class GrainEffects {
     bool changes_forces() const { return changes_forces_; }
     /// Whether pairs follow other laws than equal grains without effects: forces or sizes differ.
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
-    /// Words that a pair remembers for all of them.
+    /// Numbers of contact history per pair, all effects together.
     std::size_t contact_history() const { return contact_history_; }
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;

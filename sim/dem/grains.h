@@ -26,7 +26,7 @@ struct Grains {
             archive(position, velocity, angular_velocity);
         }
     };
-    /// A cache line of its own.
+    /// Aligned to a cache line of its own.
     struct alignas(64) ForceAndTorque {
         Vector force, torque;
     };
@@ -34,7 +34,7 @@ struct Grains {
     std::vector<Motion> motion;
     std::vector<ForceAndTorque> net_force;  ///< summed during a step, zero between two
     std::vector<Vector> displacement;       ///< peculiar, since the narrow list was made
-    std::vector<std::int32_t> number;       ///< by which a grain was called at first
+    std::vector<std::int32_t> number;       ///< number of each grain when the sample was made
     std::vector<double> diameters;          ///< of mean 1; none: all are 1
 
     explicit Grains(std::size_t count = 0)
@@ -69,7 +69,7 @@ struct Grains {
     double smallest_diameter() const {
         return diameters.empty() ? 1.0 : *std::ranges::min_element(diameters);
     }
-    /// Volume of all.
+    /// Volume of all grains together [a^3].
     double volume() const {
         constexpr double of_unit = std::numbers::pi / 6;
         double cubes = diameters.empty() ? static_cast<double>(size()) : 0.0;
@@ -89,8 +89,8 @@ struct Grains {
     const Vector& torque(std::size_t i) const { return net_force[i].torque; }
 };
 
-/// Moment of inertia of a grain of unit mass and diameter: (2/5)(1/2)^2. That of others grows with
-/// the fifth power of the diameter.
+/// Moment of inertia of a grain of unit mass and diameter: (2/5)(1/2)^2. It grows with the fifth
+/// power of the diameter.
 constexpr double moment_of_inertia = 0.1;
 
 }  // namespace pendular::dem

@@ -16,16 +16,16 @@ MotionSums& MotionSums::operator+=(const MotionSums& other) {
 }
 
 double MotionSums::energy() const {
-    return 0.5 * (squares[0] + squares[1] + squares[2]) + 0.5 * moment_of_inertia * angular_velocity;
+    return 0.5 * (squares[0] + squares[1] + squares[2]) +
+           0.5 * moment_of_inertia * angular_velocity;
 }
 
 namespace {
 
 template <bool sized>
-[[gnu::always_inline]] inline MotionSums advance_all(Grains& grains,
-                                                     std::pair<std::size_t, std::size_t> range,
-                                                     std::vector<Grains::ForceAndTorque>& net_forces,
-                                                     const Flow& flow, double time_step) {
+[[gnu::always_inline]] inline MotionSums advance_all(
+    Grains& grains, std::pair<std::size_t, std::size_t> range,
+    std::vector<Grains::ForceAndTorque>& net_forces, const Flow& flow, double time_step) {
     Vector squares, shear, angular_velocity;
     double largest_squared = 0;
     for (std::size_t i = range.first; i < range.second; ++i) {
@@ -56,16 +56,18 @@ template <bool sized>
         }
         largest_squared = std::max(largest_squared, dot(displacement, displacement));
     }
-    return {squares, shear[0], angular_velocity[0] + angular_velocity[1] + angular_velocity[2], largest_squared};
+    return {squares, shear[0], angular_velocity[0] + angular_velocity[1] + angular_velocity[2],
+            largest_squared};
 }
 
 }  // namespace
 
 PENDULAR_SIMD_CLONES
 MotionSums advance(Grains& grains, std::pair<std::size_t, std::size_t> range,
-                   std::vector<Grains::ForceAndTorque>& net_forces, const Flow& flow, double time_step) {
+                   std::vector<Grains::ForceAndTorque>& net_forces, const Flow& flow,
+                   double time_step) {
     return grains.diameters.empty() ? advance_all<false>(grains, range, net_forces, flow, time_step)
-                                   : advance_all<true>(grains, range, net_forces, flow, time_step);
+                                    : advance_all<true>(grains, range, net_forces, flow, time_step);
 }
 
 }  // namespace pendular::dem

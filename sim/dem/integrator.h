@@ -25,8 +25,8 @@ struct MotionSums {
     }
 };
 
-/// One leapfrog step of the grains of a range: dv/dt = f - L v, since v is peculiar, then
-/// dx/dt = v + L x, with L the imposed velocity gradient. Leaves their loads at zero.
+/// One leapfrog step of the grains of a range: dv/dt = f - L v, since v is peculiar, then dx/dt = v
+/// + L x, with L the imposed velocity gradient. Sets their net forces and torques to zero.
 MotionSums advance(Grains& grains, std::pair<std::size_t, std::size_t> range,
                    std::vector<Grains::ForceAndTorque>& net_forces, const Flow& flow,
                    double time_step);

@@ -6,7 +6,7 @@
 
 namespace pendular::dem {
 
-/// Quantities that a run measures. Their table is data/quantities/observables.def. Capillary
+/// Quantities that a run measures, as listed in data/quantities/observables.def. Capillary
 /// observables are zero in dry runs.
 enum class Observable {
 #define OBSERVABLE(name, ...) name,
@@ -20,10 +20,10 @@ constexpr std::array observable_names = std::to_array<std::string_view>({
 });
 constexpr std::size_t observable_count = observable_names.size();
 
-/// Whether an observable says nothing of dry grains.
+/// Whether an observable exists for wet grains only.
 bool needs_bridges(Observable which);
 
-/// Observable of a name in `observable_names`.
+/// Observable with this name in `observable_names`.
 /// @throws std::invalid_argument naming those there are
 Observable observable_named(std::string_view name);
 

@@ -207,15 +207,17 @@ class ForceLoop {
 
 /// Sums the forces by the loop for these needs, in the order of ForceLoop's parameters.
 template <bool... known, typename... Needs>
-[[gnu::always_inline]] inline PairSums sum_forces(const Grains& grains, Pairs& pairs, Stretch stretch,
-                                                  const PairLaws& laws, Grains::ForceAndTorque* net_force,
-                                                  bool need, Needs... others) {
+[[gnu::always_inline]] inline PairSums sum_forces(const Grains& grains, Pairs& pairs,
+                                                  Stretch stretch, const PairLaws& laws,
+                                                  Grains::ForceAndTorque* net_force, bool need,
+                                                  Needs... others) {
     if constexpr (sizeof...(known) == 3) {
         return need ? ForceLoop<known..., true>(grains, pairs, laws, net_force).sum(stretch)
                     : ForceLoop<known..., false>(grains, pairs, laws, net_force).sum(stretch);
     } else {
         return need ? sum_forces<known..., true>(grains, pairs, stretch, laws, net_force, others...)
-                    : sum_forces<known..., false>(grains, pairs, stretch, laws, net_force, others...);
+                    : sum_forces<known..., false>(grains, pairs, stretch, laws, net_force,
+                                                  others...);
     }
 }
 

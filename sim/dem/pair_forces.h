@@ -16,9 +16,9 @@ struct PairNeeds {
     static PairNeeds of(const Grains& grains, const PairLaws& laws);
 };
 
-/// Adds the forces and torques of a stretch of pairs to `net_force` and advances the tangential forces
-/// of their contacts by one step. Where bridges are wet, contacts form them, and the grains that
-/// they join attract each other. The laws stand in pair_contact.h.
+/// Adds the forces and torques of a stretch of pairs to `net_force` and advances the tangential
+/// forces of their contacts by one step. Where bridges are wet, contacts form them, and the grains
+/// that they join attract each other. The laws stand in pair_contact.h.
 ///
 /// Pairs are worked on in batches through vector lanes; the instruction set is chosen at run time
 /// and does not change a bit of the result, nor do needs that a sample does not have. Forces and
@@ -27,7 +27,7 @@ struct PairNeeds {
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      const PairNeeds& needs, std::vector<Grains::ForceAndTorque>& net_force);
 
-/// Adds the forces of a stretch of pairs with the needs of this sample.
+/// Adds the forces of a stretch of pairs, computing only what this sample needs.
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      std::vector<Grains::ForceAndTorque>& net_force);
 

@@ -8,8 +8,9 @@
 #include "sim/dem/pair_contact.h"
 #include "sim/dem/pair_laws.h"
 
-// How loops over pairs read and write: grains from and to memory, batches of pairs as vector lanes.
-// Everything is inlined into loops that are compiled once per instruction set.
+// Access to memory for the loops over pairs: reads grains into vector lanes, a batch of pairs at a
+// time, and writes them back. Everything is inlined into loops that are compiled once per
+// instruction set.
 namespace pendular::dem {
 
 constexpr std::size_t lanes = PairList::batch;
@@ -151,7 +152,8 @@ template <Gathered part>
                 w[l] = j.angular_velocity.lanes + i.angular_velocity.lanes;
             } else if constexpr (part == Gathered::weighted_motion) {
                 const PairSizes size = sizes[k + l];
-                w[l] = size.first_arm() * i.angular_velocity.lanes + size.second_arm * j.angular_velocity.lanes;
+                w[l] = size.first_arm() * i.angular_velocity.lanes +
+                       size.second_arm * j.angular_velocity.lanes;
             }
         }
         to_lanes(r, k, b.separation);

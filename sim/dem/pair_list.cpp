@@ -98,7 +98,7 @@ void permute(std::vector<Value>& values, const std::vector<std::int32_t>& order)
     values = std::move(permuted);
 }
 
-/// The first `live` pairs with grains called by new numbers, in order again.
+/// The first `live` pairs with renumbered grains, sorted again.
 Pairs renumbered(const Pairs& pairs, std::size_t live, const std::vector<std::int32_t>& renamed) {
     const auto name = [&](std::int32_t i) { return renamed[static_cast<std::size_t>(i)]; };
     std::vector<std::size_t> order(live);

@@ -27,12 +27,13 @@ struct Neighbours {
     }
 };
 
-/// Pairs with what a contact remembers, structure of arrays.
+/// Pairs with their contact history, structure of arrays.
 struct Pairs : Neighbours {
     std::vector<double> sx, sy, sz;  ///< tangential force on the second grain
     std::vector<double> root;        ///< sqrt(overlap) of the last step, 0 without contact
     std::vector<double> bridge;      ///< 1 where a liquid bridge joins the grains, else 0
-    std::vector<std::vector<double>> contact_history;  ///< of effects: words, each of all pairs
+    std::vector<std::vector<double>>
+        contact_history;  ///< of effects: contact_history[number][pair]
 
     Pairs() = default;
     explicit Pairs(Neighbours neighbours, std::size_t words = 0);
@@ -41,7 +42,7 @@ struct Pairs : Neighbours {
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
     /// Adds pairs outside the cell, which never touch, up to a whole number of batches.
     void fill_up(std::size_t batch);
-    /// Copies what pair `from` of another list remembers to pair `to` of this one.
+    /// Copies the contact history of pair `from` of another list to pair `to` of this one.
     void remember(std::size_t to, const Pairs& other, std::size_t from);
 
     template <typename Archive>
@@ -53,7 +54,7 @@ struct Pairs : Neighbours {
 
 /// Requirements of effects on grains for the neighbour lists.
 struct ListWants {
-    std::size_t contact_history = 0;  ///< words that a pair remembers
+    std::size_t contact_history = 0;  ///< numbers of contact history per pair
     bool all_in_reach = false;        ///< the distant list has all pairs that a bridge could join
 };
 
@@ -80,19 +81,19 @@ class PairList {
     /// which does not change them.
     explicit PairList(double rupture_distance = 0, int parts = 1, const ListWants& wants = {});
 
-    /// Notes the displacement and affine strain of a step just made, and renews what they make
-    /// invalid. Wraps the grains into the cell when the wide list is renewed.
+    /// Records the displacement and affine strain of a step, and renews the lists that are no
+    /// longer valid. Wraps the grains into the cell when the wide list is renewed.
     void update(Grains& grains, Cell& cell, double affine_strain);
     /// Updates the lists, given the largest squared displacement since the narrow list was made, if
     /// it is known.
     void update(Grains& grains, Cell& cell, double affine_strain, double largest_squared);
 
-    /// Renews both lists now, keeping what contacts remember.
+    /// Renews both lists now, keeping the contact history.
     void rebuild(Grains& grains, Cell& cell);
 
     Pairs& narrow() { return narrow_; }
     const Pairs& narrow() const { return narrow_; }
-    /// Pairs of the narrow list that are real; the rest only fills up the last batch.
+    /// Number of real pairs in the narrow list; the others only fill up the last batch.
     std::size_t live() const { return live_; }
     /// Pairs that a bridge joined, or could join, when the list was made; none of them can have
     /// come to touch.
@@ -103,7 +104,7 @@ class PairList {
     /// How often either list was renewed.
     std::size_t renewals() const { return renewals_; }
 
-    /// The state of a list made for the same rupture distance.
+    /// Saves or loads the lists; the list loaded into must be made for the same rupture distance.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(wide_, narrow_, distant_, live_, live_distant_, moved_, wide_strain_,
@@ -126,7 +127,7 @@ class PairList {
     std::vector<Vector> moved_;  ///< peculiar displacements, wide to narrow list
     double wide_strain_ = 0, narrow_strain_ = 0, strain_since_renumbered_ = 1e9;
     std::size_t wide_rebuilds_ = 0, renewals_ = 0;
-    // Kept between calls for their memory only.
+    // Buffers, kept between calls so that their memory is reused.
     std::vector<std::uint8_t> close_;
     Pairs old_narrow_, old_distant_;
 };

@@ -54,13 +54,15 @@ struct alignas(64) Stages {
     for (std::size_t k = 0; k < lanes; k += 4) {
         Vector::Lanes w[4];
         for (std::size_t l = 0; l < 4; ++l) {
-            w[l] = motion[second[k + l]].angular_velocity.lanes - motion[first[k + l]].angular_velocity.lanes;
+            w[l] = motion[second[k + l]].angular_velocity.lanes -
+                   motion[first[k + l]].angular_velocity.lanes;
         }
         to_lanes(w, k, rolling);
     }
 }
 
-/// A batch as effects see it. `contact_history` points to what its pairs remember, word by word.
+/// A batch as effects see it. `contact_history` points to the numbers of contact history, one array
+/// each.
 inline PairBatch batch_for_effects(Batch& b, Stages& s, const SizeLanes& sizes, double time_step,
                                    double* const* contact_history) {
     return {.size = lanes,

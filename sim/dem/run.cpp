@@ -16,18 +16,18 @@
 namespace pendular::dem {
 namespace {
 
-/// Before that no state is called steady; bridges live a strain of order 1.
+/// Strain before which no state counts as steady; bridges live for a strain of order 1.
 constexpr double first_look_strain = 1.0, first_wet_look_strain = 2.0;
 constexpr double look_every_strain = 0.25;
-/// Standard errors are estimates themselves: who stops at the first that is small enough believes
-/// those that came out too small.
+/// Standard errors are estimates themselves: a run that stopped at the first one small enough would
+/// favour underestimates.
 constexpr std::uint64_t looks_to_be_precise = 6;
 /// Sheared random samples showed 0.04 to 0.05 with 1000 grains, 0.10 with 100, crystals 0.3 to
 /// 0.55.
 constexpr double crystal_bond_order = 0.2;
 
 /// Whether any quarter of the averaged part is denser than random packings can be or ordered: a
-/// sample that crystallises on the way must not pass for its average.
+/// sample that crystallises during the run must not be averaged.
 bool crystallised(const Series& series, std::size_t from) {
     const auto dense = series.values(from, [](const Block& b) {
         return b.solid_fraction - rigidity_shift(b.solid_fraction, b.structure.overlap);
@@ -112,7 +112,7 @@ void average_observables(const Series& series, std::size_t from, RunResult& resu
     result.covariance = covariance_of_means(stress_ratio, solid_fraction);
 }
 
-/// Whether every standard error asked for is reached.
+/// Whether every requested standard error is reached.
 bool precise(const RunResult& result) {
     return std::ranges::all_of(result.parameters.precision, [&](const Precision& wanted) {
         return result[wanted.which].standard_error <= wanted.standard_error;

@@ -29,15 +29,16 @@ struct RunResult {
     std::array<BinnedMeans, field_count> fields;  ///< those of bridges are empty in dry runs
     double covariance = 0;  ///< of the means of stress ratio and solid fraction
     double strain_averaged = 0;
-    double strain_transient = 0;  ///< found, and left out
-    double time_step = 0;         ///< mean [sqrt(m/(a s22))]
+    double strain_transient =
+        0;                 ///< strain of the detected transient, left out of the averages [1]
+    double time_step = 0;  ///< mean [sqrt(m/(a s22))]
     std::uint64_t steps = 0;
     double wall_seconds = 0;
     bool crystallised = false;
     bool steady = false;
-    bool precise = true;       ///< every standard error asked for was reached
-    Trace trace;               ///< block by block, transient included
-    StoredSample final_state;  ///< another run may start from
+    bool precise = true;       ///< whether every requested standard error was reached
+    Trace trace;               ///< one entry per block of strain, transient included
+    StoredSample final_state;  ///< state from which another run may start
     std::string failure;       ///< why there are no averages (run_all); empty: there are
 
     const Mean& operator[](Observable which) const {
@@ -51,7 +52,8 @@ struct RunResult {
     }
 };
 
-/// Changes only when runs of the same parameters come out different beyond rounding.
+/// Version of the solver. It changes only when runs of equal parameters give results that differ
+/// beyond rounding.
 constexpr int physics_version = 1;
 
 /// Called about once per strain of 0.02 with the strain done and the strain expected in all.

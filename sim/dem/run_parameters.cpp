@@ -62,7 +62,7 @@ void check_run_parameters(const RunParameters& p, const GrainEffects& effects) {
     }
     if (p.wetting) {
         check_wetting(*p.wetting, effects.changed(BridgeLaw(*p.wetting)).rupture_distance,
-              ShearCell::edge(p.grains));
+                      ShearCell::edge(p.grains));
     }
     demand(p.start == 0 || effects.diameters(2, 1).empty(),
            "a run cannot start from the state of another where its beads are to be of other sizes");

@@ -9,8 +9,8 @@ namespace pendular::dem {
 namespace {
 
 constexpr int structures_per_block = 4;
-/// Velocities are looked at every so many steps; lost energies, whose accounting nearly
-/// doubles a step's time, at the first step of a block and every so many.
+/// Steps between two evaluations of the velocities, and of the dissipated energies. The accounting
+/// of energies nearly doubles a step's time; it is also done at the first step of a block.
 constexpr int steps_between_samples = 16, steps_between_accounts = 64;
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace pendular::dem {
 
-/// Strain over which a run averages before it looks at its state.
+/// Strain of one block [1]: a run averages over it before it checks its state.
 constexpr double block_strain = 0.02;
 
 /// Averages over one block of strain.
@@ -32,7 +32,7 @@ struct Block {
     }
 };
 
-/// A block that is being filled, step by step, so that a run can be put down between any two.
+/// A block in progress. It grows step by step, so that a run can stop between any two steps.
 class OpenBlock {
   public:
     OpenBlock() = default;
@@ -40,12 +40,13 @@ class OpenBlock {
 
     bool full(const ShearCell& sample) const { return sample.strain() >= begin_ + block_strain; }
     double begin() const { return begin_; }  ///< strain of the sample
-    /// Makes a step of the sample and notes what it says.
+    /// Advances the sample by one step and adds its state to the block.
     void step(ShearCell& sample);
-    /// Whether `step` has just looked at every grain, so that looking up costs nothing beside it.
+    /// Whether `step` has just measured every grain: a moment at which a pause costs little time.
     static bool pauses(const ShearCell& sample);
-    /// Averages over all steps; solid fraction across the gradient and distributions over pairs are
-    /// those of its last state, since more would cost several per cent of a fast run's time.
+    /// Averages over all steps of the block. Profiles of solid fraction and distributions over
+    /// pairs are taken from its last state only, since more would cost several per cent of a fast
+    /// run's time.
     Block close(const ShearCell& sample);
 
     template <typename Archive>
@@ -65,7 +66,7 @@ class OpenBlock {
     int structures_ = 0;
 };
 
-/// The blocks of a run so far and what they say.
+/// Blocks of a run so far, with the averages and the transient found from them.
 class Series {
   public:
     void add(Block block) { blocks_.push_back(std::move(block)); }

@@ -18,8 +18,8 @@ struct Section {
 };
 
 /// Work of one of several threads in every step while the lists are valid. The thread sums the
-/// forces of its pairs in loads of its own and moves its grains; as grains are numbered in rows,
-/// hardly any other thread touches those.
+/// forces of its pairs in an array of its own and moves its grains. As grains are numbered in rows,
+/// few pairs of other threads act on them.
 struct Share {
     std::vector<Section> sections;
     std::vector<std::int32_t> ghosts;  ///< grains of other shares that its pairs push, ascending

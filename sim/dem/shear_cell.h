@@ -49,13 +49,14 @@ Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diam
 /// where the damping is more than critical.
 class ShearCell {
   public:
-    /// A random gas. Bridges form from the end of `compress` on. Each step is done in `parts` side
-    /// by side, a thread each; forces are summed part by part, so that a run is the same for the
-    /// same number of parts.
+    /// Starts from a random gas. Bridges form from the end of `compress` on. Each step is done in
+    /// `parts` side by side, a thread each; forces are summed part by part, so that a run is the
+    /// same for the same number of parts.
     /// @throws std::invalid_argument as random_gas
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
-    /// Any sample in any uniform flow, its stress not held and without bridges until asked for.
+    /// Starts from any sample in any uniform flow; its stress is not controlled, and no bridges
+    /// form until requested.
     ShearCell(Sample sample, const Material& material, const Flow& flow,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
 
@@ -78,7 +79,7 @@ class ShearCell {
     const Cell& cell() const { return cell_; }
     const PairList& pairs() const { return pairs_; }
     const Material& material() const { return material_; }
-    /// As effects have changed it.
+    /// Law of the bridges with the changes that effects make.
     const BridgeLaw& bridges() const { return bridges_; }
     const GrainEffects& effects() const { return effects_; }
     /// Stress of the last step, from the forces at its beginning.
@@ -104,7 +105,7 @@ class ShearCell {
     /// convergence.
     void set_time_step_fraction(double fraction) { fraction_ = fraction; }
 
-    /// The state of a sample made of the same grains, laws and parts.
+    /// Saves or loads the state; the sample loaded into must have the same grains, laws and parts.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(grains_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
@@ -120,7 +121,7 @@ class ShearCell {
     /// pair is done.
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                         const PairLaws& laws, MotionSums* moved = nullptr);
-    /// Adds to the loads that a part has of its own grains what the others have of them.
+    /// Adds the forces that other parts summed for the grains of this part.
     void collect_net_forces(int part);
     std::vector<Grains::ForceAndTorque>& net_forces_of(int part);
     std::vector<Grains::ForceAndTorque> all_net_forces();

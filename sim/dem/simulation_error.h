@@ -5,13 +5,14 @@
 
 namespace pendular::dem {
 
-/// The simulation cannot go on: a state that is not finite, a sample that never reached its stress.
+/// Error of a simulation that cannot continue: a state that is not finite, or a sample that never
+/// reached its stress.
 class SimulationError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// The user asked to stop.
+/// Thrown where the user stops the work.
 class Interrupted : public std::runtime_error {
   public:
     explicit Interrupted(const std::string& what_remains = "nothing was written")

@@ -9,7 +9,7 @@
 
 namespace pendular::dem {
 
-/// Two grains in contact or joined by a bridge, as others draw them.
+/// Two grains in contact or joined by a bridge, for drawing.
 struct DrawnPair {
     Vector from, to;          ///< centres; `to` may be that of an image outside the cell
     double normal_force = 0;  ///< elastic, of contacts [a^2 s22]
@@ -17,8 +17,8 @@ struct DrawnPair {
     bool touching = false;
 };
 
-/// A state as others read it: every grain inside the cell, velocities with the imposed flow in
-/// them. Reduced units: grain diameter, mass and imposed normal stress are 1.
+/// A state for other programs: every grain inside the cell, velocities with the imposed flow
+/// included. Reduced units: grain diameter, mass and imposed normal stress are 1.
 struct Snapshot {
     struct Grain {
         std::int32_t id = 0;  ///< from 1 on, the same throughout a run

@@ -8,10 +8,10 @@
 
 namespace pendular::dem {
 
-/// A sample as a run leaves it, in single precision: enough for another run to start from, not to
-/// go on bit for bit (that is a checkpoint). What contacts remember is left out: it builds up again
-/// while they slide by their overlap, a small part of any transient. Samples of unequal grains are
-/// not stored: it stays empty.
+/// Final state of a run in single precision, from which another run can start; only a checkpoint
+/// continues a run bit for bit. The contact history is left out: it builds up again while contacts
+/// slide by their overlap, a small part of any transient. Empty for samples of unequal grains,
+/// which are not stored.
 struct StoredSample {
     Cell cell;
     std::vector<std::array<float, 9>> grains;  ///< position, peculiar velocity, angular velocity

@@ -109,7 +109,7 @@ Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near
             return bridges.relative_force(std::max(0.0, gap));
         }
         const PairSizes sizes = grains.sizes(static_cast<std::size_t>(pairs.first[k]),
-                                            static_cast<std::size_t>(pairs.second[k]));
+                                             static_cast<std::size_t>(pairs.second[k]));
         return effects.attraction(gap, sizes.diameter, material, bridges) / bridges.pull_off_force;
     };
     const auto note_distant = [&](const Pairs& pairs, std::size_t k, const Vector& separation) {

@@ -20,7 +20,7 @@ struct TraceBlock {
     }
 };
 
-/// A run block by block.
+/// Time series of a run: one entry per block of strain.
 using Trace = std::vector<TraceBlock>;
 
 }  // namespace pendular::dem

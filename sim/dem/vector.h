@@ -30,7 +30,7 @@ struct alignas(32) Vector {
     friend Vector operator-(const Vector& a, const Vector& b) { return Vector(a.lanes - b.lanes); }
     friend Vector operator-(const Vector& a) { return Vector(-a.lanes); }
     friend Vector operator*(double factor, const Vector& a) { return Vector(factor * a.lanes); }
-    /// Lane by lane.
+    /// Product of each component with the same component of the other vector.
     friend Vector operator*(const Vector& a, const Vector& b) { return Vector(a.lanes * b.lanes); }
     friend bool operator==(const Vector& a, const Vector& b) {
         return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];

@@ -6,9 +6,10 @@
 namespace pendular::dem {
 namespace {
 
-/// Motion with the velocities halfway through the step that these loads make.
+/// Motion with the velocities halfway through the step that these forces cause.
 [[gnu::always_inline]] inline std::vector<Grains::Motion> halfway_through(
-    const Grains& grains, const std::vector<Grains::ForceAndTorque>& net_forces, const PairLaws& laws) {
+    const Grains& grains, const std::vector<Grains::ForceAndTorque>& net_forces,
+    const PairLaws& laws) {
     std::vector<Grains::Motion> halfway = grains.motion;
     for (std::size_t i = 0; i < halfway.size(); ++i) {
         const Vector acceleration =
@@ -21,8 +22,8 @@ namespace {
 }  // namespace
 
 PENDULAR_SIMD_CLONES
-double viscous_loss(const Grains& grains, const std::vector<Grains::ForceAndTorque>& net_forces, const Pairs& near,
-                    const PairLaws& laws) {
+double viscous_loss(const Grains& grains, const std::vector<Grains::ForceAndTorque>& net_forces,
+                    const Pairs& near, const PairLaws& laws) {
     const std::vector<Grains::Motion> halfway = halfway_through(grains, net_forces, laws);
     const Shifts shifts = image_shifts(laws.cell);
     const Material material = laws.material;

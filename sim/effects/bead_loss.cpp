@@ -3,8 +3,8 @@
 namespace pendular {
 
 /// Beads that left through the clearances of the lid are still counted in the solid fraction, and
-/// in their weight: a balance weighed them before the test. It comes with the transducers, after
-/// what the beads in the cell do.
+/// in their weight: a balance weighed them before the test. It is applied with the transducers,
+/// after the effects on the beads in the cell.
 Effect bead_loss() {
     return {.summary = "beads have left the cell since they were weighed",
             .equation = "V_S shown = V_S/(1 - fraction)",

@@ -4,7 +4,7 @@ namespace pendular {
 
 /// Liquid in the pendular regime: bridges that pull grains together with forces in proportion to
 /// the surface tension. On in every study with a liquid, at the surface tension it gives; without
-/// any, beads are as good as dry.
+/// surface tension, wet beads behave as dry ones.
 Effect capillary_bridges() {
     return {.summary = "liquid bridges pull beads together",
             .equation = "F0 = pi a Gamma cos(theta)      Gamma = surface_tension",

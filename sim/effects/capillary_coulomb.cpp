@@ -14,21 +14,23 @@ void net_limit(const dem::PairBatch& batch, const dem::PairContext& context) {
 
 }  // namespace
 
-/// In the base law friction is limited by the elastic force of the contact, which the bridge's pull
-/// presses together, as a load from outside would. Where the limit goes with the whole normal force
-/// instead, the bridge's pull included with its sign, contacts that carry little slide, and
-/// capillary forces add no strength through them.
+/// In the base law the Coulomb limit is proportional to the elastic force of the contact, which the
+/// attraction of the bridge increases as an external load would. This effect makes it proportional
+/// to the total normal force, elastic force less attraction. Lightly loaded contacts then slide,
+/// and capillary forces add no strength through them.
 Effect capillary_coulomb() {
-    return {.summary = "the Coulomb limit goes with the normal force less the bridge's pull",
-            .equation = "|F_T| <= friction max(0, F_N - F_capillary)",
-            .parameters = {on_switch("the limit includes the capillary force")},
-            .change = dem::ChangePairs{.limit = net_limit},
-            .touches = Touches::wet,
-            .fades_with_capillarity = true,
-            .acts_through = {"reduced_pressure", "liquid_content"},
-            .references = {
-                "Badetti et al. (2018), section 2.2, for the limit on the elastic force",
-                "Richefeu, El Youssoufi, Radjai, Phys. Rev. E 73 (2006) 051304: both limits"}};
+    return {
+        .summary =
+            "the Coulomb limit is proportional to the normal force less the bridge's attraction",
+        .equation = "|F_T| <= friction max(0, F_N - F_capillary)",
+        .parameters = {on_switch("the limit includes the capillary force")},
+        .change = dem::ChangePairs{.limit = net_limit},
+        .touches = Touches::wet,
+        .fades_with_capillarity = true,
+        .acts_through = {"reduced_pressure", "liquid_content"},
+        .references = {
+            "Badetti et al. (2018), section 2.2, for the limit on the elastic force",
+            "Richefeu, El Youssoufi, Radjai, Phys. Rev. E 73 (2006) 051304: both limits"}};
 }
 
 }  // namespace pendular

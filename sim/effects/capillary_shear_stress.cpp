@@ -2,11 +2,11 @@
 
 namespace pendular {
 
-/// Forces of bridges have a shear stress of their own, of the opposite sign: Rumpf's cohesion
-/// leaves it out.
+/// Bridge forces carry a shear stress of opposite sign, which Rumpf's cohesion neglects.
 Effect capillary_shear_stress() {
     return {
-        .summary = "base rumpf: the shear stress of capillary forces counts",
+        .summary =
+            "adds the shear stress of capillary forces to Rumpf's cohesion (base rumpf only)",
         .equation =
             "mu* = mu*_0 + (mu*_0 Phi_S Z*/pi - a^2 s12cap/F0)/P*      eq:strength2 in place "
             "of eq:strength3",

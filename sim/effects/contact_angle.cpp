@@ -11,12 +11,12 @@ constexpr double degree = std::numbers::pi / 180;
 
 }  // namespace
 
-/// The liquid wets the beads less well than the study says: a bridge pulls with pi a Gamma
-/// cos(theta). The angle in all is kept within 0 and 89 degrees, since beyond 90 there are no
-/// attractive bridges, and a negative one has no meaning: negative values make sense where the
-/// study's own angle is larger.
+/// The liquid wets the beads less well than the study states: a bridge attracts with pi a Gamma
+/// cos(theta). The sum of the study's angle and this one is kept within 0 and 89 degrees, since
+/// bridges do not attract beyond 90 and negative angles have no meaning. Negative values are useful
+/// where the study's own angle is too large.
 Effect contact_angle() {
-    return {.summary = "the contact angle of the liquid is not the study's",
+    return {.summary = "the contact angle of the liquid differs from the study's",
             .equation = "F0 = pi a Gamma cos(theta + angle)      0 <= theta + angle <= 89 degrees",
             .parameters = {{.name = "angle",
                             .unit = "rad",

@@ -2,12 +2,14 @@
 
 namespace pendular {
 
-/// Every layer carries those above it, so that the normal stress rises over the depth by M g/A.
-/// Beads are in the state of mid-height on average, where it is half of that more than under the
-/// lid, which the load cell feels. M is the mass truly in the cell.
+/// Every layer carries those above it, so that the normal stress rises by M g/A from lid to bottom.
+/// On average beads are in the state of mid-height, where the stress exceeds that under the lid,
+/// which the load cell measures, by half of this. M is the true mass of the beads in the cell.
 Effect grain_weight() {
     return {
-        .summary = "the beads' own weight: at mid-height the stress is higher than under the lid",
+        .summary =
+            "the weight of the beads raises the normal stress at mid-height above that under the "
+            "lid",
         .equation =
             "F_shown = F_N - M g/2      F_N at mid-height, M the mass of the beads in the cell",
         .parameters = {on_switch("0: weightless, 1: the weight of the beads counts")},

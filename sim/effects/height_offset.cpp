@@ -3,8 +3,8 @@
 namespace pendular {
 
 /// A gap that was zeroed with beads, dust or liquid between the plates, or in a frame that gives
-/// way under load, is off by a constant. The solid fraction is off by -offset/H, relative, the
-/// shear rate too.
+/// way under load, has a constant error. Solid fraction and shear rate then have a relative error
+/// of -offset/H.
 Effect height_offset() {
     return {
         .summary = "a wrong zero of the gap adds a constant height",

@@ -3,8 +3,8 @@
 namespace pendular {
 
 /// Where the lid is too smooth to take the outermost beads along, they lag behind it: the sample is
-/// sheared more slowly than the lid turns. Stresses hardly know, but at small inertial numbers,
-/// where they do not depend on the rate anyway; at large ones the stress ratio is too low.
+/// sheared more slowly than the lid turns. At small inertial numbers, where stresses do not depend
+/// on the rate, nothing is seen of it; at large ones the stress ratio is too low.
 Effect lid_slip() {
     return {
         .summary = "beads slip along the lid, so that they are sheared more slowly than it turns",

@@ -6,14 +6,14 @@
 namespace pendular {
 namespace {
 
-/// Exponent at which nothing is left, e^-100; beyond it numbers would overflow.
+/// Exponent at which no liquid is left, e^-100; larger ones would overflow.
 constexpr double gone = 100;
 
 }  // namespace
 
-/// Liquid that evaporates, or drains to the walls, in proportion to what is left: the content known
-/// from mixing is right only when the first recording begins. It comes with the transducers, as
-/// what a balance said.
+/// Liquid that evaporates, or drains to the walls, at a rate proportional to the remaining liquid:
+/// the content known from mixing is right only when the first recording begins. It is applied with
+/// the transducers, since the content is a reading of a balance.
 Effect liquid_loss() {
     return {
         .summary = "the liquid evaporates or drains while recordings go on",

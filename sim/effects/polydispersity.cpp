@@ -20,8 +20,8 @@ void spread(std::span<double> diameters, std::mt19937_64& random, const Values& 
 
 }  // namespace
 
-/// Beads of several sizes pack more densely and hardly change the stress ratio: it mimics beads
-/// lost, or a gap read wrong. By symmetry what it does grows with the square of the deviation.
+/// Beads of several sizes pack more densely and hardly change the stress ratio: it resembles lost
+/// beads or a wrong gap. By symmetry its response grows with the square of the deviation.
 Effect polydispersity() {
     return {.summary = "the beads are not all of one size",
             .equation = "diameters uniform over a (1 +- sqrt(3) deviation)",

@@ -4,8 +4,8 @@ namespace pendular {
 
 /// The base law has a hysteresis: a bridge forms on contact and breaks at D0. Where films of liquid
 /// on the beads meet before the beads do, or vapour condenses, bridges form as soon as the gap is
-/// below D0: then there are more distant bridges, they are as many where beads approach as where
-/// they part, and so carry less shear stress.
+/// below D0: there are then more distant bridges, as many between approaching beads as between
+/// parting ones, and they carry less shear stress.
 Effect reversible_bridges() {
     return {.summary = "bridges form without contact, as soon as the gap is below D0",
             .equation = "a bridge joins two beads wherever their gap h <= D0",

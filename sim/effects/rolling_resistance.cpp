@@ -14,9 +14,11 @@ void roll(const dem::PairBatch& batch, const dem::PairContext& context) {
     for (std::size_t k = 0; k < batch.size; ++k) {
         const double nx = batch.nx[k], ny = batch.ny[k], nz = batch.nz[k];
         const double arm = batch.diameter[k] / 2;
-        double mx = batch.contact_history[0][k], my = batch.contact_history[1][k], mz = batch.contact_history[2][k];
+        double mx = batch.contact_history[0][k], my = batch.contact_history[1][k],
+               mz = batch.contact_history[2][k];
         const double dt = batch.time_step;
-        const double ox = batch.pair_rotation_x[k], oy = batch.pair_rotation_y[k], oz = batch.pair_rotation_z[k];
+        const double ox = batch.pair_rotation_x[k], oy = batch.pair_rotation_y[k],
+                     oz = batch.pair_rotation_z[k];
         const double px = mx + dt * (oy * mz - oz * my), py = my + dt * (oz * mx - ox * mz),
                      pz = mz + dt * (ox * my - oy * mx);
         const double rx = batch.rolling_x[k], ry = batch.rolling_y[k], rz = batch.rolling_z[k];
@@ -29,14 +31,15 @@ void roll(const dem::PairBatch& batch, const dem::PairContext& context) {
         const double squared = mx * mx + my * my + mz * mz;
         const double allowed = dem::coulomb_factor(squared, limit);
         mx *= allowed, my *= allowed, mz *= allowed;
-        batch.contact_history[0][k] = mx, batch.contact_history[1][k] = my, batch.contact_history[2][k] = mz;
+        batch.contact_history[0][k] = mx, batch.contact_history[1][k] = my,
+        batch.contact_history[2][k] = mz;
         batch.tx[k] += mx, batch.ty[k] += my, batch.tz[k] += mz;
     }
 }
 
 /// Effective coefficient at a given friction: contacts slide before they roll once sliding takes
-/// less work, so that it saturates with the coefficient over the friction. The factor is that of
-/// the greatest likelihood for the runs of the atlas, both of stress ratio and of solid fraction.
+/// less work, so that it saturates with the coefficient over the friction. The factor maximises the
+/// likelihood of the runs of the atlas, in stress ratio and solid fraction alike.
 double effective_amplitude(double coefficient, double friction) {
     constexpr double sliding = 3;
     return friction > 0 ? -friction / sliding * std::expm1(-sliding * coefficient / friction) : 0;
@@ -44,9 +47,9 @@ double effective_amplitude(double coefficient, double friction) {
 
 }  // namespace
 
-/// Rough or slightly angular beads touch over a patch and resist being rolled. Dry beads then leave
-/// the one curve of stress ratio and solid fraction that friction alone lets them take: stronger at
-/// the same solid fraction.
+/// Rough or slightly angular beads touch over a patch and resist rolling. With sliding friction
+/// alone, dry beads follow one curve of stress ratio against solid fraction; with rolling
+/// resistance the stress ratio is higher at the same solid fraction.
 Effect rolling_resistance() {
     return {.summary = "contacts resist rolling, as those of rough beads do",
             .equation = "|M_rolling| <= coefficient (a/2) F_N",

@@ -2,8 +2,9 @@
 
 namespace pendular {
 
-/// The drag of bearings and seals does not know the sample: it is there at every normal stress, and
-/// in an empty cell. Over s22 it looks like a cohesion, of dry beads too.
+/// The drag of bearings and seals does not depend on the sample: it is the same at every normal
+/// stress and in an empty cell. As a part of the stress ratio it resembles a cohesion, also of dry
+/// beads.
 Effect torque_offset() {
     return {
         .summary = "drag of bearings and seals adds a constant torque",

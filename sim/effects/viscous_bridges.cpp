@@ -6,8 +6,8 @@
 namespace pendular {
 namespace {
 
-/// Gap [diameters] below which roughness lets the liquid out: 5 um on beads of 500 um. The force
-/// knows it through how long beads are that close.
+/// Gap [diameters] below which roughness drains the liquid: 5 um on beads of 500 um. It limits the
+/// force.
 constexpr double roughness = 0.01;
 
 /// Coefficient of the normal lubrication force between spheres of radius R fully immersed,
@@ -37,8 +37,8 @@ void lubrication(const dem::PairBatch& batch, const dem::PairContext& context) {
 
 }  // namespace
 
-/// A liquid bridge resists both approach and parting. The stress it adds grows with the shear rate,
-/// not with the inertial number: at the same I it is larger where the normal stress is.
+/// A liquid bridge resists both approach and parting. The stress it adds is proportional to the
+/// shear rate, not to the inertial number: at the same I it is larger at higher normal stress.
 Effect viscous_bridges() {
     return {
         .summary = "the liquid's viscosity resists the motion of beads that a bridge joins",

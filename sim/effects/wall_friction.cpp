@@ -42,8 +42,8 @@ double arm(const CellState& cell) {
 /// of which k (H/w) F (Re + Ri)/2 is the limit of a narrow annulus (12 % less at 21 and 45 mm).
 /// That F rises towards the lid is of second order in k H/w.
 ///
-/// One friction cannot be fully mobilised in both directions at once: the coefficient is what of it
-/// acts, the same in both.
+/// Friction cannot be fully mobilised in both directions at once: the coefficient is the mobilised
+/// part, taken as equal in both.
 Effect wall_friction() {
     return {.summary =
                 "friction at the side walls adds to the torque and to the normal force at the lid",

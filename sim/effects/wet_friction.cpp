@@ -2,8 +2,8 @@
 
 namespace pendular {
 
-/// A liquid film between surfaces lubricates them, or, where it swells or cleans them, makes them
-/// rougher: the friction of wet beads differs from that of dry ones.
+/// A liquid film lubricates surfaces, or makes them rougher where it swells or cleans them: the
+/// friction of wet beads differs from that of dry ones.
 Effect wet_friction() {
     return {.summary = "wet beads have another friction coefficient than dry ones",
             .equation = "mu_wet = mu + difference",

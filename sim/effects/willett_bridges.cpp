@@ -30,9 +30,9 @@ double relative_force(double half_gap, double volume) {
     return std::exp(f1 - f2 * std::exp(f3 * scaled + f4 * scaled * scaled));
 }
 
-/// The bridge's volume is that behind the base law's curvature, c = 4 V0/(pi a); the radius of
-/// unequal beads is Derjaguin's, half their harmonic mean diameter. Its own rupture distance is
-/// V0^(1/3) too. A contact angle scales F0, as in the base law.
+/// The bridge volume follows from the base law's curvature, c = 4 V0/(pi a); the radius for unequal
+/// beads is Derjaguin's, half their harmonic mean diameter. The rupture distance is V0^(1/3), as in
+/// the base law. A contact angle scales F0, as in the base law.
 void willett(const dem::PairBatch& batch, const dem::PairContext& context) {
     const double bridge_volume = context.bridges.volume;
     for (std::size_t k = 0; k < batch.size; ++k) {
@@ -48,8 +48,9 @@ void willett(const dem::PairBatch& batch, const dem::PairContext& context) {
 
 }  // namespace
 
-/// Maugis' bridge pulls beads in contact with F0 whatever its volume; a true meniscus pulls less
-/// the larger it is (0.89 F0 at V0 = 5e-4 a^3, 0.80 F0 at 8e-3 a^3) and falls off otherwise.
+/// Maugis' bridge attracts beads in contact with F0 at any volume. A true meniscus attracts less
+/// the larger it is (0.89 F0 at V0 = 5e-4 a^3, 0.80 F0 at 8e-3 a^3) and decays differently with the
+/// gap.
 Effect willett_bridges() {
     return {.summary = "Willett's bridge force in place of Maugis'",
             .equation =

@@ -93,7 +93,7 @@ bool is_simulated(const Effect& effect) {
 }
 
 /// Whether an effect on beads or liquid leaves every run as it is, as a contact angle does that is
-/// kept from falling below 0. What is on anyway may be given the value it has.
+/// kept from falling below 0. An effect that is always on may be given its present value.
 bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
     if (!active.effect->of_condition() || active.effect->given_by_liquid) {
         return false;

@@ -29,7 +29,7 @@ struct LabPlan {
     std::uint64_t seed = 1;
 };
 
-/// One file that is to be: a replicate of all steps of one liquid content.
+/// A recording to be made: a replicate of all steps of one liquid content.
 struct PlannedRecording {
     std::string file;
     double liquid_content = 0;
@@ -38,17 +38,18 @@ struct PlannedRecording {
     std::vector<Condition> conditions;  ///< asked for, in the order measured, with their times
 };
 
-/// All recordings, which follow one another without a pause. The time of a step is the mean time of
-/// its steady part, as `import` finds it; effects of time act on a step as they do then.
+/// All recordings of the plan, which follow one another without a pause. The time of a step is the
+/// mean time of its steady part, as `import` finds it; effects of time act on a step as they do
+/// then.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
 /// True conditions behind the requested condition that the instrument shows: effects of the
 /// instrument undone, those on beads and liquid applied, those on grains listed.
 ///
 /// The height of the sample is not known before it has been simulated, so that here it is that of a
-/// typical solid fraction, 0.6. The recording is of the height simulated: it shows the true state
-/// exactly, at exactly the set points asked for (`shown_at_set_points`), while the run was made at
-/// a condition that is off by what the effect of the height on it leaves of those 4 %, some 0.1 %.
+/// typical solid fraction, 0.6. The recording uses the simulated height: it shows the true state
+/// exactly, at the requested set points (`shown_at_set_points`). The simulated heights differ from
+/// the typical one by up to 4 %, which puts the simulated condition off by about 0.1 %.
 /// @throws InputError where no true state is shown so
 EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked);
 
@@ -64,14 +65,14 @@ void check_plan(const LabPlan& plan);
 /// Condition of every step of one recording, in the order measured, without their times.
 std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content);
 
-/// Dry (0), then each liquid content.
+/// Liquid contents of the recordings [1]: 0 (dry), then each wet one.
 std::vector<double> contents_of(const LabPlan& plan);
 
-/// The run that says what is to be seen at an imposed condition.
+/// Run that gives the true state at an imposed condition.
 dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& condition,
                           double bridge_volume);
 
-/// A smaller and shorter one, to find the bridge volume.
+/// Smaller and shorter run, to find the bridge volume.
 dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condition,
                             double bridge_volume);
 

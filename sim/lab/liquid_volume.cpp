@@ -14,13 +14,13 @@ bool off(double found, double wanted) {
     return std::abs(found / wanted - 1) > tolerance;
 }
 
-/// A bridge volume and the liquid content it gave.
+/// Trial: a bridge volume over a^3 with the liquid content [1] that its simulation gave.
 struct Trial {
     double volume = 0;
     double content = 0;
 };
 
-/// Where the coordination of the trial would give the content.
+/// Bridge volume that gives the liquid content at the coordination of the trial.
 double at_same_coordination(const Trial& trial, double wanted) {
     return trial.volume * wanted / trial.content;
 }

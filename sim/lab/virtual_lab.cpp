@@ -26,7 +26,7 @@ class Runs {
     /// unusable.
     template <typename Complaint>
     std::vector<dem::RunResult> simulate_all(std::vector<dem::RunParameters> runs,
-                                          const Complaint& complaint) {
+                                             const Complaint& complaint) {
         std::vector<dem::RunResult> results(runs.size());
         std::vector<std::size_t> which(runs.size());
         for (std::size_t k = 0; k < which.size(); ++k) {
@@ -119,7 +119,7 @@ class WetConditions {
     }
 
   private:
-    /// Whatever a run and its liquid content depend on.
+    /// All quantities that determine a run and its liquid content.
     std::string key_of(const EffectiveCondition& condition) const {
         return fmt::format("{} {}", condition.liquid_content,
                            run_description(run_at(plan_, condition, 0)));
@@ -162,7 +162,7 @@ std::vector<double> find_bridge_volumes(const LabPlan& plan,
     });
 }
 
-/// Runs that scatter more than the whole recording was to.
+/// Runs whose standard errors exceed the scatter planned for the recording.
 void note_scatter(LabResult& result) {
     const double noise = result.plan.instrument.noise;
     const double torque = typical_error(result, dem::Observable::stress_ratio);

@@ -10,14 +10,14 @@
 
 namespace pendular {
 
-/// One step of a recording: what was imposed and the run that says what was to be seen.
+/// One step of a recording: the imposed condition and the run that gives the true state.
 struct LabStep {
     Condition condition;         ///< asked for: what the instrument shows
     EffectiveCondition imposed;  ///< what is truly imposed, as simulated (`imposed_condition`)
     dem::RunResult run;
 };
 
-/// One file: a replicate of all steps of one liquid content.
+/// One recording: a replicate of all steps of one liquid content.
 struct LabRecording {
     std::string file;
     double liquid_content = 0;
@@ -33,14 +33,14 @@ struct LabResult {
     std::vector<std::string> notes;  ///< lines the user should read
 };
 
-/// Told the name of each phase of the work before its runs begin.
+/// Called with the name of each phase of the work before its runs begin.
 using AnnouncePhase = std::function<void(const std::string&)>;
 
 /// Simulates every step of every recording, each on its own: no two share a seed, and none shares
-/// its seed with a run of a calibration of equal seed (seeds.h) or its number of beads, 1.5 times
-/// the fidelity's. Bridge volumes that give the liquid contents are found by short runs first.
-/// A run that fails, crystallises or is not steady is replaced by one of another seed, three times
-/// at most.
+/// its seed with a run of a calibration of equal seed (seeds.h) or its number of grains, which is
+/// 1.5 times the fidelity's. Bridge volumes that give the liquid contents are found by short runs
+/// first. A run that fails, crystallises or is not steady is replaced by one of another seed, three
+/// times at most.
 /// @throws InputError as `check_plan`
 /// @throws dem::SimulationError where a step has no usable run
 /// @throws dem::Interrupted when a stop is requested

@@ -61,7 +61,8 @@ class CorrelatedNoise {
     bool started_ = false;
 };
 
-/// Random factor of a step: what a mean and the noise within the step leave of the scatter.
+/// Random factor of a step: the part of the scatter that is not due to the simulation's error and
+/// the noise within the step.
 double factor(const Mean& simulated, double scatter, InstrumentNoise& random) {
     const double known = square(simulated.standard_error / simulated.value);
     const double left = square(scatter) * (1 - square(share_within)) - known;
@@ -136,8 +137,8 @@ void append_step(Recording& recording, const Level& level, const Instrument& ins
 
 }  // namespace
 
-double time_steps(std::vector<Condition>& steps, const GrainProperties& grains, const Instrument& instrument,
-                  double now) {
+double time_steps(std::vector<Condition>& steps, const GrainProperties& grains,
+                  const Instrument& instrument, double now) {
     const int rows = instrument.rows;
     double start = 0, last = 0;
     for (Condition& step : steps) {
@@ -151,8 +152,8 @@ double time_steps(std::vector<Condition>& steps, const GrainProperties& grains, 
     return last;
 }
 
-Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell, const GrainProperties& grains,
-                 const Instrument& instrument, std::uint64_t seed) {
+Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell,
+                 const GrainProperties& grains, const Instrument& instrument, std::uint64_t seed) {
     InstrumentNoise random(seed);
     InstrumentNoise drifting(seed + 1);  // apart, so that recordings without drift stay as they are
     const double of_torque = instrument.drift * torque_scatter * drifting();

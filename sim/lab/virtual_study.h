@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// Files of the study that a virtual laboratory writes, recordings and study.toml, by name. Nothing
-/// in them tells the truth.
+/// Files of the study that a virtual laboratory writes, recordings and study.toml, by name. They do
+/// not contain the truth.
 std::map<std::string, std::string> study_files(const LabResult& result);
 
 }  // namespace pendular

@@ -7,7 +7,7 @@
 
 namespace pendular {
 
-/// The runs that a campaign file asks for, in its order, each once.
+/// Runs that a campaign file requests, in its order, each once.
 ///
 ///     seed = 1                            # of all its runs
 ///     [[grid]]                            # every combination

@@ -110,7 +110,7 @@ class Ensemble {
     }
 
   private:
-    /// Takes what the store has; what remains is the work.
+    /// Takes the runs that the store has; the remaining ones are the work.
     void take_stored() {
         std::erase_if(order_, [&](std::size_t k) {
             auto stored = workers_.store->find(runs_[k]);

@@ -11,7 +11,7 @@ namespace pendular {
 
 class RunStore;
 
-/// How far a group of runs has come.
+/// Progress of a group of runs.
 struct EnsembleProgress {
     std::size_t runs_done = 0;
     std::size_t runs = 0;
@@ -20,12 +20,12 @@ struct EnsembleProgress {
 };
 using EnsembleReport = std::function<void(const EnsembleProgress&)>;
 
-/// How runs are carried out: threads, the way to stop them, whom to tell, and where they are kept.
+/// Execution of runs: number of threads, stop flag, progress callback and store.
 struct Workers {
     int threads = 1;
     std::stop_token stop;
     EnsembleReport report;      ///< called from one thread at a time
-    RunStore* store = nullptr;  ///< to which every run goes as it ends, with its course and final
+    RunStore* store = nullptr;  ///< receives every run as it ends, with its time series and final
                                 ///< state, which are then not among the results
     bool reads_store = true;    ///< runs that are in the store are not carried out again
 };
@@ -38,13 +38,14 @@ struct Workers {
 std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers);
 
-/// One run; where its simulation fails, RunResult::failure is set and nothing else.
+/// Carries out one run. If its simulation fails, only RunResult::failure is set.
 dem::RunResult run_one(const dem::RunParameters& run, const dem::RunOptions& options);
 
-/// Places of the runs, the costliest first: so the last ones to end are short.
+/// Order in which to start the runs: the costliest first, so that the last ones to end are short.
 std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& runs);
 
-/// Bead-steps that a run will take, transient included; relative cost only.
+/// Expected cost of a run [grains times time steps], transient included; meant for comparison of
+/// runs only.
 double expected_cost(const dem::RunParameters& run);
 
 /// Time that runs will take on so many threads, a run on each [s]: `expected_cost` at the median

@@ -6,7 +6,7 @@
 
 namespace pendular {
 
-/// How large, stiff, slow and long the simulations of a study are.
+/// Settings of the simulations of a study: size, stiffness, slowest rate and length.
 struct Fidelity {
     std::string name;
     int grains = 0;
@@ -15,11 +15,11 @@ struct Fidelity {
     double strain = 0;                  ///< averaged strain of one run [1]
 };
 
-/// quick, standard or paper.
+/// Fidelity with this name: quick, standard or paper.
 /// @throws InputError naming the nearest known one
 Fidelity fidelity_named(std::string_view name);
 
-/// All of them, the cheapest first.
+/// All fidelities, the cheapest first.
 const std::vector<Fidelity>& fidelities();
 
 }  // namespace pendular

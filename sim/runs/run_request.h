@@ -17,7 +17,8 @@ namespace pendular {
 ///         beyond its bounds, and where one needs bridges and there are none
 dem::GrainEffects grain_effects(const std::vector<EffectValues>& effects, bool wet);
 
-/// The effects of a run, as in "rolling-resistance.coefficient=0.1 willett-bridges.on=1", and back.
+/// Text of the effects of a run, as in "rolling-resistance.coefficient=0.1 willett-bridges.on=1",
+/// and the effects of such a text.
 /// @throws std::invalid_argument for any other text
 std::string effects_text(const std::vector<EffectValues>& effects);
 std::vector<EffectValues> effects_from(const std::string& text);

@@ -4,8 +4,8 @@
 
 namespace pendular {
 
-/// Purpose of random numbers. A calibration whose runs started from the very samples that made its
-/// measurement would test nothing, so each purpose has seeds of its own.
+/// Purpose of random numbers. Each purpose has its own seeds: a calibration whose runs started from
+/// the same samples as its measurement would test nothing.
 enum class SeedDomain : std::uint64_t { calibration, instrument, virtual_lab, run_places };
 
 /// Seed of one of many runs, well mixed from the user's seed and the run's number.

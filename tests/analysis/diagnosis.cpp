@@ -34,7 +34,8 @@ TEST(Diagnosis, NamesWhatIsMissingAndWhatItsAdditionBrings) {
         const Finding& first = d.scan.front();
         ASSERT_TRUE(first.refitted_reduction.has_value());
         // Linear: the score test foretells the refit exactly.
-        EXPECT_NEAR(first.test.predicted_reduction, *first.refitted_reduction, 1e-6 * *first.refitted_reduction);
+        EXPECT_NEAR(first.test.predicted_reduction, *first.refitted_reduction,
+                    1e-6 * *first.refitted_reduction);
         EXPECT_NEAR(first.value, d.confidence_set.front().fit.parameters(2), 1e-6);
         EXPECT_NEAR(first.value, amplitude, 4 * first.standard_error);
     }

@@ -87,7 +87,9 @@ Fitted after_fit() {
     Calibration c = planted::calibration(planted::readings());
     Comparison comparison = compare(c);
     LadderStep r = with_torque(ladder_step_of(c, comparison, std::nullopt));
-    return {.calibration = std::move(c), .comparison = std::move(comparison), .ladder_step = std::move(r)};
+    return {.calibration = std::move(c),
+            .comparison = std::move(comparison),
+            .ladder_step = std::move(r)};
 }
 
 TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {
@@ -101,7 +103,7 @@ TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {
     expect_refused_whole("drop " + path + " torque-gain", "does not list \"torque-gain\"");
     expect_refused_whole("drop " + path + " torque-ofset", "did you mean 'torque-offset'?");
     expect_refused_whole("add " + path, "the effect is missing; usage: pendular add STUDY EFFECT");
-    expect_refused_whole("drop", "the study or folder is missing; usage: pendular drop");
+    expect_refused_whole("drop", "the name of the study, folder or file is missing; usage: pendular drop");
     expect_refused_whole("add " + path + " lid-slip torque-gain", "too many arguments");
     const std::string none = study(cell).string();
     expect_refused_whole("drop " + none + " torque-gain", "the study lists no effects");
@@ -151,7 +153,8 @@ TEST_F(StudyChanges, LeaveAStudyThatWasEditedMeanwhile) {
     folder_.write("study.toml", edited);
     Ladder ladder;
     const std::string message = input_error([&] {
-        apply_change(change, ladder_step(400, 41, 4, 4.3), after_fit(), ladder, folder_.path() / "out");
+        apply_change(change, ladder_step(400, 41, 4, 4.3), after_fit(), ladder,
+                     folder_.path() / "out");
     });
     EXPECT_THAT(message, HasSubstr("nothing was written"));
     EXPECT_EQ(content_of(file()), edited);
@@ -171,14 +174,15 @@ TEST_F(StudyChanges, LeaveTheStudyWhereResultsCannotBeWritten) {
 TEST_F(StudyChanges, AreToldInOneLineWithTheErrorBeforeAndAfter) {
     study(cell);
     const StudyChange change = plan(Action::add, "torque-offset");
-    const LadderStep before = ladder_step(401.8, 41, 4.12, 4.31), after = with_torque(ladder_step(44, 40, 1, 1.1));
+    const LadderStep before = ladder_step(401.8, 41, 4.12, 4.31),
+                     after = with_torque(ladder_step(44, 40, 1, 1.1));
     EXPECT_EQ(verdict_of(change, before, after),
               "torque-offset added: chi2/dof falls from 9.8 to 1.1, the RMS error of shear stress "
               "goes from 4.12 % to 1.00 %.");
     const auto errors = error_changes(before, after);
     ASSERT_EQ(errors.size(), 6u);
-    EXPECT_THAT(errors[2], AllOf(HasSubstr("shear stress [%]"), HasSubstr("4.120"),
-                                 HasSubstr("1.000")));
+    EXPECT_THAT(errors[2],
+                AllOf(HasSubstr("shear stress [%]"), HasSubstr("4.120"), HasSubstr("1.000")));
     EXPECT_THAT(errors[4], AllOf(HasSubstr("left-out"), HasSubstr("4.310"), HasSubstr("1.100")));
     const auto lines = parameter_changes(before, after);
     ASSERT_EQ(lines.size(), 3u);

@@ -69,8 +69,8 @@ Calibration fitted_to(const Polynomial& model, const std::vector<Reading>& readi
     return c;
 }
 
-LadderStep ladder_step(const std::string& change, const std::string& effect, double chi2, double stress,
-          double fraction) {
+LadderStep ladder_step(const std::string& change, const std::string& effect, double chi2,
+                       double stress, double fraction) {
     LadderStep r{.change = change, .effect = effect};
     r.effects = effect.empty() ? std::vector<std::string>{} : std::vector<std::string>{effect};
     r.parameters = {{"friction", "1", 0.09, 0.004}, {"torque-offset.torque", "N m", 1e-3, 1e-4}};
@@ -150,7 +150,8 @@ TEST(Ladder, IsReadBackAsItWasWritten) {
     const auto file = folder.path() / "out" / "ladder.json";
     EXPECT_TRUE(read_ladder(file).empty());
     Ladder ladder;
-    climb(ladder, ladder_step("start", "", 400, 4.1, 0.3), ladder_step("add", "torque-offset", 44, 1, 0.28));
+    climb(ladder, ladder_step("start", "", 400, 4.1, 0.3),
+          ladder_step("add", "torque-offset", 44, 1, 0.28));
     ladder[0].left_out_percent.reset();
     ladder[0].parameters[0].standard_error = std::nan("");
     write_ladder(file, ladder);
@@ -174,11 +175,13 @@ TEST(Ladder, IsReadBackAsItWasWritten) {
 TEST(Ladder, BeginsAnewWhereTheStudyWasChangedOtherwise) {
     const auto after_with = [](const LadderStep& before) {
         Ladder ladder;
-        climb(ladder, ladder_step("start", "", 400, 4, 0.3), ladder_step("add", "torque-offset", 44, 1, 0.3));
+        climb(ladder, ladder_step("start", "", 400, 4, 0.3),
+              ladder_step("add", "torque-offset", 44, 1, 0.3));
         climb(ladder, before, ladder_step("drop", "torque-offset", 401, 4, 0.3));
         return ladder;
     };
-    const LadderStep same = ladder_step("start", "torque-offset", 44.5, 1, 0.3);  // after fresh runs
+    const LadderStep same =
+        ladder_step("start", "torque-offset", 44.5, 1, 0.3);  // after fresh runs
     EXPECT_EQ(after_with(same).size(), 3u);
     LadderStep others = same, more = same, worse = same;
     others.effects.push_back("lid-slip");
@@ -196,7 +199,8 @@ TEST(Ladder, RefusesAFileThatIsCutOrSomethingElse) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "ladder.json";
     Ladder ladder;
-    climb(ladder, ladder_step("start", "", 400, 4, 0.3), ladder_step("add", "torque-offset", 44, 1, 0.3));
+    climb(ladder, ladder_step("start", "", 400, 4, 0.3),
+          ladder_step("add", "torque-offset", 44, 1, 0.3));
     write_ladder(file, ladder);
     const std::string whole = content_of(file);
     auto strange = nlohmann::json::parse(whole);

@@ -41,11 +41,12 @@ std::string cell(std::string_view text) {
 
 TEST(ReferencePages, OfCommandsHoldTheirHelp) {
     std::string text =
-        "# Commands\n\nGenerated from `--help` of each command. Default numbers of threads are those "
+        "# Commands\n\nGenerated from `--help` of each command. Default numbers of threads are "
+        "those "
         "of the machine.\n";
-    for (const char* command : {"import", "calibrate", "compare", "diagnose", "next", "add", "drop",
-                                "effects", "predict", "simulate", "campaign", "runs",
-                                "virtual-lab"}) {
+    for (const char* command :
+         {"import", "calibrate", "compare", "diagnose", "next", "add", "drop", "effects", "predict",
+          "simulate", "campaign", "runs", "virtual-lab"}) {
         const std::string help = run_pendular(std::string(command) + " --help").output;
         text += fmt::format("\n## {}\n\n```\n{}```\n", command,
                             std::regex_replace(help, std::regex("N \\(=[0-9]+\\)"), "N      "));
@@ -60,12 +61,13 @@ TEST(ReferencePages, OfEffectsHoldTheRegistry) {
     for (const Effect& effect : built_in_effects()) {
         text += fmt::format("\n## {}\n\n{}.\n\n```\n{}\n```\n\n", effect.name, effect.summary,
                             effect.equation);
-        text += "| parameter | unit | from | to | neutral | smallest of interest | meaning |\n"
-                "|---|---|---|---|---|---|---|\n";
+        text +=
+            "| parameter | unit | from | to | neutral | smallest of interest | meaning |\n"
+            "|---|---|---|---|---|---|---|\n";
         for (const EffectParameter& p : effect.parameters) {
-            text += fmt::format("| `{}` | {} | {:g} | {:g} | {:g} | {:g} | {} |\n", p.name, p.unit,
-                                p.lower, p.upper, p.neutral, p.smallest_of_interest,
-                                cell(p.meaning));
+            text +=
+                fmt::format("| `{}` | {} | {:g} | {:g} | {:g} | {:g} | {} |\n", p.name, p.unit,
+                            p.lower, p.upper, p.neutral, p.smallest_of_interest, cell(p.meaning));
         }
         text += "\n";
         for (const auto& source : effect.references) {
@@ -78,11 +80,14 @@ TEST(ReferencePages, OfEffectsHoldTheRegistry) {
 /// Terms of statistics and of the method, which are no quantities.
 constexpr std::array<std::array<const char*, 2>, 22> other_terms = {{
     {"atlas", "the simulations that come with Pendular"},
-    {"between-run scatter", "difference between runs of equal parameters and different seeds beyond "
-                            "their standard errors"},
-    {"confidence set", "the effect sets that explain the residuals equally well at 95 % confidence"},
-    {"contact history", "numbers that a pair of grains keeps from step to step, such as its "
-                        "tangential force"},
+    {"between-run scatter",
+     "difference between runs of equal parameters and different seeds beyond "
+     "their standard errors"},
+    {"confidence set",
+     "the effect sets that explain the residuals equally well at 95 % confidence"},
+    {"contact history",
+     "numbers that a pair of grains keeps from step to step, such as its "
+     "tangential force"},
     {"direct measurement", "an effect measured by itself, such as the torque of the empty cell"},
     {"effect", "a physical property of instrument, beads, liquid or grains that a model may lack"},
     {"effect set", "effects that a model has together"},
@@ -92,8 +97,9 @@ constexpr std::array<std::array<const char*, 2>, 22> other_terms = {{
     {"hyperparameters", "amplitudes and lengths of the emulator's Gaussian processes"},
     {"ladder step", "one state of a study's model: its effects, its fit and its errors"},
     {"lack of fit", "misfit of the means of replicates, beyond their scatter"},
-    {"misfit", "difference between measured and predicted value over its standard error; chi2 is the "
-               "sum of squares, with correlations"},
+    {"misfit",
+     "difference between measured and predicted value over its standard error; chi2 is the "
+     "sum of squares, with correlations"},
     {"power", "probability that a test reveals the smallest effect of interest"},
     {"reading", "shear stress and solid fraction of one step of steady shear"},
     {"reduction of chi2", "decrease of chi2 when an effect is added to the model"},

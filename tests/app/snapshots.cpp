@@ -152,7 +152,8 @@ TEST(Dump, HoldsTheStateInATiltedCell) {
             EXPECT_NEAR(frame.velocity.at(id)[0], v[0] + 0.1 * place[1], 1e-8);
             EXPECT_NEAR(frame.velocity.at(id)[1], v[1] + sample.flow().height_rate * place[1],
                         1e-8);
-            EXPECT_NEAR(frame.angular_velocity.at(id)[2], sample.grains().angular_velocity(i)[2], 1e-8);
+            EXPECT_NEAR(frame.angular_velocity.at(id)[2], sample.grains().angular_velocity(i)[2],
+                        1e-8);
         }
     }
 }

@@ -67,7 +67,8 @@ TEST_P(ErrorsOfChanges, AreThoseOfTheModelInside) {
             inside->factors.setZero();
             inside->factors(k) = side == 0 ? -size : size;
             base[side] = plain.predict(at, conditions, PredictionPart::values).value;
-            change[side] = with_it.predict(at_too, conditions, PredictionPart::values).value - base[side];
+            change[side] =
+                with_it.predict(at_too, conditions, PredictionPart::values).value - base[side];
         }
         change_by_factor.col(k) = (change[1] - change[0]) / (2 * size);
         plain_by_factor.col(k) = (base[1] - base[0]) / (2 * size);

@@ -16,7 +16,8 @@ using testing::HasSubstr;
 
 const GrainProperties grains{.diameter = 500e-6, .density = 1050};
 const Liquid oil{.surface_tension = 20.6e-3};
-const double unit = pull_off_force(grains, oil) / (grains.diameter * grains.diameter);  // F0/a^2 [Pa]
+const double unit =
+    pull_off_force(grains, oil) / (grains.diameter * grains.diameter);  // F0/a^2 [Pa]
 
 /// A wet reading at a reduced pressure, its stress ratio with a standard error.
 Reading reading(double pressure, double ratio, double error = 0.003, double content = 0.03,

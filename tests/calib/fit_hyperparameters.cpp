@@ -20,15 +20,16 @@ Observations observed(const std::vector<Coordinates>& at, const Eigen::VectorXd&
             .noise = {at.size(), Eigen::MatrixXd::Constant(1, 1, variance)}};
 }
 
-double cost(const Observations& known, const Hyperparameters& hyperparameters, Domain domain, double unit) {
+double cost(const Observations& known, const Hyperparameters& hyperparameters, Domain domain,
+            double unit) {
     return hyperparameter_cost(domain, known, unit, hyperparameters, nullptr);
 }
 
 TEST(HyperparameterCost, IsTheLikelihoodOfTwoValues) {
     // Two places of bridges with variance v each and covariance c:
     //     -ln L = (v y1^2 - 2 c y1 y2 + v y2^2)/(2 (v^2 - c^2)) + ln(v^2 - c^2)/2 + constant.
-    // At equal hyperparameters the prior is the same, so that differences are of the likelihood alone.
-    // v = A^2 + f n + b^2 + 25 (1 + u^2) at x = q = v = 0; the distance is along v, whose
+    // At equal hyperparameters the prior is the same, so that differences are of the likelihood
+    // alone. v = A^2 + f n + b^2 + 25 (1 + u^2) at x = q = v = 0; the distance is along v, whose
     // polynomial term has the factor of both v.
     const Hyperparameters s = uneven_hyperparameters();
     constexpr double n = 0.02, u = 0.3;
@@ -110,7 +111,8 @@ TEST_P(EachDomain, IsLeastForTheLearnedScales) {
         for (const double factor : {0.9, 1.1}) {
             auto hyperparameters = learned.as_array();
             hyperparameters[k] *= factor;
-            EXPECT_GT(cost(known, Hyperparameters::from_array(hyperparameters), GetParam(), 0.5), least - 1e-4)
+            EXPECT_GT(cost(known, Hyperparameters::from_array(hyperparameters), GetParam(), 0.5),
+                      least - 1e-4)
                 << Hyperparameters::names[k] << " x " << factor;
         }
     }
@@ -129,7 +131,8 @@ TEST(FitHyperparameters, FindTheScatterBetweenRuns) {
             const Coordinates& place = at[static_cast<std::size_t>(k)];
             return 0.5 + 0.2 * place.x + 0.1 * place.u + 0.02 * normal(random);
         });
-    const Hyperparameters learned = fit_hyperparameters(Domain::all_flow, observed(at, values, 1e-6), 0.5);
+    const Hyperparameters learned =
+        fit_hyperparameters(Domain::all_flow, observed(at, values, 1e-6), 0.5);
     EXPECT_NEAR(learned.between_run_scatter, 0.02, 3 * 0.02 / std::sqrt(2 * 60.0));
 }
 
@@ -137,4 +140,4 @@ TEST(FitHyperparameters, NeedRuns) {
     EXPECT_THROW(fit_hyperparameters(Domain::all_flow, {}, 1), std::invalid_argument);
 }
 
-}  // namespace pendular::calib_learn_scales_test
+}  // namespace pendular::calib_fit_hyperparameters_test

@@ -17,7 +17,10 @@ constexpr double amplitude = 0.3, length = 0.7;
 /// A squared exponential alone: without polynomial, and moved along x only.
 Kernel plain_kernel(double noise = 1, double between_run_scatter = 0) {
     return {Domain::bridges,
-            {.wet_amplitude = amplitude, .wet_x = length, .noise = noise, .between_run_scatter = between_run_scatter},
+            {.wet_amplitude = amplitude,
+             .wet_x = length,
+             .noise = noise,
+             .between_run_scatter = between_run_scatter},
             0};
 }
 
@@ -78,9 +81,11 @@ TEST(GaussianProcess, WeighsTwoNoisyValues) {
 TEST(GaussianProcess, WidensTheStatedNoise) {
     // By the factor on variances, and by the variance between runs.
     constexpr double stated = 0.05, factor = 1.5, between_run_scatter = 0.2;
-    const GaussianProcess widened({plain_kernel(factor, between_run_scatter)}, seen({0}, {1}, {stated}));
-    const GaussianProcess plain({plain_kernel()},
-                                seen({0}, {1}, {factor * stated + between_run_scatter * between_run_scatter}));
+    const GaussianProcess widened({plain_kernel(factor, between_run_scatter)},
+                                  seen({0}, {1}, {stated}));
+    const GaussianProcess plain(
+        {plain_kernel()},
+        seen({0}, {1}, {factor * stated + between_run_scatter * between_run_scatter}));
     EXPECT_NEAR(widened.mean({value_at(0.3)})(0), plain.mean({value_at(0.3)})(0), 1e-15);
     EXPECT_NEAR(widened.covariance({slope_at(0.3)})(0, 0), plain.covariance({slope_at(0.3)})(0, 0),
                 1e-15);
@@ -113,7 +118,8 @@ TEST(GaussianProcess, JoinsQuantitiesThroughTheNoiseOfARun) {
     //     M = [A1^2 + f1 n11, sqrt(f1 f2) n12; sqrt(f1 f2) n12, A2^2 + f2 n22]
     // the means are k_i(x) [M^-1 y]_i and their covariance is k_ii - k_i k_j [M^-1]_ij.
     constexpr double f1 = 1.3, f2 = 0.6, x = 0.4;
-    const Hyperparameters narrow{.wet_amplitude = 0.5, .wet_x = 0.4, .noise = f2, .between_run_scatter = 0};
+    const Hyperparameters narrow{
+        .wet_amplitude = 0.5, .wet_x = 0.4, .noise = f2, .between_run_scatter = 0};
     Observations known{.at = {{.x = 0}}, .values = Eigen::RowVector2d(1, -2), .noise = {}};
     known.noise.emplace_back(Eigen::Matrix2d{{0.04, -0.02}, {-0.02, 0.03}});
     const GaussianProcess process({plain_kernel(f1), Kernel(Domain::bridges, narrow, 0)}, known);
@@ -273,7 +279,8 @@ TEST_F(JointPosterior, HasTheCovarianceOfDerivativesWithAnything) {
 }
 
 TEST_F(JointPosterior, DoesNotDependOnWhatElseIsAsked) {
-    const std::vector<Requested> requested = {{0, {places[0]}}, {1, {places[0], 2}}, {0, {places[0], 1}}};
+    const std::vector<Requested> requested = {
+        {0, {places[0]}}, {1, {places[0], 2}}, {0, {places[0], 1}}};
     const Eigen::VectorXd together = posterior.mean(requested);
     const Eigen::MatrixXd covariance = posterior.covariance(requested);
     EXPECT_LT((covariance - covariance.transpose()).norm(), 1e-15);
@@ -294,7 +301,8 @@ TEST_F(JointPosterior, IsNoSurerThanItsKnowledgeAllows) {
         }
     }
     const Eigen::VectorXd values =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(posterior.covariance(requested)).eigenvalues();
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(posterior.covariance(requested))
+            .eigenvalues();
     EXPECT_GT(values.minCoeff(), -1e-13 * values.maxCoeff());
 }
 

@@ -48,8 +48,8 @@ double wet_polynomial(const Coordinates& a, const Coordinates& b) {
 
 /// The covariance of values as the formula of `Kernel` states it. Where capillarity is linear in
 /// 1/P*, every term of its polynomial has the factor u; contacts have the step to 1 instead.
-double stated(Domain domain, const Hyperparameters& s, double coefficient_variance, const Coordinates& a,
-              const Coordinates& b) {
+double stated(Domain domain, const Hyperparameters& s, double coefficient_variance,
+              const Coordinates& a, const Coordinates& b) {
     if (domain == Domain::bridges) {
         return coefficient_variance * wet_polynomial(a, b) + wet_process(s, a, b);
     }
@@ -150,8 +150,8 @@ TEST_P(EachKernel, SumsWhatItWouldSumOneByOne) {
 }
 
 TEST_P(EachKernel, DifferentiatesTracesByItsScales) {
-    // tr(W K)/2 with K of some hyperparameters by central differences in their logarithms: off by h^2/6
-    // times the third derivative, of the order of the trace itself.
+    // tr(W K)/2 with K of some hyperparameters by central differences in their logarithms: off by
+    // h^2/6 times the third derivative, of the order of the trace itself.
     constexpr double step = 1e-4;
     const auto places = scattered_places(10, 8);
     Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(10, 10);

@@ -108,7 +108,8 @@ TEST(WetSettings, CoverThePressuresContentsAndInertialNumbers) {
 
 TEST(RunPlanner, PredictsWetReadingsFromADesignOfItsOwnAsTheSolverDoes) {
     const Condition wet = condition(2.5, 0.03);
-    RunPlanner planner(wet_study(), {wet}, tiny, 1, {.threads = 2}, {{}, shipped_hyperparameters()});
+    RunPlanner planner(wet_study(), {wet}, tiny, 1, {.threads = 2},
+                       {{}, shipped_hyperparameters()});
     planner.improve(0.2, {wet}, 1), planner.improve(0.2, {wet}, 1);
     const EmulatedSimulation& model = *planner.simulation();
     const Prediction predicted = model.predict(at(0.22), {wet});

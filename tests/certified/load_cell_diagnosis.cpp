@@ -31,7 +31,8 @@ LoadCell load_cell() {
 LinearSpace::Column column(const std::string& name, const Eigen::ArrayXd& shape) {
     return {.name = name,
             .values = shape / shape.abs().maxCoeff(),
-            .parameter = {.name = "amplitude", .lower = -10, .upper = 10, .smallest_of_interest = 0.02}};
+            .parameter = {
+                .name = "amplitude", .lower = -10, .upper = 10, .smallest_of_interest = 0.02}};
 }
 
 LinearSpace line_or_parabola(bool parabola) {

@@ -199,7 +199,8 @@ DataSet data_set(const std::string& name) {
     return set;
 }
 
-Prediction FormulaModel::predict(const Eigen::VectorXd& parameters, pendular::PredictionPart /*what*/) const {
+Prediction FormulaModel::predict(const Eigen::VectorXd& parameters,
+                                 pendular::PredictionPart /*what*/) const {
     ++evaluations;
     const auto n = set_.x.rows(), count = parameters.size();
     Jet b[Jet::DIMENSION];

@@ -80,8 +80,8 @@ TEST(GrainProperties, GiveMassInertialAndStiffnessNumber) {
 TEST(GrainProperties, GivePullOffForceAndReducedPressure) {
     const GrainProperties grains{.diameter = 500e-6, .density = 1050};
     constexpr double degree = std::numbers::pi / 180;
-    // Badetti et al.'s system, polystyrene and silicone oil at a contact angle of 2 to 5 degrees: P* =
-    // 1 is 0.129 kPa as printed, three digits.
+    // Badetti et al.'s system, polystyrene and silicone oil at a contact angle of 2 to 5 degrees:
+    // P* = 1 is 0.129 kPa as printed, three digits.
     for (const double angle : {2 * degree, 5 * degree}) {
         const Liquid oil{.surface_tension = 20.6e-3, .contact_angle = angle};
         EXPECT_NEAR(1 / reduced_pressure(1, grains, oil), 129, 0.5);

@@ -86,8 +86,10 @@ TEST_P(EffectRegistry, IsFeltFromNeutralOnAndMostAtItsUpperBound) {
         if (!p.effective_amplitude) continue;
         for (const double friction : {0.02, 0.1, 0.5}) {
             EXPECT_EQ(p.effective_amplitude(p.neutral, friction), 0) << p.name;
-            EXPECT_GT(p.effective_amplitude(p.neutral + p.smallest_of_interest, friction), 0) << p.name;
-            EXPECT_GE(p.effective_amplitude(p.upper, friction), p.effective_amplitude((p.neutral + p.upper) / 2, friction));
+            EXPECT_GT(p.effective_amplitude(p.neutral + p.smallest_of_interest, friction), 0)
+                << p.name;
+            EXPECT_GE(p.effective_amplitude(p.upper, friction),
+                      p.effective_amplitude((p.neutral + p.upper) / 2, friction));
         }
     }
 }

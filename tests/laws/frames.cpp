@@ -62,8 +62,8 @@ struct State {
             force[n] = grains.force(i), torque[n] = grains.torque(i);
         }
     }
-    static constexpr std::vector<Vector> State::*members[] = {&State::velocity, &State::angular_velocity,
-                                                              &State::force, &State::torque};
+    static constexpr std::vector<Vector> State::*members[] = {
+        &State::velocity, &State::angular_velocity, &State::force, &State::torque};
 };
 
 /// Largest difference of any component of any grain over the largest component, for states of which
@@ -120,8 +120,8 @@ TEST_P(Frames, TheLatticeByAnotherOffsetMovesAlike) {
 }
 
 TEST_P(Frames, ASampleTurnedHalfRoundMovesAlike) {
-    // (x, y, z) -> (-x, y, -z) is a rotation by pi: vectors and angular velocities turn alike, the shear is
-    // reversed.
+    // (x, y, z) -> (-x, y, -z) is a rotation by pi: vectors and angular velocities turn alike, the
+    // shear is reversed.
     const Vector turn(-1, 1, -1);
     Sample turned = flowing();
     turned.cell.offset = -turned.cell.offset;
@@ -134,7 +134,8 @@ TEST_P(Frames, ASampleTurnedHalfRoundMovesAlike) {
 }
 
 TEST_P(Frames, ASampleInTheMirrorMovesAlike) {
-    // z -> -z leaves the shear as it is; angular velocities, axial, keep their z and turn their x and y.
+    // z -> -z leaves the shear as it is; angular velocities, axial, keep their z and turn their x
+    // and y.
     Sample mirrored = flowing();
     for (auto& grain : mirrored.grains.motion) {
         grain.position = Vector(1, 1, -1) * grain.position;

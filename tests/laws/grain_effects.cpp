@@ -43,7 +43,7 @@ struct State {
         std::uniform_real_distribution<double> at(0, 1), velocity(-0.1, 0.1);
         for (std::size_t i = 0; i < grains.size(); ++i) {
             grains.position(i) = {cell.length * at(random), cell.height * at(random),
-                                 cell.width * at(random)};
+                                  cell.width * at(random)};
             grains.velocity(i) = {velocity(random), velocity(random), velocity(random)};
             grains.angular_velocity(i) = {velocity(random), velocity(random), velocity(random)};
         }
@@ -73,9 +73,10 @@ struct State {
 };
 
 bool same(const Loads& a, const Loads& b) {
-    return std::ranges::equal(a, b, [](const Grains::ForceAndTorque& x, const Grains::ForceAndTorque& y) {
-        return x.force == y.force && x.torque == y.torque;
-    });
+    return std::ranges::equal(a, b,
+                              [](const Grains::ForceAndTorque& x, const Grains::ForceAndTorque& y) {
+                                  return x.force == y.force && x.torque == y.torque;
+                              });
 }
 
 /// Values of the smallest effect of interest, away from neutral, in the units of a run at 1 kPa.
@@ -195,8 +196,8 @@ TEST_P(OfEveryGrainEffect, MakesNoAngularMomentum) {
     State state(on(*GetParam()), wet(*GetParam()));
     state.cell = {100, 100, 100, 0};
     state.flow = {};
-    state.pairs =
-        Pairs(find_pairs_by_brute_force(state.grains, state.cell, 0.3), state.effects.contact_history());
+    state.pairs = Pairs(find_pairs_by_brute_force(state.grains, state.cell, 0.3),
+                        state.effects.contact_history());
     state.pairs.fill_up(PairList::batch);
     std::ranges::fill(state.pairs.bridge, state.bridges.wet() ? 1.0 : 0.0);
     state.forces();
@@ -221,8 +222,8 @@ TEST_P(OfEveryGrainEffect, IsFrameIndependent) {
     const auto open = [](State& state) {
         state.cell = {100, 100, 100, 0};
         state.flow = {};
-        state.pairs =
-            Pairs(find_pairs_by_brute_force(state.grains, state.cell, 0.3), state.effects.contact_history());
+        state.pairs = Pairs(find_pairs_by_brute_force(state.grains, state.cell, 0.3),
+                            state.effects.contact_history());
         state.pairs.fill_up(PairList::batch);
         for (auto& word : state.pairs.contact_history) {
             std::ranges::fill(word, 0.01);
@@ -240,8 +241,10 @@ TEST_P(OfEveryGrainEffect, IsFrameIndependent) {
     for (std::size_t k = 0; k + 2 < turned.pairs.contact_history.size(); k += 3) {
         auto& contact_history = turned.pairs.contact_history;
         for (std::size_t p = 0; p < turned.pairs.size(); ++p) {
-            const Vector v = turn({contact_history[k][p], contact_history[k + 1][p], contact_history[k + 2][p]});
-            contact_history[k][p] = v[0], contact_history[k + 1][p] = v[1], contact_history[k + 2][p] = v[2];
+            const Vector v =
+                turn({contact_history[k][p], contact_history[k + 1][p], contact_history[k + 2][p]});
+            contact_history[k][p] = v[0], contact_history[k + 1][p] = v[1],
+            contact_history[k + 2][p] = v[2];
         }
     }
     still.forces(), turned.forces();

@@ -1,5 +1,5 @@
-// Oblique impacts of two grains that do not angular velocity, against closed forms. The grains are so stiff that
-// the contact hardly turns while it lasts.
+// Oblique impacts of two grains that do not angular velocity, against closed forms. The grains are
+// so stiff that the contact hardly turns while it lasts.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ class Impact {
     double tangential_force() const {
         const Pairs& pairs = cell_.pairs().narrow();
         return cell_.grains().number[static_cast<std::size_t>(pairs.second[0])] == 1 ? -pairs.sy[0]
-                                                                                    : pairs.sy[0];
+                                                                                     : pairs.sy[0];
     }
     /// Velocity of the second grain relative to the first.
     Vector velocity() const { return motion(1).velocity - motion(0).velocity; }
@@ -77,10 +77,13 @@ TEST(ObliqueImpact, SlidesThroughoutWithTheImpulseOfCoulomb) {
         EXPECT_NEAR(impact.velocity()[0], e * approach, 5e-3 * approach) << damping;
         EXPECT_NEAR(tangential - impact.velocity()[1], 2 * impulse, 5e-3 * 2 * impulse) << damping;
         for (const int grain : {0, 1}) {
-            EXPECT_NEAR(impact.angular_velocity(grain), impulse * 0.5 / 0.1, 5e-3 * 5 * impulse) << damping;
+            EXPECT_NEAR(impact.angular_velocity(grain), impulse * 0.5 / 0.1, 5e-3 * 5 * impulse)
+                << damping;
         }
         // Sliding to the end: the surfaces still move on, by u - 7 J of u.
-        EXPECT_GT(impact.velocity()[1] - 0.5 * (impact.angular_velocity(0) + impact.angular_velocity(1)), 0.5 * tangential);
+        EXPECT_GT(
+            impact.velocity()[1] - 0.5 * (impact.angular_velocity(0) + impact.angular_velocity(1)),
+            0.5 * tangential);
     }
 }
 
@@ -109,7 +112,8 @@ TEST(ObliqueImpact, RollsOffWhereItStuck) {
     const double change = tangential - impact.velocity()[1];
     EXPECT_GT(change, 0);
     EXPECT_LT(change, 0.9 * friction * 2 * approach);
-    // Angular momentum about the point of contact: what the centres lose the angular velocities have.
+    // Angular momentum about the point of contact: what the centres lose the angular velocities
+    // have.
     EXPECT_NEAR(impact.angular_velocity(0), 2.5 * change, 5e-3 * 2.5 * change);
 }
 

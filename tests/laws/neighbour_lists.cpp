@@ -66,9 +66,9 @@ PairSet pairs_where(const Grains& grains, const Pairs& pairs, std::size_t count,
     return result;
 }
 
-/// Contacts and bridges of a sample from the distances of its grains at every step. Pairs are looked
-/// for among those that were close at the last look at all pairs, which makes sure that none was
-/// missing.
+/// Contacts and bridges of a sample from the distances of its grains at every step. Pairs are
+/// looked for among those that were close at the last look at all pairs, which makes sure that none
+/// was missing.
 class Book {
   public:
     explicit Book(double rupture) : reach_(1 + rupture) {}

@@ -29,7 +29,8 @@ struct State {
             grains.position(i)[1] = cell.height * at(random);
             grains.position(i)[2] = cell.width * at(random);
             for (std::size_t d = 0; d < 3; ++d) {
-                grains.velocity(i)[d] = velocity(random), grains.angular_velocity(i)[d] = velocity(random);
+                grains.velocity(i)[d] = velocity(random),
+                grains.angular_velocity(i)[d] = velocity(random);
             }
         }
         find();

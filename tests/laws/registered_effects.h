@@ -50,7 +50,8 @@ inline std::vector<std::vector<double>> values_that_matter(const pendular::Effec
     std::vector<std::vector<double>> all;
     for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
         const pendular::EffectParameter& p = effect.parameters[k];
-        for (const double value : {p.neutral - p.smallest_of_interest, p.neutral + p.smallest_of_interest}) {
+        for (const double value :
+             {p.neutral - p.smallest_of_interest, p.neutral + p.smallest_of_interest}) {
             if (value < p.lower) continue;
             all.push_back(effect.neutral());
             all.back()[k] = value;

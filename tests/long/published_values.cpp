@@ -1,6 +1,6 @@
-// Numbers of Badetti et al. (2018) that single runs decide, at its own size and stiffness: 4000 beads,
-// stiffness number 8400, inertial number 0.001. Solid fractions are corrected to rigid beads.
-// Several hours. tests/physics/published_values.cpp has the short version.
+// Numbers of Badetti et al. (2018) that single runs decide, at its own size and stiffness: 4000
+// beads, stiffness number 8400, inertial number 0.001. Solid fractions are corrected to rigid
+// beads. Several hours. tests/physics/published_values.cpp has the short version.
 #include <gtest/gtest.h>
 
 #include <algorithm>

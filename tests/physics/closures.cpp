@@ -1,6 +1,6 @@
-// Badetti et al.'s closures on simulated states: each to the accuracy Badetti et al. (2018) claims for it, plus
-// three standard errors of the runs. Runs at kappa 1000 and inertial number 0.01, 1000 beads: about
-// 35 s of one core.
+// Badetti et al.'s closures on simulated states: each to the accuracy Badetti et al. (2018) claims
+// for it, plus three standard errors of the runs. Runs at kappa 1000 and inertial number 0.01, 1000
+// beads: about 35 s of one core.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,7 +101,8 @@ void expect_capillary_pressure(const Simulated& s) {
     const double high = capillary_pressure(s.state()) / found - 1;
     EXPECT_GT(high, 0);
     EXPECT_LT(high, s.value(Observable::overlap) + 3e-4);
-    // Without the gaps: "negligible", 2 % of the mean stress where Badetti et al. (2018) puts a number.
+    // Without the gaps: "negligible", 2 % of the mean stress where Badetti et al. (2018) puts a
+    // number.
     const double estimate =
         capillary_pressure(s.state().solid_fraction, effective_coordination(s.state()));
     EXPECT_LT(std::abs(estimate), std::abs(capillary_pressure(s.state())));
@@ -116,8 +117,8 @@ void expect_isotropic_capillary_stress(const Simulated& s) {
                 0.03 + 3 * noise);
 }
 
-/// F_d is 0.48 to 0.6 F0 and Z_d up to 3.2 in Badetti et al. (2018), so that 0.5 makes Z* at most 0.1 x 3.2 of
-/// about 8 wrong: 4 %.
+/// F_d is 0.48 to 0.6 F0 and Z_d up to 3.2 in Badetti et al. (2018), so that 0.5 makes Z* at most
+/// 0.1 x 3.2 of about 8 wrong: 4 %.
 void expect_coordination_shortcut(const Simulated& s) {
     EXPECT_NEAR(approximate_coordination(s.state()) / effective_coordination(s.state()), 1, 0.04);
 }
@@ -154,9 +155,9 @@ void expect_contact_shear_stress(const Simulated& s) {
     EXPECT_NEAR(high, expected, 0.5 * expected);
 }
 
-/// "Quite accurate"; Badetti et al. (2018) has no number. At kappa 1000 and friction 0.09 it is 4 to 7 % too
-/// small at P* from 0.5 to 4, and the product of the anisotropies that it leaves out accounts for
-/// that to 3 %.
+/// "Quite accurate"; Badetti et al. (2018) has no number. At kappa 1000 and friction 0.09 it is 4
+/// to 7 % too small at P* from 0.5 to 4, and the product of the anisotropies that it leaves out
+/// accounts for that to 3 %.
 void expect_distant_shear_stress(const Simulated& s) {
     const State state = s.state();
     const double found = s.value(Observable::capillary_shear_stress_distant) * s.pressure();

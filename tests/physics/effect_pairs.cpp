@@ -40,8 +40,8 @@ Signature signature_of(const std::string& name, bool dry_only = false) {
         // A secant over the smallest effect of interest: at neutral the derivative of some is zero.
         Eigen::VectorXd at(2);
         const EffectParameter& p = effect.parameters.front();
-        at << planted_friction,
-            effect.given_by_liquid ? 20.6e-3 + p.smallest_of_interest : p.neutral + p.smallest_of_interest;
+        at << planted_friction, effect.given_by_liquid ? 20.6e-3 + p.smallest_of_interest
+                                                       : p.neutral + p.smallest_of_interest;
         g = with_it.predict(at, PredictionPart::slopes).value - plain.value;
     }
     const Eigen::VectorXd inverse = errors_of(plain.value).cwiseInverse();

@@ -31,9 +31,10 @@ Eigen::VectorXd planted(const Model& model, const Effect& effect) {
     Eigen::Index next = 1;
     for (const EffectParameter& p : effect.parameters) {
         if (!p.is_switch()) {
-            truth(next++) = effect.given_by_liquid
-                                ? 0.03
-                                : std::clamp(p.neutral + 3 * p.smallest_of_interest, p.lower, 0.8 * p.upper);
+            truth(next++) =
+                effect.given_by_liquid
+                    ? 0.03
+                    : std::clamp(p.neutral + 3 * p.smallest_of_interest, p.lower, 0.8 * p.upper);
         }
     }
     return truth;
@@ -93,9 +94,9 @@ TEST_P(OfEveryEffect, DerivativesAreThoseOfThePrediction) {
         const double step = 3e-3 * std::max(std::abs(at(k)), 1e-6);
         Eigen::VectorXd above = at, below = at;
         above(k) += step, below(k) -= step;
-        const Eigen::VectorXd slope =
-            (model.predict(above, PredictionPart::slopes).value - model.predict(below, PredictionPart::slopes).value) /
-            (2 * step);
+        const Eigen::VectorXd slope = (model.predict(above, PredictionPart::slopes).value -
+                                       model.predict(below, PredictionPart::slopes).value) /
+                                      (2 * step);
         const double scale = slope.cwiseAbs().maxCoeff();
         EXPECT_GT(scale, 0) << "nothing depends on "
                             << model.parameters()[static_cast<std::size_t>(k)].name;

@@ -248,7 +248,8 @@ TEST(EmulatorOfTheAtlas, CoversTheTruthOfStudiesItHasNotSeen) {
                 std::pow(solid_error, 2) + std::pow(solid.standard_error, 2);
             measurements.readings.push_back(reading);
         }
-        CalibrationRequest request{.fidelity = quick, .known = KnownRuns{known, hyperparameters, false}};
+        CalibrationRequest request{.fidelity = quick,
+                                   .known = KnownRuns{known, hyperparameters, false}};
         request.options.fewest_rounds = request.options.most_rounds = 1;
         const Calibration c = calibrate_study(study, measurements, request, {});
         EXPECT_TRUE(c.fit.converged);

@@ -77,8 +77,9 @@ std::vector<Condition> conditions_of_files(const Study& study) {
 
 /// A planted effect's size: three times what matters.
 double planted_value(const Effect& effect, const EffectParameter& p) {
-    return effect.given_by_liquid ? 0.03
-                                  : std::clamp(p.neutral + 3 * p.smallest_of_interest, p.lower, 0.8 * p.upper);
+    return effect.given_by_liquid
+               ? 0.03
+               : std::clamp(p.neutral + 3 * p.smallest_of_interest, p.lower, 0.8 * p.upper);
 }
 
 Study study_of(const Case& one) {

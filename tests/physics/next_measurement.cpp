@@ -56,7 +56,8 @@ TEST(NextMeasurement, TellsAHeightOffsetFromLostBeads) {
     all.insert(all.end(), static_cast<std::size_t>(plan.repeats), points[plan.point].condition);
     const StudyModels more = models_of(all);
     const auto truth = more.with(place_of(planted.effect));
-    const Eigen::VectorXd values = truth->predict(truth_of(planted, *truth), PredictionPart::values).value;
+    const Eigen::VectorXd values =
+        truth->predict(truth_of(planted, *truth), PredictionPart::values).value;
     std::mt19937_64 random(6);
     const std::vector<Condition> fresh(all.begin() + static_cast<std::ptrdiff_t>(before.size()),
                                        all.end());

@@ -1,7 +1,7 @@
-// Numbers of Badetti et al. (2018) that single runs decide, on samples of 1000 beads at stiffness number 1000:
-// Badetti et al. (2018) have 4000 at 8400, as has tests/long/published_values.cpp, which also goes
-// to lower inertial numbers. Other frictions are held against another code in dry_lammps.cpp.
-// About 35 s of one core.
+// Numbers of Badetti et al. (2018) that single runs decide, on samples of 1000 beads at stiffness
+// number 1000: Badetti et al. (2018) have 4000 at 8400, as has tests/long/published_values.cpp,
+// which also goes to lower inertial numbers. Other frictions are held against another code in
+// dry_lammps.cpp. About 35 s of one core.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -107,7 +107,8 @@ TEST(ReportedError, CoversTheCorrectionsInStiffnessAndInertialNumber) {
     const int fits = 3;
     for (std::uint64_t seed = 1; seed <= fits; ++seed) {
         const Calibration c = calibrate_study(
-            study, measurements, {.fidelity = small, .seed = seed, .known = {{}, shipped_hyperparameters()}},
+            study, measurements,
+            {.fidelity = small, .seed = seed, .known = {{}, shipped_hyperparameters()}},
             {.threads = 1});
         const double z = (c.fit.parameters(0) - friction) / c.fit.standard_error(0);
         std::printf("%.4f +- %.4f (measurement %.4f), %zu runs\n", c.fit.parameters(0),

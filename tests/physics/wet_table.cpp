@@ -1,6 +1,6 @@
 // Bridge volume against liquid content and the structure of the bridge network, friction 0.09 and
-// P* = 3, against Badetti et al.'s table and ranges. Five runs of 1000 beads at kappa 1000 and inertial
-// number 0.01; docs/validation.md has the same at Badetti et al.'s stiffness.
+// P* = 3, against Badetti et al.'s table and ranges. Five runs of 1000 beads at kappa 1000 and
+// inertial number 0.01; docs/validation.md has the same at Badetti et al.'s stiffness.
 #include <gtest/gtest.h>
 
 #include <cmath>

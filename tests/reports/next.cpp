@@ -304,9 +304,10 @@ TEST(NextMeasurement, ShowsTheMostTellingPointWhereNoneTells) {
     const Rig rig{.repeats = 1, .readings = 1};
     next.plans = separating_plans(next.rivals, next.points, noise, rig.repeats);
     next.series = next_series(next.plans, next.rivals, next.points, noise, rig);
-    EXPECT_THAT(text_of(next), testing::AllOf(testing::HasSubstr("Not separable with this rig"),
-                                              testing::HasSubstr("most telling is 900 Pa"),
-                                              testing::HasSubstr("after a wait of 2 h")));
+    EXPECT_THAT(text_of(next),
+                testing::AllOf(testing::HasSubstr("This rig cannot tell a and b apart"),
+                               testing::HasSubstr("differ most at 900 Pa"),
+                               testing::HasSubstr("after a wait of 2 h")));
     EXPECT_EQ(to_json(next).at("point").at("wait"), 7200);
 }
 

@@ -146,8 +146,8 @@ TEST(MindlinContact, TurnsItsTangentialForceWithThePair) {
 }
 
 TEST(MindlinContact, SpinsItsTangentialForceAboutItsNormal) {
-    // Both grains angular velocity about the normal at the same rate: the force goes round with them, from +y to
-    // +z after a quarter turn about x.
+    // Both grains angular velocity about the normal at the same rate: the force goes round with
+    // them, from +y to +z after a quarter turn about x.
     const int steps = 20000;
     const double dt = 0.5 * std::numbers::pi / steps;
     Collision c = stuck_pair(dt);

@@ -29,7 +29,7 @@ struct TwoGrains {
     double dt = 1e-3;
 
     explicit TwoGrains(const std::vector<EffectValues>& on, bool wet = true,
-                      const Wetting& liquid = wetting)
+                       const Wetting& liquid = wetting)
         : effects(grain_effects(on, wet)),
           bridges(wet ? effects.changed(BridgeLaw(liquid)) : BridgeLaw()) {
         grains.position(0) = {5, 5, 5};
@@ -164,7 +164,7 @@ TEST(CapillaryCoulomb, LimitsFrictionByTheNetForce) {
     // At this overlap the elastic force is 10; the bridge pulls with 5, or with more than that.
     for (const double pull : {5.0, 12.0}) {
         TwoGrains two({on("capillary-coulomb")}, true,
-                     {.reduced_pressure = 1 / pull, .bridge_volume = 4e-3});
+                      {.reduced_pressure = 1 / pull, .bridge_volume = 4e-3});
         two.material.friction = 0.3;
         two.grains.velocity(1)[1] = 1;
         two.set_gap(-overlap_at(10, two.material.modulus));
@@ -256,7 +256,8 @@ TEST(Polydispersity, KeepsMomentumAndEnergyInElasticImpacts) {
         cell.step();
     } while (!touching());
     // The grains meet where their surfaces do.
-    const double distance = cell.grains().position(grain(1))[0] - cell.grains().position(grain(0))[0];
+    const double distance =
+        cell.grains().position(grain(1))[0] - cell.grains().position(grain(0))[0];
     EXPECT_NEAR(distance, (small + large) / 2, 1e-4);
     while (touching()) {
         cell.step();

@@ -21,7 +21,7 @@ Structure around_one_grain(const std::vector<std::array<double, 3>>& directions)
         const auto& [x, y, z] = directions[k];
         const double length = std::hypot(x, y, z);
         grains.position(k + 1)[0] = 50 + x / length, grains.position(k + 1)[1] = 50 + y / length,
-                           grains.position(k + 1)[2] = 50 + z / length;
+                            grains.position(k + 1)[2] = 50 + z / length;
         pairs.add(0, static_cast<std::int32_t>(k + 1),
                   static_cast<std::uint8_t>(image_code::of({})));
         pairs.root.back() = 0.05;

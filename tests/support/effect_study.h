@@ -59,7 +59,8 @@ class Laboratory {
             study_.model.effects.push_back({effect.name, {}});  // their runs serve
         }
         const Fidelity quick = fidelity_named("quick");
-        KnownRuns known{runs_serving(study_, quick, all_shipped_runs()), shipped_hyperparameters(), false};
+        KnownRuns known{runs_serving(study_, quick, all_shipped_runs()), shipped_hyperparameters(),
+                        false};
         const auto simulation = std::make_shared<EmulatedSimulation>(
             study_, quick, Emulator(known.runs, std::move(known.hyperparameters)));
         inside_ = simulation;

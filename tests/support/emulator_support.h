@@ -30,7 +30,8 @@ inline std::vector<dem::RunResult> shipped_runs() {
 }
 
 inline EmulatorHyperparameters shipped_hyperparameters() {
-    return read_hyperparameters(std::filesystem::path(PENDULAR_SOURCE_DIR "/sim/atlas") / hyperparameters_name);
+    return read_hyperparameters(std::filesystem::path(PENDULAR_SOURCE_DIR "/sim/atlas") /
+                                hyperparameters_name);
 }
 
 /// A flow law of this file's own, smooth in all that determines a state.

@@ -69,7 +69,7 @@ class Measuring {
         for (Eigen::Index k = 0; k < entries; k += 2) {
             evidence.conditions.push_back({k, k + 1});
             SuspectMeasurement suspect{"condition " + std::to_string(k / 2),
-                            Eigen::MatrixXd::Zero(entries, 1)};
+                                       Eigen::MatrixXd::Zero(entries, 1)};
             suspect.columns(k, 0) = suspect.columns(k + 1, 0) = 1;
             evidence.suspects.push_back(suspect);
         }

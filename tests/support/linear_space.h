@@ -17,8 +17,11 @@ class LinearSpace : public ModelSpace {
     struct Column {
         std::string name;
         Eigen::VectorXd values;
-        EffectParameter parameter = {
-            .name = "amplitude", .lower = -1e6, .upper = 1e6, .neutral = 0, .smallest_of_interest = 1};
+        EffectParameter parameter = {.name = "amplitude",
+                                     .lower = -1e6,
+                                     .upper = 1e6,
+                                     .neutral = 0,
+                                     .smallest_of_interest = 1};
         double possible = 1e9;  ///< beyond this size nothing real could be measured
     };
     LinearSpace(Eigen::MatrixXd base, std::vector<Column> columns)
@@ -57,7 +60,8 @@ class LinearSpace : public ModelSpace {
             }
         }
         const std::vector<Parameter>& parameters() const override { return parameters_; }
-        Prediction predict(const Eigen::VectorXd& parameters, PredictionPart /*what*/) const override {
+        Prediction predict(const Eigen::VectorXd& parameters,
+                           PredictionPart /*what*/) const override {
             const auto n = columns_.rows();
             if (possible_.size() > 0 &&
                 (parameters.tail(possible_.size()).cwiseAbs() - possible_).maxCoeff() > 0) {

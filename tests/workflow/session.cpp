@@ -61,7 +61,8 @@ TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
         EXPECT_THAT(diagnosis.diagnosis.effects, testing::ElementsAre("wall-friction"));
         const ChangedStudy added = before.add("wall-friction");
         EXPECT_TRUE(added.written);
-        EXPECT_LT(added.after.ladder_step.chi2_per_dof(), 0.1 * added.before.ladder_step.chi2_per_dof());
+        EXPECT_LT(added.after.ladder_step.chi2_per_dof(),
+                  0.1 * added.before.ladder_step.chi2_per_dof());
         EXPECT_TRUE(added.after.belief.believable());
         EXPECT_EQ(added.ladder.size(), 2u);
         // The session is of the study as it was.

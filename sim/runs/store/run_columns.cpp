@@ -107,7 +107,8 @@ void add_parameters(Columns& columns) {
         },
         [](RunResult& r, const RunCell& cell) {
             if (!empty(cell)) {
-                Columns::wetting_of(r).bridge_force = formula_variant_named(std::get<std::string>(cell));
+                Columns::wetting_of(r).bridge_force =
+                    formula_variant_named(std::get<std::string>(cell));
             }
         });
     columns.number(

@@ -24,7 +24,8 @@ constexpr int application_id = 0x70656e64;
 constexpr int patience_ms = 120'000;  ///< for other processes that are writing
 
 std::string key_of(const dem::RunResult& run, int version) {
-    return fmt::format("{}physics version = {}\n", run_description(run.parameters, run.threads), version);
+    return fmt::format("{}physics version = {}\n", run_description(run.parameters, run.threads),
+                       version);
 }
 
 /// Says what an error of SQLite means to a user.
