@@ -10,7 +10,7 @@
 
 namespace pendular {
 
-/// Fitted parameter of a ladder step.
+/// Fitted parameter of a ladder step, that is of the study's model after one change of its effects.
 struct LadderParameter {
     std::string name, unit;
     double value = 0, standard_error = 0;

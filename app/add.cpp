@@ -87,6 +87,19 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
     console.line(fmt::format("Chi2 goes from {:.2f} for {} degrees of freedom to {:.2f} for {}.",
                              before.ladder_step.chi2, before.ladder_step.dof,
                              after.ladder_step.chi2, after.ladder_step.dof));
+    const auto all_fitted = [](const Calibration& c) { return c.fitted == c.readings.size(); };
+    if (all_fitted(before.calibration) != all_fitted(after.calibration)) {
+        console.line(fmt::format(
+            "Before the change {}, after it {}.",
+            all_fitted(before.calibration) ? "all readings were fitted together"
+                                           : "the dry readings alone were fitted",
+            all_fitted(after.calibration) ? "all readings together" : "the dry ones alone"));
+    }
+    if (change.change == Action::drop &&
+        change.study.catalogue().is_written(change.study.catalogue().find(change.effect))) {
+        console.line(
+            fmt::format("Its table [[effect]] stays in {}.", change.study.study().file.string()));
+    }
     for (const auto& line :
          advice_on(change, before.ladder_step, after.ladder_step, common.study.string())) {
         console.note(line);
@@ -133,7 +146,7 @@ int change_study(Action what, const std::vector<std::string>& arguments) {
     const auto& [plan, before, after, ladder, written] = changed;
     if (written) {
         console.answer(verdict_of(plan, before.ladder_step, after.ladder_step));
-        print_doubts(console, after.belief);
+        print_doubts(console, after.belief, 0, "Doubt about the new fit: ");
         print_evidence(console, plan, before, after, *common);
         const Figure figure = ladder_figure(ladder);
         draw(figure, figures);

@@ -10,10 +10,11 @@ std::string verdict_on(const Belief& belief, const std::string& basis) {
                        belief.meaningless ? ", it is meaningless" : "", belief.reasons.front());
 }
 
-void print_doubts(Console& console, const Belief& belief, std::size_t named_already) {
+void print_doubts(Console& console, const Belief& belief, std::size_t named_already,
+                  const std::string& heading) {
     for (std::size_t k = named_already; k < belief.reasons.size(); ++k) {
         const std::string& reason = belief.reasons[k];
-        console.line("Doubt: " + as_sentence(reason));
+        console.line(heading + as_sentence(reason));
     }
 }
 

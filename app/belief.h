@@ -11,6 +11,7 @@ namespace pendular::app {
 std::string verdict_on(const Belief& belief, const std::string& basis);
 
 /// Prints each reason for doubt on its own line, except the first `named_already`.
-void print_doubts(Console& console, const Belief& belief, std::size_t named_already = 0);
+void print_doubts(Console& console, const Belief& belief, std::size_t named_already = 0,
+                  const std::string& heading = "Doubt: ");
 
 }  // namespace pendular::app

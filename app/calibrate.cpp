@@ -49,11 +49,10 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
         console.line(fmt::format("The 68 % profile likelihood interval is {:.4g} to {:.4g}.",
                                  c.profile->first, c.profile->second));
     }
-    console.line(
-        fmt::format("The fit has chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}); errors are "
-                    "not scaled by "
-                    "chi2/dof.",
-                    comparison.fitted.chi2, comparison.fitted.dof, comparison.fitted.p()));
+    console.line(fmt::format(
+        "The fit has chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}, with allowance "
+        "for errors that are estimated from few repetitions).",
+        comparison.fitted.chi2, comparison.fitted.dof, comparison.fitted.p()));
     console.line(basis_of(c));
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format(
@@ -61,7 +60,7 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
             "{} "
             "degrees of freedom (p = {:.2g}).",
             c.readings.size() - c.fitted,
-            c.model.base == "rumpf" ? "Rumpf's cohesion on the simulated dry law" : "simulation",
+            c.model.base == "rumpf" ? "Rumpf's cohesion on the simulated dry law" : "the model",
             comparison.predicted.chi2, comparison.predicted.dof, comparison.predicted.p()));
     }
     if (console.all()) console.table(predictions_table(comparison), 0);
@@ -126,7 +125,7 @@ int calibrate(const std::vector<std::string>& arguments) {
     }
     if (!measurements.excluded.empty()) {
         console.note(
-            fmt::format("Import left out {} ranges of rows. To list them: pendular import {}",
+            fmt::format("Import left out {} ranges of rows. To list them: pendular import {} --all",
                         measurements.excluded.size(), common->study.string()));
     }
     auto json = to_json(c, comparison);

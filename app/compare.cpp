@@ -118,7 +118,11 @@ int compare(const std::vector<std::string>& arguments) {
         drawn_figures.push_back(figure.name);
     }
     console.figures(out / "figures", drawn_figures);
-    console.next(fmt::format("pendular diagnose {}", common->study.string()));
+    constexpr double significant = 0.05;
+    const bool fits = belief.believable() && comparison.total.p() >= significant;
+    console.next(fmt::format("pendular {} {}",
+                             fits && !c.model.effects.empty() ? "next" : "diagnose",
+                             common->study.string()));
     console.json(json);
     return done;
 }

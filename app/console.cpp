@@ -96,7 +96,7 @@ void Console::table(const std::vector<std::string>& heading_and_rows, std::size_
         line(row);
     }
     if (hidden > 0) {
-        line(fmt::format("  ... {} more row{}: add --all", hidden, hidden == 1 ? "" : "s"));
+        line(fmt::format("  ... {} more row{} (option --all)", hidden, hidden == 1 ? "" : "s"));
     }
     for (const std::string& row : heading_and_rows) {
         if (is_legend(row)) line(row);
@@ -118,12 +118,12 @@ void Console::print_notes() {
     for (std::size_t k = 0; k < shown; ++k) {
         const Note& note = notes_[k];
         line("Note: " + note.text +
-             (note.count > 1 ? fmt::format(" ({} more such notes: add --all)", note.count - 1)
+             (note.count > 1 ? fmt::format(" ({} more such notes, option --all)", note.count - 1)
                              : ""));
     }
     if (shown < notes_.size()) {
         const std::size_t hidden = notes_.size() - shown;
-        line(fmt::format("Note: {} more note{}: add --all", hidden, hidden == 1 ? "" : "s"));
+        line(fmt::format("Note: {} more note{} (option --all)", hidden, hidden == 1 ? "" : "s"));
     }
     notes_.clear();
 }

@@ -28,10 +28,13 @@ residuals. The command fits all readings jointly, tests the residuals for every 
 refits with the likely effects, and keeps the smallest models that fit. Verdicts:
   nothing-missing       the model describes the readings
   inconclusive          no effect is missing as far as seen, but some would stay unseen
-  missing               one effect, or one set of effects, explains the residuals
+  missing               one effect, or one set of effects, explains the residuals, or most of them
   indistinguishable     several effects explain the residuals equally well
   suspect-measurement   an error in one condition or file explains the residuals
   unknown               something is missing, and no known effect explains it
+Decisions on an effect: missing; may be missing (one of several); does not explain it (adding it
+leaves a misfit); no sign of it; absent (any size of interest would show); cannot be excluded (a size
+of interest might not show); cannot be seen (no size within its bounds would show).
 No simulation is made: an emulator predicts the readings from the atlas and all stored runs.)";
 
 /// Sentence on doubts about the readings that the verdict rests on; empty without doubts.
@@ -41,9 +44,7 @@ std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
                            doubts, doubts == 1 ? "" : "s");
     }
     const bool said = d.diagnosis.verdict == Verdict::suspect_measurement;
-    return measurements.doubts.empty() || said
-               ? ""
-               : " The readings are in doubt: " + measurements.doubts.front().what;
+    return measurements.doubts.empty() || said ? "" : " The readings are in doubt, as said below.";
 }
 
 }  // namespace
@@ -73,12 +74,21 @@ int diagnose(const std::vector<std::string>& arguments) {
     add_belief(json, belief);
     write_json(common->out_folder() / "diagnosis.json", json);
     console.answer(verdict_line(diagnosis, models, checks) + caution(d, measurements));
-    print_doubts(console, belief);
-    if (belief.believable()) console.line(fit_line(diagnosis));
+    for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
+        if (k != belief.misfit_reason) console.line("Doubt: " + belief.reasons[k]);
+    }
+    console.line(fit_line(diagnosis));
     console.table(checks_table(checks), 3);
     console.table(diagnosis_table(diagnosis, models), 4);
     if (const std::string suspects = suspects_line(diagnosis, d.evidence); !suspects.empty()) {
         console.line(suspects);
+    }
+    if (const auto remaining = remaining_checks(d, session->options().seed)) {
+        for (const std::string& line :
+             incomplete_lines(diagnosis, rms_errors(d, diagnosis.fit.prediction),
+                              rms_errors(d, diagnosis.leaders->model.fit.prediction), *remaining)) {
+            console.line(line);
+        }
     }
     console.table(unseen_table(diagnosis, models), 3);
     for (const std::string& line : advice_on(diagnosis, models)) {

@@ -32,7 +32,7 @@ the forces between grains; with a name, describes one effect in full. A study li
   unit = "mN m s/rad"
   lower = -1
   upper = 1
-  torque = "torque + drag*angular_velocity"   # the shown torque; at drag = 0 the true torque
+  torque = "torque + drag*angular_velocity"   # shown torque, from the true one
 
 Optional keys: neutral (value at which the effect vanishes, default 0), matters (smallest effect of
 interest, default a tenth of the range), summary. A formula sets a quantity that the instrument

@@ -55,6 +55,7 @@ int import(const std::vector<std::string>& arguments) {
                                  doubt.set_aside ? "Set aside; see excluded.csv." : "Kept."));
     }
     console.table(readings_table(measurements), 6);
+    if (console.all()) console.table(excluded_table(measurements), 0);
     console.table(scatter_table(measurements), 5);
     for (const auto& note : measurements.notes) {
         console.note(note);

@@ -17,8 +17,8 @@ namespace pendular::app {
 /// @throws InputError if it is negative
 std::uint64_t checked_seed(std::int64_t seed);
 
-/// Refuses a file or folder that cannot be written, since long work must not end there.
-/// @throws InputError naming the option
+/// Checks before long work that a path can be written, as a folder if `folder`, else as a file.
+/// @throws InputError where it cannot, naming the option
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);
 
 /// Options that every command takes.

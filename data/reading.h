@@ -126,7 +126,7 @@ struct Measurements {
     std::vector<std::string> notes;  ///< checks worth a line: a flipped torque, heavy beads
 };
 
-/// The conditions of readings, in their order.
+/// Condition of each reading, in the order of `readings`.
 inline std::vector<Condition> conditions_of(const std::vector<Reading>& readings) {
     std::vector<Condition> conditions;
     for (const auto& reading : readings) {

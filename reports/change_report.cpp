@@ -65,9 +65,10 @@ std::string advice_on_added(const std::string& effect, const LadderStep& before,
     }
     if (fell_by_chance(before, after)) {
         return fmt::format(
-            "The error fell by no more than chance (chi2 {} -> {} with {} more parameters): the "
+            "The error fell by no more than chance (chi2 {} -> {} with {} more parameter{}): the "
             "readings do not need {}; {}.",
-            number(before.chi2), number(after.chi2), before.dof - after.dof, effect, undo);
+            number(before.chi2), number(after.chi2), before.dof - after.dof,
+            before.dof - after.dof == 1 ? "" : "s", effect, undo);
     }
     if (const std::string which = left_out_rose(before, after); !which.empty()) {
         return fmt::format(
@@ -158,9 +159,9 @@ std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& 
         const LadderParameter* const later = after.find(p.name);
         if (later && std::abs(drift(p, *later)) > 3) {
             lines.push_back(fmt::format(
-                "The fitted {} changed by {:.1f} of its standard errors: one of the two "
-                "models compensates with it for another effect.",
-                p.name, std::abs(drift(p, *later))));
+                "The fitted {} changed by {:.1f} standard errors: without {}, another value of it "
+                "compensates for the missing effect.",
+                p.name, std::abs(drift(p, *later)), change.effect));
         }
     }
     return lines;

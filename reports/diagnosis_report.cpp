@@ -95,7 +95,22 @@ const EffectParameter& parameter_of(const ModelSpace& space, const Finding& find
     return space.candidates()[finding.candidate].parameters.front();
 }
 
+/// "99.7 %": a share that is not rounded up to all.
+std::string percent(double share) {
+    return fmt::format("{:.{}f} %", std::floor(1000 * share) / 10, share < 0.99 ? 0 : 1);
+}
+
+std::string leading_line(const Diagnosis& d, const ModelSpace& space) {
+    const Explanation& model = d.leaders->model;
+    return fmt::format(
+        "Missing: {}, and something smaller that no known effect explains. Adding {} brings {}, "
+        "{} of the misfit beyond the errors.",
+        with_estimates(model, space), model.chosen.size() > 1 ? "them" : "it", reduction(d, model),
+        percent(d.leaders->explained));
+}
+
 std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
+    if (d.leaders) return leading_line(d, space);
     const Explanation& best = *best_of(d.confidence_set);
     std::string line = fmt::format("Missing: {}. Adding {} brings {}.", with_estimates(best, space),
                                    best.chosen.size() > 1 ? "them" : "it", reduction(d, best));
@@ -143,8 +158,15 @@ std::string inconclusive_line(const Diagnosis& d) {
     }
     return fmt::format(
         "No effect is missing as far as these readings show, but {} effect{} of a size of interest "
-        "would stay unseen: {}.",
+        "would not show in them: {}.",
         d.effects.size(), d.effects.size() == 1 ? "" : "s", some_of(d.effects));
+}
+
+/// Estimate with its error; one without error is held by a bound of the parameter.
+std::string estimate_of(const Finding& finding, const std::string& unit) {
+    return finding.standard_error > 0
+               ? with_error(finding.value, finding.standard_error, unit)
+               : fmt::format("{} (at its bound)", with_unit(finding.value, unit));
 }
 
 std::string finding_line(const Finding& finding, const ModelSpace& space) {
@@ -158,7 +180,7 @@ std::string finding_line(const Finding& finding, const ModelSpace& space) {
     const std::string unit = candidate.is_switch() ? "1" : p.unit;
     return fmt::format(
         "  {:<24} {:>26} {:>9.1f} {:>9} {:>8.0f} % {:>6.2f} {:>8}   {}", candidate.name,
-        with_error(finding.value, finding.standard_error, unit), finding.test.predicted_reduction,
+        estimate_of(finding, unit), finding.test.predicted_reduction,
         finding.refitted_reduction ? fmt::format("{:.1f}", *finding.refitted_reduction) : "",
         100 * finding.test.share_imitated, finding.power, p_text(finding.p, ""), finding.decision);
 }
@@ -166,8 +188,9 @@ std::string finding_line(const Finding& finding, const ModelSpace& space) {
 /// States how alike the changes by the effects are, beyond what the calibrated parameters imitate.
 std::string alike_line(const Diagnosis& d) {
     if (d.effects.size() == 2) {
-        return fmt::format("Both change these readings alike (cosine {:.3f}; 1: no difference).",
-                           d.cosines(0, 1));
+        return fmt::format(
+            "The two change these readings in a similar way (cosine {:.3f}; 1: the same).",
+            d.cosines(0, 1));
     }
     Eigen::MatrixXd others = d.cosines;
     others.diagonal().setOnes();
@@ -175,8 +198,8 @@ std::string alike_line(const Diagnosis& d) {
     const double least = others.minCoeff(&one, &other);
     const auto name = [&](Eigen::Index k) { return d.effects[static_cast<std::size_t>(k)]; };
     return fmt::format(
-        "All of them change these readings alike (cosines from {:.3f}, {} and {}; 1: no "
-        "difference).",
+        "They change these readings in a similar way (least cosine {:.3f}, of {} and {}; 1: the "
+        "same).",
         least, name(other), name(one));
 }
 
@@ -213,8 +236,10 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
         lines.push_back(finding_line(finding, space));
     }
     lines.push_back(
-        "  (chi2 falls: predicted, refitted; imitated: by the calibrated parameters; power: to see "
-        "the smallest effect of interest; p: for the best of all effects tested)");
+        "  (chi2 falls: predicted, refitted; imitated: share of the effect that other values "
+        "of the calibrated parameters imitate; power: to see "
+        "the smallest effect of interest; p: probability that chance makes any tested "
+        "effect look as good)");
     if (std::ranges::any_of(
             d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(
@@ -222,6 +247,24 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
             "then "
             "smaller)");
     }
+    return lines;
+}
+
+std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<double, 2>& before,
+                                          const std::array<double, 2>& after,
+                                          const Checks& remaining) {
+    if (!d.leaders) return {};
+    const std::string effects = joined(d.effects, "and");
+    std::vector<std::string> lines = {fmt::format(
+        "With {}, the RMS error of shear stress falls from {:.2f} % to {:.2f} %, that of solid "
+        "fraction from {:.2f} % to {:.2f} %.",
+        effects, before[0], after[0], before[1], after[1])};
+    lines.push_back(fmt::format(
+        "In simulated repetitions of the experiment another explanation would lead in {:.1f} of "
+        "100.",
+        100 * d.leaders->rival_share));
+    const std::string trend = strongest_trend(remaining);
+    lines.push_back("With " + effects + " in the model, a misfit remains" + trend);
     return lines;
 }
 
@@ -237,8 +280,8 @@ std::string suspects_line(const Diagnosis& d, const Evidence& evidence) {
 
 std::string fit_line(const Diagnosis& d) {
     return fmt::format(
-        "Without a further effect, chi2 = {:.1f} for {} degrees of freedom (lack of fit p {}; no "
-        "known effect missing p {}).",
+        "Fitted to all readings, the present model has chi2 = {:.1f} for {} degrees of freedom "
+        "(lack of fit: p {}; any known effect missing: p {}).",
         d.chi2, d.dof, p_text(d.lack_of_fit_p), p_text(d.further_p));
 }
 
@@ -259,7 +302,7 @@ std::string unseen_line(const Finding& finding, const EffectParameter& p,
 
 std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& space) {
     if (d.verdict != Verdict::inconclusive || d.effects.empty()) return {};
-    std::vector<std::string> lines = {"Effects that would stay unseen:"};
+    std::vector<std::string> lines = {"Effects that would not show in these readings:"};
     for (const std::string& effect : d.effects) {
         const Finding& finding = finding_of(d, space, effect);
         lines.push_back(unseen_line(finding, parameter_of(space, finding), effect));
@@ -299,7 +342,8 @@ std::string next_step(const Diagnosis& d, const std::string& study) {
         case Verdict::missing:
             return fmt::format("pendular add {} {}", study, d.effects.front());
         case Verdict::unknown:
-            return fmt::format("pendular effects --study {}", study);
+            return fmt::format("pendular compare {} --all   # inspect the readings that deviate",
+                               study);
         case Verdict::suspect_measurement:
             return fmt::format("repeat the suspect readings, then pendular diagnose {}", study);
         default:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,14 @@ std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const Model
 
 /// Sentence with chi2 of the model as it is, its degrees of freedom and its probabilities.
 std::string fit_line(const Diagnosis& diagnosis);
+
+/// Sentences on a verdict that names effects which do not explain everything: how sure they lead,
+/// by how much the RMS errors [%] fall from `before` to `after`, and what `remaining` checks show;
+/// empty where the verdict is complete.
+std::vector<std::string> incomplete_lines(const Diagnosis& diagnosis,
+                                          const std::array<double, 2>& before,
+                                          const std::array<double, 2>& after,
+                                          const Checks& remaining);
 
 /// Sentence that names the measurements that deviate most from the rest; empty where none does.
 std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);

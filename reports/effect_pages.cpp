@@ -55,7 +55,7 @@ std::string in_study(const EffectEntry& entry) {
     if (!entry.status) {
         return "";
     }
-    return entry.status->why_not ? "no" : entry.status->listed ? "on" : "can be";
+    return entry.status->why_not ? "no" : entry.status->listed ? "on" : "optional";
 }
 
 std::string unit_of(const EffectParameter& parameter) {
@@ -228,7 +228,7 @@ std::vector<std::string> effect_page(const EffectEntry& entry) {
     }
     if (!effect.acts_through.empty()) {
         page.push_back(
-            field("acts through", fmt::format("{}", fmt::join(effect.acts_through, ", "))));
+            field("grows with", fmt::format("{}", fmt::join(effect.acts_through, ", "))));
     }
     if (!effect.directly.empty()) {
         page.push_back(field("measured by", effect.directly + "; see 'pendular next --help'"));
@@ -252,7 +252,7 @@ std::string manual_page(const EffectEntry& entry, const std::string& figure) {
                        fmt::format("\nIt changes {}; it touches {} readings.",
                                    groups[group_index(effect)].heading, touched(effect));
     if (!effect.acts_through.empty()) {
-        text += fmt::format(" It acts through `{}`.", fmt::join(effect.acts_through, "`, `"));
+        text += fmt::format(" It grows with `{}`.", fmt::join(effect.acts_through, "`, `"));
     }
     if (!effect.directly.empty()) {
         text += fmt::format(" Measured by itself it is by {}: `[[direct]]` in a study.",

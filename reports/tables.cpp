@@ -40,6 +40,19 @@ std::vector<std::string> readings_table(const Measurements& measurements) {
     return lines;
 }
 
+std::vector<std::string> excluded_table(const Measurements& measurements) {
+    std::vector<std::string> lines = {
+        fmt::format("  {:<{}} {}", "rows left out", place_width, "reason")};
+    for (const Excluded& each : measurements.excluded) {
+        const std::string file = std::filesystem::path(each.origin.file).filename().string();
+        const std::string rows = each.last_line > each.origin.line
+                                     ? fmt::format("{} to {}", each.origin.line, each.last_line)
+                                     : fmt::format("{}", each.origin.line);
+        lines.push_back(fmt::format("  {:<{}} {}", file + ":" + rows, place_width, each.reason));
+    }
+    return lines;
+}
+
 std::vector<std::string> scatter_table(const Measurements& measurements) {
     const ReplicateScatter& scatter = measurements.scatter;
     std::vector<std::string> lines;
@@ -92,7 +105,9 @@ std::vector<std::string> predictions_table(const Comparison& comparison, bool wo
             m.reading.condition.inertial_number, m.reading.value(0), m.predicted(0),
             m.normalised(0), m.reading.value(1), m.predicted(1), m.normalised(1), m.chi2.sum()));
     }
-    lines.push_back("  (sigma: measured minus model, over the standard error of the difference)");
+    lines.push_back(
+        "  (sigma: measured minus model, over the standard error of the difference; the two of a "
+        "reading may be correlated)");
     for (const DirectMisfit& direct : comparison.direct) {
         const DirectMeasurement& m = direct.measurement;
         lines.push_back(fmt::format(

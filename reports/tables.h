@@ -13,6 +13,9 @@ namespace pendular {
 /// Table of the readings, one line each.
 std::vector<std::string> readings_table(const Measurements& measurements);
 
+/// Table of the rows that were left out, one line for each range, with the reason.
+std::vector<std::string> excluded_table(const Measurements& measurements);
+
 /// Table of the scatter between steps and between fillings [% of the value], from replicates; empty
 /// without replicates.
 std::vector<std::string> scatter_table(const Measurements& measurements);

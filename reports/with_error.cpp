@@ -54,7 +54,10 @@ std::string with_error(double value, double error, const std::string& unit) {
 
 std::string with_unit(double value, const std::string& unit) {
     const Prefix prefix = prefix_of(std::abs(value), unit);
-    const std::string number = fmt::format("{:.2g}", value / prefix.factor);
+    const double scaled = value / prefix.factor;
+    const std::string number = std::abs(scaled) < 100
+                                   ? fmt::format("{:.2g}", scaled)
+                                   : fmt::format("{:.0f}", 10 * std::round(scaled / 10));
     return unit == "1" ? number : fmt::format("{} {}{}", number, prefix.letter, unit);
 }
 

@@ -1,5 +1,6 @@
 #include "workflow/diagnosis_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,22 @@ nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace&
     return json;
 }
 
+/// Share of the excess chi2 that each named effect takes alone.
+nlohmann::ordered_json explained_of(const Diagnosis& d, const ModelSpace& space) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const std::string& effect : d.effects) {
+        const auto alone = std::ranges::find_if(d.tried, [&](const Explanation& each) {
+            return !each.suspect && names_of(each, space) == std::vector{effect};
+        });
+        if (alone == d.tried.end()) {
+            json[effect] = nullptr;
+        } else {
+            json[effect] = share_explained(d.chi2, d.dof, *alone);
+        }
+    }
+    return json;
+}
+
 /// Cosines between the effects that the verdict names.
 nlohmann::ordered_json cosines_of(const Diagnosis& d) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
@@ -107,7 +124,9 @@ nlohmann::ordered_json to_json(const Diagnosis& d, const ModelSpace& space,
         parameters[all[k].name] = uncertain(d.fit.parameters(i), d.fit.standard_error(i));
     }
     return {{"verdict", to_string(d.verdict)},
+            {"complete", d.complete},
             {"effects", d.effects},
+            {"explained", explained_of(d, space)},
             {"suspects", d.suspects},
             {"confidence_set", sets},
             {"cosines", cosines_of(d)},

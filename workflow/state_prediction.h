@@ -51,12 +51,14 @@ struct PredictionCurve {
 class StatePredictor {
   public:
     /// @param stiffness_number to which solid fractions are corrected [1], 100 or more
-    /// @throws InputError where there are too few runs, and as `check_stiffness_number`
+    /// @throws InputError where atlas and store have too few runs to train an emulator, and
+    ///         whatever `check_stiffness_number` throws
     StatePredictor(const Fidelity& fidelity, const RunStore* store, double stiffness_number);
     StatePredictor(const StatePredictor&) = delete;
     StatePredictor& operator=(const StatePredictor&) = delete;
 
-    /// @throws InputError for a stiffness number to which nothing is corrected
+    /// Checks that solid fractions can be corrected to a stiffness number [1].
+    /// @throws InputError where they cannot
     static void check_stiffness_number(double stiffness_number);
 
     const Emulator& emulator() const { return emulator_; }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
@@ -49,6 +50,8 @@ void suspect_measurement(StudyDiagnosis& result, const Study& study,
     if (suspects.empty()) return;
     result.diagnosis.verdict = Verdict::suspect_measurement;
     result.diagnosis.effects.clear();
+    result.diagnosis.leaders.reset();
+    result.diagnosis.complete = true;
     result.diagnosis.cosines.resize(0, 0);
     result.diagnosis.suspects.assign(suspects.begin(), suspects.end());
 }
@@ -110,13 +113,40 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     return result;
 }
 
-Checks checks_of(const StudyDiagnosis& d, std::uint64_t seed) {
+namespace {
+
+Checks checks_of(const StudyDiagnosis& d, const EffectSet& effects, const Prediction& prediction,
+                 std::uint64_t seed) {
     const std::size_t direct = d.models->direct().size();
     return check_fit(
-        d.diagnosis.residuals(d.evidence),
-        entries_of(d.readings, d.models->with({})->parameters(), direct),
+        {d.evidence.measured, prediction},
+        entries_of(d.readings, d.models->with(effects)->parameters(), direct),
         covariates_of(d.readings, direct),
         NullDraws(d.evidence.measured, d.evidence.errors, seed, DiagnosisOptions{}.draws));
+}
+
+}  // namespace
+
+Checks checks_of(const StudyDiagnosis& d, std::uint64_t seed) {
+    return checks_of(d, {}, d.diagnosis.fit.prediction, seed);
+}
+
+std::optional<Checks> remaining_checks(const StudyDiagnosis& d, std::uint64_t seed) {
+    if (!d.diagnosis.leaders) return {};
+    const Explanation& model = d.diagnosis.leaders->model;
+    return checks_of(d, model.chosen, model.fit.prediction, seed);
+}
+
+std::array<double, 2> rms_errors(const StudyDiagnosis& d, const Prediction& prediction) {
+    std::array<double, 2> squares{};
+    for (std::size_t k = 0; k < d.readings.size(); ++k) {
+        for (const std::size_t o : {0u, 1u}) {
+            const auto entry = static_cast<Eigen::Index>(2 * k + o);
+            const double off = prediction.value(entry) / d.evidence.measured.value(entry) - 1;
+            squares[o] += off * off / static_cast<double>(d.readings.size());
+        }
+    }
+    return {100 * std::sqrt(squares[0]), 100 * std::sqrt(squares[1])};
 }
 
 std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models) {
@@ -126,6 +156,11 @@ std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& mode
             rivals.push_back({name_of(each, models), models.predictor(each.chosen),
                               each.fit.parameters, each.fit.covariance});
         }
+    }
+    if (diagnosis.leaders) {
+        const Explanation& model = diagnosis.leaders->model;
+        rivals.push_back({name_of(model, models), models.predictor(model.chosen),
+                          model.fit.parameters, model.fit.covariance});
     }
     if (rivals.empty()) {
         rivals.push_back({"the model as it is", models.predictor({}), diagnosis.fit.parameters,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -34,7 +35,16 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
 /// the random errors that set the limits.
 Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// Models that fit, as rivals; the model without further effects where none fits.
+/// Checks of the model with the leading effects, where the verdict names some that do not explain
+/// everything; empty otherwise.
+std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
+
+/// RMS errors of shear stress and solid fraction [%] of a prediction of the study's readings:
+/// 100 sqrt(mean((predicted/measured - 1)^2)).
+std::array<double, 2> rms_errors(const StudyDiagnosis& diagnosis, const Prediction& prediction);
+
+/// Models that fit, as rivals; that of the leading effects where they do not explain everything;
+/// the model without further effects where none fits.
 std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models);
 
 }  // namespace pendular

@@ -60,6 +60,7 @@ class Diagnostician {
     void settle_for_base();
     void search();
     void conclude();
+    void conclude_in_part();
     void compare_signatures();
     void decide();
     void order_scan();
@@ -227,7 +228,7 @@ void Diagnostician::search() {
 void Diagnostician::conclude() {
     const auto& set = result_.confidence_set;
     if (set.empty()) {
-        result_.verdict = Verdict::unknown;
+        conclude_in_part();
         return;
     }
     if (set.front().suspect) {
@@ -248,6 +249,16 @@ void Diagnostician::conclude() {
         result_.effects.push_back(name(k));
     }
     if (shared.empty()) compare_signatures();
+}
+
+void Diagnostician::conclude_in_part() {
+    result_.complete = false;
+    result_.leaders = find_leaders(result_.chi2, result_.dof, result_.tried, explanations_);
+    result_.verdict = result_.leaders ? Verdict::missing : Verdict::unknown;
+    if (!result_.leaders) return;
+    for (const std::size_t k : result_.leaders->model.chosen) {
+        result_.effects.push_back(name(k));
+    }
 }
 
 void Diagnostician::compare_signatures() {
@@ -274,11 +285,13 @@ void Diagnostician::decide() {
             return each.chosen == EffectSet{finding.candidate} && !each.fit.converged;
         };
         if (!base && pointed_at) {
-            finding.decision = result_.verdict == Verdict::missing ? "missing" : "may be missing";
+            finding.decision = !result_.complete                     ? "missing, with others"
+                               : result_.verdict == Verdict::missing ? "missing"
+                                                                     : "may be missing";
         } else if (!base && std::ranges::any_of(result_.confidence_set, in_set)) {
             finding.decision = "may be missing too";
         } else if (std::ranges::any_of(result_.tried, unsettled)) {
-            finding.decision = "its refit did not converge";
+            finding.decision = "refit not converged";
         } else if (!finding.identifiable) {
             finding.decision = "cannot be seen";
         } else if (base) {

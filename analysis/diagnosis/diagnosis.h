@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/diagnosis/explanation.h"
+#include "analysis/diagnosis/leaders.h"
 
 namespace pendular {
 
@@ -23,7 +24,10 @@ std::string_view to_string(Verdict verdict);
 /// residuals.
 struct Diagnosis {
     Verdict verdict = Verdict::inconclusive;
-    std::vector<std::string> effects;   ///< effects that the verdict names
+    std::vector<std::string> effects;  ///< effects that the verdict names
+    bool complete = true;  ///< whether the model with these effects explains the readings
+    /// Where the verdict is `missing` and not complete: the model with the leading effects.
+    std::optional<Leaders> leaders;
     std::vector<std::string> suspects;  ///< measurements whose error would explain the readings too
     std::vector<Explanation> confidence_set;  ///< smallest models that fit
     std::vector<Explanation> tried;           ///< all refitted models
@@ -44,8 +48,9 @@ struct Diagnosis {
 
 /// Tests whether the model is complete and, if not, which effects explain the residuals: fits it,
 /// tests what is left for every candidate, refits those that the residuals ask for, and keeps the
-/// smallest models that stand. A model stands where neither its lack of fit nor the best of what it
-/// still lacks is significant, each at half the significance, from the same draws of errors.
+/// smallest models that fit. A model fits where neither its lack of fit nor the best of the effects
+/// that it still lacks is significant, each at half the significance, from the same draws of
+/// errors. Where none fits, effects that explain most of the misfit are named, if there are any.
 /// @throws InputError where there are no more readings than parameters
 Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,
                    const DiagnosisOptions& options = {});

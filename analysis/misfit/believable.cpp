@@ -40,6 +40,7 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
     if (mistake) belief.reasons.push_back(mistake->sentence());
     const bool undescribed = misfit.p() < incredible_p;
     if (undescribed) {
+        belief.misfit_reason = belief.reasons.size();
         belief.reasons.push_back(
             fmt::format("The model does not describe the readings: chi2 = {:.4g} for {} degrees "
                         "of freedom (p < 1e-6).",

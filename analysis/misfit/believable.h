@@ -18,6 +18,8 @@ struct Belief {
     /// Whether the numbers are meaningless: the friction is at the end of its range and the model
     /// does not describe the readings, or most readings had to be set aside.
     bool meaningless = false;
+    /// Index of the reason that chi2 is too large; empty where the model describes the readings.
+    std::optional<std::size_t> misfit_reason = {};
 
     bool believable() const { return reasons.empty(); }
 };

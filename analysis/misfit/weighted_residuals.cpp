@@ -26,6 +26,10 @@ WeightedResiduals::WeightedResiduals(const Measured& measured, const Prediction&
         decomposed_.householderQ() * Eigen::MatrixXd::Identity(slopes_.rows(), decomposed_.rank());
 }
 
+double WeightedResiduals::log_determinant() const {
+    return 2 * lower_.diagonal().array().log().sum();
+}
+
 Eigen::MatrixXd WeightedResiduals::whiten(const Eigen::MatrixXd& columns) const {
     return lower_.triangularView<Eigen::Lower>().solve(columns);
 }

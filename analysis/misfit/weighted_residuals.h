@@ -12,8 +12,7 @@ namespace pendular {
 /// changes:
 ///     r = L^-1 (y - f),   J = L^-1 df/dtheta,   P = I - J (J'J)^-1 J',
 /// L L' = Sigma_measurement + Sigma_simulation. P comes from a QR decomposition and is never
-/// formed; combinations of parameters that the readings do not determine take nothing awaMeasured
-/// values y.
+/// formed; combinations of parameters that the readings do not determine take nothing away.
 class WeightedResiduals {
   public:
     /// @throws std::logic_error where the covariance is not positive definite
@@ -21,9 +20,11 @@ class WeightedResiduals {
 
     Eigen::Index size() const { return residuals_.size(); }
     const Eigen::VectorXd& residuals() const { return residuals_; }
-    /// y.
+    /// Measured values y.
     const Eigen::VectorXd& measured() const { return measured_; }
     double chi2() const { return residuals_.squaredNorm(); }
+    /// ln det(Sigma_measurement + Sigma_simulation), in the units of the readings.
+    double log_determinant() const;
 
     /// Whitened changes: L^-1 times columns in the units of the readings.
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;

@@ -57,7 +57,7 @@ class Kernel {
     /// `unit`: a typical size of the quantity, for coefficients to be large beside.
     Kernel(Domain domain, const Hyperparameters& hyperparameters, double unit);
 
-    /// Functional with the parts that its covariances with others share.
+    /// Functional with the terms that all its covariances need, computed once.
     struct Prepared {
         int derivative = Functional::value;
         double u = 0;

@@ -20,11 +20,12 @@ struct Order {
     std::string why;
 };
 
-/// Decides which runs would sharpen the predictions of a study most, has them carried out and makes
-/// a better predictor from them, repeatedly. It orders runs at conditions outside the known range,
-/// where an emulator must not extrapolate, and at the optimum of a fit, where runs confirm the
-/// emulator; the latter are chosen to lower the variance of the predictions most. Without known
-/// runs it begins with a design that fills the space of the study's conditions.
+/// Decides which runs would reduce the errors of a study's predictions most, has them carried out
+/// and makes a better predictor from them, repeatedly. It requests two kinds of runs: those outside
+/// the known range, where an emulator must not extrapolate, and those near the optimum of a fit,
+/// which check the emulator; among the latter it takes those that lower the variance of the
+/// predictions most. Without known runs it begins with a design that fills the space of the study's
+/// conditions.
 class RunPlanner {
   public:
     /// `conditions`: of the study's readings, which the predictions are for. Without known runs the

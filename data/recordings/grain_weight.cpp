@@ -53,14 +53,12 @@ std::optional<std::string> grain_weight_note(const Study& study,
         ++count;
     }
     if (count == 0) return std::nullopt;
-    const auto folder = study.file.parent_path();
     return fmt::format(
         "The weight of the grains adds {:.0f} Pa over the depth, more than 10 % of the normal "
         "stress in {} of {} readings ({}; {}): shear may concentrate under the lid, and the normal "
-        "stress at mid-height is higher than shown. To test whether the readings show it: pendular "
-        "diagnose {}",
-        weight, count, readings.size(), named(files), range_of(least, greatest),
-        folder.empty() ? "." : folder.string());
+        "stress at mid-height is higher than shown. 'pendular diagnose' tests the effect "
+        "grain-weight.",
+        weight, count, readings.size(), named(files), range_of(least, greatest));
 }
 
 }  // namespace pendular

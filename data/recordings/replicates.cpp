@@ -323,7 +323,8 @@ void Pooling::note_few_replicates() {
     if (!std::isfinite(fewest) || widening(fewest) < worth_a_note) return;
     all_.notes.push_back(fmt::format(
         "The scatter between replicates is known from {0} only: standard errors are widened "
-        "{1:.1f} times, so that two of them cover 95 %. More replicates make them smaller.",
+        "{1:.1f} times, so that an interval of two standard errors covers 95 %. More replicates "
+        "make them smaller.",
         fewest == 1 ? "one pair" : fmt::format("{:.0f} differences", fewest), widening(fewest)));
 }
 

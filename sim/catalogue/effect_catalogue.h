@@ -25,9 +25,10 @@ class EffectCatalogue {
     EffectCatalogue& operator=(EffectCatalogue&&) = default;
     ~EffectCatalogue() = default;
 
-    /// The built-in ones by name, then the written ones as they stand in the study.
+    /// All effects: the built-in ones sorted by name, then the user's in the order of study.toml.
     const std::vector<Effect>& all() const { return effects_; }
-    /// @throws std::invalid_argument naming the nearest one
+    /// The effect of this name.
+    /// @throws std::invalid_argument where there is none, naming the effect of the nearest name
     const Effect& find(std::string_view name) const;
     /// Whether it comes from the study.
     bool is_written(const Effect& effect) const;

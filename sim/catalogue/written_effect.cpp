@@ -325,7 +325,7 @@ EffectParameter parameter_of(const WrittenEffect& written) {
             .upper = written.upper,
             .neutral = written.neutral,
             .smallest_of_interest = written.smallest_of_interest,
-            .meaning = "see the formulas"};
+            .meaning = "as in the formulas of study.toml"};
 }
 
 std::string equation_of(const WrittenEffect& written) {

@@ -15,7 +15,8 @@ class Bins {
   public:
     Bins(const Grains& grains, const Cell& cell, double range);
 
-    /// With fewer than three bins in a direction a neighbour bin would be searched twice.
+    /// Whether every direction has at least three bins; with fewer, a neighbour bin would be
+    /// searched twice.
     bool enough() const;
 
     /// Bin of a grain inside the cell. A grain that rounding puts outside is counted in the last

@@ -103,7 +103,7 @@ inline Shifts image_shifts(const Cell& cell) {
     *reinterpret_cast<Vector::Lanes*>(&to.z[k]) = out[2];
 }
 
-/// Reads four vectors from lanes k to k + 3.
+/// Gathers elements k to k + 3 of the x, y and z arrays into four vectors.
 [[gnu::always_inline]] inline void from_lanes(const XyzLanes& from, std::size_t k,
                                               Vector::Lanes (&out)[4]) {
     const Vector::Lanes in[4] = {*reinterpret_cast<const Vector::Lanes*>(&from.x[k]),

@@ -23,11 +23,11 @@ void check_wetting(const Wetting& w, double rupture_distance, double edge) {
            fmt::format("reduced pressure {} is not between 0.05 and 1e6", w.reduced_pressure));
     demand(w.bridge_volume >= 1e-6,
            fmt::format("bridge volume {} a^3 is not at least 1e-6", w.bridge_volume));
-    demand(rupture_distance <= edge / 4,
-           fmt::format("the rupture distance of a bridge of volume {} a^3, {:.3g} diameters, is "
-                       "beyond a quarter of the box, {:.3g} diameters: use more beads or a smaller "
-                       "bridge volume",
-                       w.bridge_volume, rupture_distance, edge));
+    demand(
+        rupture_distance <= edge / 4,
+        fmt::format("a bridge of volume {} a^3 ruptures at a gap of {:.3g} a, above the limit of "
+                    "{:.3g} a, a quarter of the box: use more beads or a smaller bridge volume",
+                    w.bridge_volume, rupture_distance, edge / 4));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr double gone = 100;
 /// the transducers, since the content is a reading of a balance.
 Effect liquid_loss() {
     return {
-        .summary = "the liquid evaporates or drains while recordings go on",
+        .summary = "the liquid evaporates or drains during the recordings",
         .equation =
             "Phi_L/Phi_S shown = Phi_L/Phi_S exp(rate t)      t since the first recording began",
         .parameters = {{.name = "rate",

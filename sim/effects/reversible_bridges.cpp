@@ -7,7 +7,9 @@ namespace pendular {
 /// below D0: there are then more distant bridges, as many between approaching beads as between
 /// parting ones, and they carry less shear stress.
 Effect reversible_bridges() {
-    return {.summary = "bridges form without contact, as soon as the gap is below D0",
+    return {.summary =
+                "bridges form without contact, as soon as two beads are closer than the rupture "
+                "distance",
             .equation = "a bridge joins two beads wherever their gap h <= D0",
             .parameters = {on_switch("bridges form without contact")},
             .change = dem::ChangePairs{.bridges_without_contact = true},

@@ -275,3 +275,49 @@ TEST(Diagnosis, NeedsMoreReadingsThanParameters) {
         EXPECT_THAT(error.what(), HasSubstr("3 measured values and 3 calibrated parameters"));
     }
 }
+
+namespace {
+
+/// The parabola of the candidates with a wave that no candidate has.
+Eigen::VectorXd parabola_and_unknown_wave(double parabola, double wave) {
+    return plain() + over_places([&](double x) {
+               return parabola * x * x + wave * std::cos(7 * std::numbers::pi * x);
+           });
+}
+
+}  // namespace
+
+TEST(Diagnosis, NamesWhatExplainsMostOfAMisfitThatNothingExplainsFully) {
+    const LinearSpace space = line_and();
+    Measuring measuring(31);
+    const Diagnosis d =
+        diagnose(space, measuring.of(parabola_and_unknown_wave(60, 3.5)), quickly());
+    EXPECT_EQ(d.verdict, Verdict::missing);
+    EXPECT_FALSE(d.complete);
+    EXPECT_THAT(d.effects, ElementsAre("parabola"));
+    ASSERT_TRUE(d.leaders.has_value());
+    EXPECT_GT(d.leaders->explained, 0.9);
+    EXPECT_LT(d.leaders->explained, 1);
+    EXPECT_LT(d.leaders->rival_share, 0.05);
+    EXPECT_TRUE(d.confidence_set.empty());
+}
+
+TEST(Diagnosis, NamesNothingThatLeavesMuchOfAMisfit) {
+    const LinearSpace space = line_and();
+    Measuring measuring(32);
+    const Diagnosis d = diagnose(space, measuring.of(parabola_and_unknown_wave(8, 6)), quickly());
+    EXPECT_EQ(d.verdict, Verdict::unknown);
+    EXPECT_FALSE(d.complete);
+    EXPECT_TRUE(d.effects.empty());
+}
+
+TEST(Diagnosis, NamesNothingWhereARivalMightAsWellLead) {
+    // The bow differs from the parabola by far less than the wave that neither explains.
+    const LinearSpace space =
+        line_and({column("bow", [](double x) { return 2 * (1 - std::cos(x)); })});
+    Measuring measuring(33);
+    const Diagnosis d =
+        diagnose(space, measuring.of(parabola_and_unknown_wave(60, 4.5)), quickly());
+    EXPECT_EQ(d.verdict, Verdict::unknown);
+    EXPECT_TRUE(d.effects.empty());
+}

@@ -211,7 +211,7 @@ TEST(StudyChangeAdvice, SaysWhenAnEffectDidNotHelp) {
     EXPECT_THAT(added(48, 4.3), HasSubstr("fell by no more than chance"));
     EXPECT_THAT(added(20, 5), HasSubstr("error of shear stress rose at conditions left out"));
     EXPECT_THAT(added(20, 2), AllOf(Not(HasSubstr("rose")), Not(HasSubstr("chance")),
-                                    HasSubstr("friction changed by 5.0 of its standard errors")));
+                                    HasSubstr("friction changed by 5.0 standard errors")));
 }
 
 TEST(StudyChangeAdvice, SaysWhetherADroppedEffectIsMissed) {

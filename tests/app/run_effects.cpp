@@ -97,7 +97,7 @@ TEST(RunEffects, RefuseWhatContradictsTheRun) {
     refused("--rolling-resistance.coeficient 0.1", "did you mean 'coefficient'");
     refused("--reduced-pressure 2 --wet-friction.difference -0.4", "friction -0.2");
     refused("--reduced-pressure 2 --bridge-volume 0.5 --rupture-distance.factor 2",
-            "beyond a quarter of the box");
+            "a quarter of the box");
 }
 
 TEST(RunEffects, GoWithStartsThreadsAndCheckpoints) {
