@@ -13,7 +13,8 @@ std::vector<std::string> sorted(std::vector<std::string> names) {
     return names;
 }
 
-/// Whether two ladder steps are of the same study, up to what fresh runs may change.
+/// Whether two ladder steps describe the same model of a study: equal effects and degrees of
+/// freedom, and chi2 equal up to the change that new runs may cause.
 bool same_study(const LadderStep& a, const LadderStep& b) {
     return sorted(a.effects) == sorted(b.effects) && a.dof == b.dof &&
            std::abs(a.chi2 - b.chi2) <= 0.05 * (std::max(a.chi2, b.chi2) + a.dof);

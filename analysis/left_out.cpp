@@ -11,7 +11,7 @@
 namespace pendular {
 namespace {
 
-/// Squares of the relative errors of predictions.
+/// Accumulates the squared relative errors of predictions, for their RMS.
 class Squares {
   public:
     void add(const Predictor& model, const Eigen::VectorXd& parameters,
@@ -37,7 +37,7 @@ class Squares {
     double count_ = 0;
 };
 
-/// Division of the readings into a subset and the rest.
+/// Readings divided into those left out of a fit and the others.
 struct Split {
     std::vector<Reading> left_out, others;
 };

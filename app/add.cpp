@@ -46,7 +46,8 @@ struct AddOptions {
     bool fidelity_given = false;
 };
 
-/// Empty: help was asked for.
+/// Parses the arguments of `pendular add` or `pendular drop` into `own` and the common options;
+/// empty where the user requested the help text.
 std::optional<CommonOptions> parse(Action change, const std::vector<std::string>& arguments,
                                    AddOptions& own) {
     const bool adds = change == Action::add;

@@ -7,10 +7,12 @@
 
 namespace pendular::app {
 
-/// End of an answer: the basis of the errors, or the reason not to use the value.
+/// End of the sentence that states a fitted value: the basis of its error where the fit can be
+/// believed, else the most serious reason not to use the value.
 std::string verdict_on(const Belief& belief, const std::string& basis);
 
-/// Prints each reason for doubt on its own line, except the first `named_already`.
+/// Prints the reasons not to believe a fit, one per line after `heading`. Leaves out the first
+/// `named_already` reasons, which the answer has named.
 void print_doubts(Console& console, const Belief& belief, std::size_t named_already = 0,
                   const std::string& heading = "Doubt: ");
 

@@ -19,7 +19,7 @@
 namespace pendular::app {
 namespace {
 
-/// Sentence on the simulations that a calibration rests on.
+/// Sentence on the simulation runs that a calibration's emulator was trained on.
 std::string basis_of(const Calibration& c) {
     std::size_t ordered = 0;
     std::string why;

@@ -20,7 +20,8 @@
 namespace pendular::app {
 namespace {
 
-/// "2/8": the second of eight shares.
+/// Share and number of shares, parsed from a text such as "2/8", the second of eight shares.
+/// @throws InputError for any other text
 std::pair<int, int> share_from(const std::string& text) {
     int share = 0, shares = 0, read = 0;
     if (std::sscanf(text.c_str(), "%d/%d%n", &share, &shares, &read) != 2 ||
@@ -30,7 +31,7 @@ std::pair<int, int> share_from(const std::string& text) {
     return {share, shares};
 }
 
-/// Runs of a campaign that a store holds and those that it lacks.
+/// Runs of a campaign that are missing from a store, and stored runs that failed.
 struct Survey {
     std::vector<dem::RunParameters> missing;
     std::vector<dem::RunResult> failed;
@@ -49,7 +50,8 @@ Survey survey(const std::vector<dem::RunParameters>& runs, const RunStore& store
     return found;
 }
 
-/// Ends all processes where this one fails, since the others would wait for it.
+/// Does work in one of several MPI processes; ends all processes where the work fails, since the
+/// others would wait for this process.
 void or_abort(const MpiProcesses& processes, const std::function<void()>& work) {
     try {
         work();
@@ -65,8 +67,8 @@ void or_abort(const MpiProcesses& processes, const std::function<void()>& work) 
     }
 }
 
-/// Prints the expected duration of the missing runs, from the speed of the runs in the store, else
-/// of those in the atlas.
+/// Estimates and prints the duration [s] of the missing runs, from the speed of the runs in the
+/// store, else of the runs in the atlas; empty where neither has a run.
 std::optional<double> estimate_duration(const Survey& found, const RunStore& store, int threads,
                                         Console& console) {
     if (found.missing.empty()) {
@@ -97,7 +99,7 @@ std::optional<double> estimate_duration(const Survey& found, const RunStore& sto
     return seconds;
 }
 
-/// Prints the runs that a campaign would make; creates no store.
+/// Prints how many runs a campaign would simulate and how long they would take; creates no store.
 void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOptions& common,
                  Console& console) {
     const bool there = std::filesystem::exists(common.store);

@@ -11,13 +11,17 @@
 
 namespace pendular::app {
 
-/// Subcommand of the program. Its file declares its options once; parser, checks and help follow
-/// from them.
+/// Subcommand of the program. Its source file declares its options once; parser, checks and help
+/// text follow from this declaration.
 struct Command {
     std::string_view name;
     std::string_view summary;
+    /// Runs the command with the words after its name and returns its exit code.
     int (*run)(const std::vector<std::string>& arguments);
 };
+
+// Functions of the commands, each with the words after the command's name. They return the exit
+// code and throw InputError for wrong input.
 
 int import(const std::vector<std::string>& arguments);
 int simulate(const std::vector<std::string>& arguments);
@@ -42,7 +46,8 @@ enum ExitCode {
     interrupted = 130
 };
 
-/// Runs `pendular` with the words after the program's name; reports every error on standard error.
+/// Runs `pendular` with the words after the program's name and returns the exit code; reports every
+/// error on standard error.
 int run_program(const std::vector<std::string>& arguments);
 
 }  // namespace pendular::app

@@ -24,7 +24,8 @@ namespace pendular::app {
 
 namespace {
 
-/// "With torque-offset, lid-slip, the RMS error of the model is".
+/// Beginning of the answer with the effects of the model: "With torque-offset, lid-slip, the RMS
+/// error of the model is".
 std::string with_effects(const ModelSettings& model) {
     std::string names;
     for (const auto& effect : model.effects) {
@@ -34,8 +35,9 @@ std::string with_effects(const ModelSettings& model) {
                          : names + ", the RMS error of the model is";
 }
 
-/// "; the 12 readings that were only predicted are not described (p = 1e-9)": where the model
-/// describes the fitted readings and not the predicted ones.
+/// Part of the answer on readings that were predicted, not fitted, and that the model does not
+/// describe: "; the model does not describe the 12 readings that were predicted, not fitted
+/// (p = 1e-9)". Empty where it describes them or there are none.
 std::string verdict_on_predicted(const Calibration& c, const Comparison& comparison) {
     if (c.fitted == c.readings.size() || comparison.predicted.p() >= incredible_p) return "";
     return fmt::format(

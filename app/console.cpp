@@ -17,14 +17,15 @@
 namespace pendular::app {
 namespace {
 
-constexpr std::size_t most_notes = 3;  ///< printed without --all
+constexpr std::size_t most_notes = 3;  ///< largest number of notes that are printed without --all
 
 bool is_lower_case_word(const std::string& word) {
     return !word.empty() &&
            std::ranges::all_of(word, [](unsigned char c) { return std::islower(c) != 0; });
 }
 
-/// A note without its numbers and file names, by which equal notes are found.
+/// Text of a note with "#" for each word that contains a digit, such as numbers and file names.
+/// Notes with equal patterns are printed once.
 std::string pattern_of(const std::string& text) {
     std::string pattern, word;
     for (const char c : text + " ") {
@@ -44,7 +45,7 @@ bool is_legend(const std::string& row) {
     return row.starts_with("  (");
 }
 
-/// "[#####.....]" for a share of the work [1].
+/// Progress bar "[#####.....]" for the share of the work that is done [1].
 std::string bar(double fraction) {
     constexpr int width = 24;
     const auto done = static_cast<int>(std::floor(std::clamp(fraction, 0.0, 1.0) * width));
@@ -162,7 +163,7 @@ void Console::progress(const std::string& what, const EnsembleProgress& progress
     const bool terminal = isatty(STDERR_FILENO) != 0;
     const auto now = std::chrono::steady_clock::now();
     const bool same_stage = stage_ == what && progress.fraction >= fraction_shown_;
-    // Ten lines per stage record the progress of a long calibration in a log.
+    // Without a terminal, ten lines per stage record the progress of a long calibration.
     if (now - last_ < std::chrono::milliseconds(terminal ? 200 : 10000) ||
         (!terminal && same_stage && progress.fraction < fraction_shown_ + 0.1)) {
         return;

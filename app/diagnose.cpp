@@ -37,7 +37,8 @@ leaves a misfit); no sign of it; absent (any size of interest would show); canno
 of interest might not show); cannot be seen (no size within its bounds would show).
 No simulation is made: an emulator predicts the readings from the atlas and all stored runs.)";
 
-/// Sentence on doubts about the readings that the verdict rests on; empty without doubts.
+/// Sentence on doubts about the readings behind the verdict, or on readings that doubts have set
+/// aside; empty without doubts.
 std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
     if (const std::size_t doubts = doubts_that_set_aside(measurements); doubts > 0) {
         return fmt::format(" The verdict does not use the readings that {} doubt{} set aside.",

@@ -16,7 +16,7 @@ std::string key(const Effect& effect, const EffectParameter& parameter) {
     return effect.name + "." + parameter.name;
 }
 
-/// A value with the parameter's unit, for messages.
+/// Text of a value [SI] with the unit of its parameter, for messages.
 std::string with_unit(double value, const EffectParameter& parameter) {
     return parameter.unit == "1" ? fmt::format("{:.4g}", value)
                                  : fmt::format("{:.4g} {}", value, parameter.unit);
@@ -30,7 +30,9 @@ std::string description(const EffectParameter& parameter) {
                        parameter.lower, parameter.upper, parameter.neutral);
 }
 
-/// Refuses an argument --EFFECT.PARAMETER that is unknown or not allowed for the command.
+/// Checks an argument of the form --EFFECT.PARAMETER; any other argument passes.
+/// @throws InputError for an effect or parameter that does not exist, and for an effect that the
+///         command cannot have
 void check_name(const std::string& argument, const WhyNot& why_not) {
     const std::string name = argument.substr(0, argument.find('='));
     const std::size_t dot = name.find('.');
@@ -57,7 +59,9 @@ double value_of(const std::string& words, const EffectParameter& parameter) {
     return quantity_in_si(words, Unit(parameter.unit));
 }
 
-/// @throws InputError
+/// Value of a parameter in its unit, parsed from the text of an option.
+/// @throws InputError for a text that is not a value of this parameter, and for a value out of
+///         bounds
 double checked_value(const std::string& words, const std::string& option,
                      const EffectParameter& parameter) {
     double value = 0;

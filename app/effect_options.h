@@ -10,29 +10,33 @@
 
 namespace pendular::app {
 
-/// Why a command cannot have an effect; empty where it can.
+/// Function that returns why a command cannot have an effect; an empty text where it can.
 using WhyNot = std::function<std::string(const Effect&)>;
 
-/// The options --EFFECT.PARAMETER of a command, one for each parameter of every built-in effect it
-/// can have: a number with its unit, or a plain number in the parameter's SI unit.
+/// Options --EFFECT.PARAMETER of a command, one for each parameter of every built-in effect that
+/// the command can have. The value is a number with its unit, or a plain number in the parameter's
+/// SI unit.
 class EffectOptions {
   public:
-    /// Declares them under a heading of their own, `meaning`.
-    /// @throws InputError where an argument names an effect or parameter that there is not, with
-    ///         the nearest one, or an effect that the command cannot have, with the reason
+    /// Declares the options in a section of the help text with the heading `meaning`.
+    /// @throws InputError where an argument names an effect or parameter that does not exist, with
+    ///         the nearest name, or an effect that the command cannot have, with the reason
     EffectOptions(Options& options, const std::vector<std::string>& arguments,
                   const std::string& meaning, const WhyNot& why_not = {});
 
-    /// The effects that were given values other than neutral, by name; after parsing. What is on
-    /// without being asked for (`given_by_liquid`) counts at neutral too.
-    /// @throws InputError for what is no number, of the wrong dimension or beyond the bounds
+    /// Returns the effects that the parsed options set to a value other than neutral, sorted by
+    /// name. An effect whose parameter is a property of the liquid (`given_by_liquid`) is returned
+    /// at neutral too, if its option was given.
+    /// @throws InputError for a value that is not a number, has the wrong dimension or is out of
+    ///         bounds
     std::vector<ActiveEffect> effects() const;
 
   private:
-    std::map<std::string, std::string> words_;  ///< as given, by "EFFECT.PARAMETER"
+    std::map<std::string, std::string> words_;  ///< values as given, by "EFFECT.PARAMETER"
 };
 
-/// Words that give the first effect that is so the smallest effect of interest, for examples.
+/// Option for the examples of a help text, "--EFFECT.PARAMETER VALUE", that sets the first built-in
+/// effect for which `wanted` holds to its smallest size of interest; empty where there is none.
 std::string example_of(const std::function<bool(const Effect&)>& wanted);
 
 }  // namespace pendular::app

@@ -97,20 +97,21 @@ void show_all(Console& console, const std::vector<EffectEntry>& entries) {
     console.json(json);
 }
 
-/// Draws the signatures of effects into a manual.
+/// Draws the figures of effects for a manual: the signatures, changes of the readings by an effect.
 class Signatures {
   public:
     Signatures(std::filesystem::path folder, const EffectCatalogue& catalogue,
                const Fidelity& fidelity)
         : folder_(std::move(folder)), study_(signature_study(catalogue.all())) {
-        // The atlas alone, so that the manual is the same everywhere.
+        // Without the user's store of runs, so that the manual is the same everywhere.
         if (auto known = known_runs(study_, fidelity, nullptr)) {
             simulation_ = std::make_shared<EmulatedSimulation>(
                 study_, fidelity, Emulator(known->runs, std::move(known->hyperparameters)));
         }
     }
 
-    /// Draws the figure and returns its Markdown; empty where there is none.
+    /// Draws the figure of an effect and returns its Markdown; empty where the figure cannot be
+    /// drawn, for the reason `why_none`.
     std::string draw_one(const Effect& effect) {
         why_none_ = "there is no atlas to predict from; name one with $PENDULAR_ATLAS";
         if (!simulation_) {
@@ -118,7 +119,7 @@ class Signatures {
         }
         try {
             draw(signature_figure(effect, study_, simulation_), folder_ / "figures");
-        } catch (const std::logic_error& error) {  // no run has it, or no cell can show it
+        } catch (const std::logic_error& error) {  // no atlas run has it, or no cell shows it
             why_none_ = error.what();
             return "";
         }
@@ -127,6 +128,7 @@ class Signatures {
             "[PDF](figures/{0}.pdf) and [numbers](figures/{0}.csv).",
             effect.name, signature_caption(effect, study_));
     }
+    /// Reason why the last effect has no figure.
     const std::string& why_none() const { return why_none_; }
 
   private:

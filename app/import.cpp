@@ -15,7 +15,8 @@
 namespace pendular::app {
 namespace {
 
-/// ", among them the rows of 2 doubts"; empty where no doubt set rows aside.
+/// Part of the answer on rows that doubts about the measurement set aside: ", among them the rows
+/// of 2 doubts"; empty for none.
 std::string set_aside_text(const Measurements& measurements) {
     const std::size_t count = doubts_that_set_aside(measurements);
     return count == 0

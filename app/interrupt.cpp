@@ -26,7 +26,7 @@ extern "C" void note_signal(int) {
 InterruptGuard::InterruptGuard() {
     std::signal(SIGINT, note_signal);
     std::signal(SIGTERM, note_signal);
-    // A handler may not request the stop itself; this thread does.
+    // A signal handler must not request the stop itself; this thread does.
     watcher_ = std::jthread([this](const std::stop_token& end) {
         while (!end.stop_requested() && signals_seen == 0) {
             std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -10,7 +10,7 @@
 namespace pendular::app {
 namespace {
 
-/// Prints a session's events on standard error; no progress with --quiet.
+/// Listener that prints the events of a session on standard error; with --quiet, the notes only.
 Listener shown_on(Console& console, bool quiet) {
     return [&console, quiet](const Event& event) {
         if (event.kind == Event::Kind::runs) return console.progress(event.text, event.runs);

@@ -13,15 +13,17 @@
 
 namespace pendular::app {
 
-/// Where a command writes; `files` are relative to its folder for results.
+/// Places that a command writes to: its results folder, `files` in this folder, and the file of
+/// --json.
 OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem::path> files);
 
-/// The session of a command: its study, the store of runs, progress on the console, and Ctrl-C,
-/// which ends long work at a clean point.
+/// Session of a command on a study, with the user's store of runs and with progress on the console.
+/// Ctrl-C ends long work without half-written files.
 class OpenSession {
   public:
-    /// `files` are what the command writes.
-    /// @throws InputError as Session, and for a store that cannot be read
+    /// Reads the study and opens the store. `files`: what the command writes to its results folder.
+    /// @throws InputError for a mistake in the study's files, for results that would replace an
+    ///         input, for a negative seed, and for a store that cannot be read
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1);
     OpenSession(const OpenSession&) = delete;

@@ -13,35 +13,37 @@
 
 namespace pendular::app {
 
-/// Seed of random numbers as the user gave it.
-/// @throws InputError if it is negative
+/// Returns the seed of random numbers that the user gave.
+/// @throws InputError for a negative seed
 std::uint64_t checked_seed(std::int64_t seed);
 
 /// Checks before long work that a path can be written, as a folder if `folder`, else as a file.
 /// @throws InputError where it cannot, naming the option
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);
 
-/// Options that every command takes.
+/// Values of the options that every command has.
 struct CommonOptions {
-    std::optional<std::string> json;  ///< file, or "-" for standard output
-    std::optional<std::filesystem::path> out;
-    Fidelity fidelity;
-    int threads = 1;
-    bool quiet = false;
-    bool all = false;  ///< every row of every table and every note
-    std::filesystem::path store;
-    bool store_named = false;     ///< the user named it, by --store or $PENDULAR_STORE
-    std::filesystem::path study;  ///< empty for commands without one
+    std::optional<std::string> json;           ///< file for JSON, or "-" for standard output
+    std::optional<std::filesystem::path> out;  ///< folder for results, if --out was given
+    Fidelity fidelity;                         ///< size and accuracy of simulations
+    int threads = 1;                           ///< number of runs or refits at a time
+    bool quiet = false;                        ///< no progress on standard error
+    bool all = false;                          ///< print every row of every table and every note
+    std::filesystem::path store;               ///< SQLite file that keeps every run
+    bool store_named = false;     ///< whether the user named the store: --store or $PENDULAR_STORE
+    std::filesystem::path study;  ///< study or other file to read; empty: the command reads none
 
-    /// Folder for results: --out, else STUDY/out.
+    /// Folder for results: the folder of --out, else STUDY/out.
     std::filesystem::path out_folder() const;
 };
 
 /// Declares, parses and documents the options of one command.
 class Options {
   public:
-    /// `takes_study`: one word that names a study or another file.
-    /// `usage` is the line after "Usage: pendular", `about` and `examples` frame the help text.
+    /// @param usage the line of the help text after "Usage: pendular"
+    /// @param about description of the command, the beginning of the help text
+    /// @param examples example commands, the end of the help text
+    /// @param takes_study whether the command needs one word that names a study or another file
     Options(std::string usage, std::string about, std::string examples, bool takes_study);
 
     /// Adds an option of this command; its description names the unit.
@@ -50,21 +52,24 @@ class Options {
         sections_.back().add_options()(
             name, boost::program_options::value<T>(value)->value_name("X"), description.c_str());
     }
-    /// Puts the options that are added from here on under a new heading.
+    /// Begins a section of the help text, for the options that are added after this call.
     void begin_section(const std::string& heading) { sections_.emplace_back(heading, 100); }
-    /// Sets the description of --threads and its default; 0: all cores.
+    /// Sets the default of --threads (0: all cores) and its description.
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
     }
     /// Sets the description of --out.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
-    /// Takes any number of words that belong to no option, after the study where there is one.
+    /// Accepts any number of words that belong to no option, after the study if the command has
+    /// one. Parsing stores these words in `words`.
     void take(std::vector<std::string>* words) { words_ = words; }
+    /// Adds an option without a value, which sets `value` to true.
     void add_switch(const char* name, bool* value, const std::string& description);
 
-    /// Parses the arguments. Empty: help was asked for and printed.
-    /// @throws InputError for anything unknown (with the nearest known option), missing or
-    /// malformed
+    /// Parses the arguments. Returns the values of the common options; empty where the user
+    /// requested the help text, which is then printed.
+    /// @throws InputError for an unknown option (with the nearest known option), for a missing or
+    ///         malformed value, and for a file or folder that cannot be written
     std::optional<CommonOptions> parse(const std::vector<std::string>& arguments);
     /// Whether the user gave this option.
     bool given(const std::string& name) const {
@@ -77,10 +82,10 @@ class Options {
     std::string usage_, about_, examples_;
     bool takes_study_;
     std::vector<std::string>* words_ = nullptr;
-    int default_threads_ = 0;  ///< 0: one per core
+    int default_threads_ = 0;  ///< default of --threads; 0: one per core
     std::string threads_meaning_ = "number of runs at a time";
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";
-    std::list<boost::program_options::options_description> sections_;  ///< this command's options
+    std::list<boost::program_options::options_description> sections_;  ///< options by section
     boost::program_options::variables_map variables_;
 };
 

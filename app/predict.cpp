@@ -23,20 +23,22 @@
 namespace pendular::app {
 namespace {
 
-/// The name of the observable with its value and standard error.
+/// Line with the name of an observable, its value and its standard error.
 std::string observable_line(dem::Observable which, double value, double standard_error) {
     return fmt::format("{:<32} {:>22}", dem::observable_names[static_cast<std::size_t>(which)],
                        with_error(value, standard_error));
 }
 
-/// "Predicted: stress ratio 0.30 +- 0.01, solid fraction 0.600 +- 0.001."
+/// Answer of the command: "Predicted: stress ratio 0.30 +- 0.01, solid fraction 0.600 +- 0.001.";
+/// `how` is the first word.
 std::string answer_of(const Mean& stress_ratio, const Mean& solid_fraction, const char* how) {
     return fmt::format("{}: stress ratio {}, solid fraction {}.", how,
                        with_error(stress_ratio.value, stress_ratio.standard_error),
                        with_error(solid_fraction.value, solid_fraction.standard_error));
 }
 
-/// Notes where the simulated state differs from the requested one.
+/// Prints notes where the simulated state differs from the requested state, crystallised or is not
+/// steady.
 void note_differences(const RequestedState& requested, const dem::RunResult& run,
                       Console& console) {
     if (run.parameters.inertial_number != requested.inertial_number) {
@@ -59,7 +61,9 @@ void note_differences(const RequestedState& requested, const dem::RunResult& run
     }
 }
 
-/// Simulates the state at the fidelity, and keeps the run in the store.
+/// Simulates a state at the fidelity of the options, keeps the run in the store, if there is one,
+/// and prints the averages.
+/// @throws std::runtime_error where the simulation fails
 void simulate_one(const RequestedState& requested, const StatePredictor& predictor,
                   const CommonOptions& common, RunStore* store, Console& console) {
     const dem::RunParameters wanted = predictor.run_for(requested);
@@ -110,13 +114,13 @@ void predict_one(const RequestedState& requested, const StatePredictor& predicto
     console.json(to_json(prediction));
 }
 
-/// Name of a variable with spaces: "inertial number".
+/// Name of a variable with spaces in place of underscores: "inertial number".
 std::string spoken(std::string name) {
     std::ranges::replace(name, '_', ' ');
     return name;
 }
 
-/// Notes which part of a curve the known runs support.
+/// Prints a note on the part of a curve that is left out, since the known runs do not support it.
 void note_left_out(const PredictionCurve& curve, int points, Console& console) {
     if (curve.left_out > 0) {
         console.note(fmt::format(

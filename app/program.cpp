@@ -13,7 +13,7 @@
 namespace pendular::app {
 namespace {
 
-/// Commands of one step of the work, in the order in which a user takes them.
+/// Group of commands for one part of the work, in the order of their use.
 struct Group {
     const char* heading;
     std::vector<Command> commands;

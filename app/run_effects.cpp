@@ -13,8 +13,9 @@
 namespace pendular::app {
 namespace {
 
-/// Positive value with its unit.
-/// @throws InputError
+/// Value in SI units of a quantity with its unit, "500 um", as an option gives it.
+/// @throws InputError naming the option, where the text is not a quantity of the dimension of
+///         `unit` or is not positive
 double positive(const std::string& words, const char* unit, const std::string& option) {
     double value = 0;
     try {

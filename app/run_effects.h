@@ -11,21 +11,23 @@
 
 namespace pendular::app {
 
-/// The effects of a single run as the user gives them, with the scale of those in SI units.
+/// Effects of a single run as the user gives them, with the scale for effects whose parameters are
+/// in SI units: diameter, density, normal stress and surface tension.
 class RunEffects {
   public:
-    /// Declares the options.
-    /// @throws InputError as EffectOptions
+    /// Declares the options for the effects and for the scale.
+    /// @throws InputError where an argument names an effect or parameter that does not exist, or an
+    ///         effect that a single run cannot have
     RunEffects(Options& options, const std::vector<std::string>& arguments);
 
-    /// The run as the effects make it; after parsing.
-    /// @throws InputError for a value out of bounds, a scale that contradicts the run, and an
-    ///         effect that does not touch its beads
+    /// Returns the run with the effects of the parsed options.
+    /// @throws InputError for a value out of bounds, for a scale that contradicts the run, and for
+    ///         an effect that does not act on its grains, dry or wet as they are
     dem::RunParameters changed(const dem::RunParameters& run, const Options& options);
 
-    /// Says what was changed, and at which scale where it matters.
+    /// Prints the effects of the run and, where an effect depends on it, the scale.
     void print(Console& console, const dem::RunParameters& changed) const;
-    /// Adds `effects`, and `scale` where it matters.
+    /// Adds the key `effects` and, where an effect depends on it, the key `scale` [SI units].
     void add_to(nlohmann::ordered_json& json) const;
 
   private:
@@ -36,12 +38,13 @@ class RunEffects {
     EffectOptions options_;
     std::vector<ActiveEffect> effects_;
     RunScale scale_;
-    bool scaled_ = false;  ///< whether an effect depends on the scale
-    bool scale_given_ = false;
-    dem::RunParameters without_;
+    bool scaled_ = false;         ///< whether an effect depends on the scale
+    bool scale_given_ = false;    ///< whether the user gave a part of the scale
+    dem::RunParameters without_;  ///< run without the effects
 };
 
-/// For examples: an effect on grains that has a number.
+/// Option for the examples of the help text, "--EFFECT.PARAMETER VALUE", that sets an effect on
+/// grains to its smallest size of interest.
 std::string example_of_run();
 
 }  // namespace pendular::app

@@ -29,14 +29,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Arguments of an action on the store.
+/// Arguments of an action of `pendular runs`.
 struct Request {
     CommonOptions common;
     std::vector<std::string> words;
     std::string condition, x = "inertial_number", y = "stress_ratio";
     bool atlas = false, yes = false;
 
-    /// The runs of the store, or of the atlas, that --where names.
+    /// Runs of the store, or with --atlas of the atlas, for which the condition of --where holds.
+    /// @throws InputError where the store or the atlas does not exist, and for a wrong condition
     std::vector<StoredRun> selected() const {
         if (!atlas) {
             return RunStore(common.store, true).select(condition);
@@ -81,7 +82,7 @@ std::string flags(const dem::RunResult& run) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// Effects of a run, after a separator; empty for none.
+/// Text of the effects of a run, preceded by `before`; empty for a run without effects.
 std::string with_effects(const dem::RunParameters& p, const std::string& before) {
     return p.effects.empty() ? "" : before + effects_text(p.effects);
 }
@@ -204,13 +205,15 @@ int export_runs(const Request& request, Console& console) {
     return done;
 }
 
-/// Adds the runs that `take` reads from each named file.
+/// Adds runs to the store by calling `take` for each file among the words; `take` returns the
+/// number of runs that it added.
+/// @throws InputError without a file, with `what` to name, and for a file that does not exist
 int take_in(const Request& request, Console& console, const std::string& what,
             const std::function<std::size_t(RunStore&, const std::string&)>& take) {
     demand_words(request, 1, what);
     for (const std::string& file : request.words) {
         if (!std::filesystem::exists(file)) {
-            // Checked before a store is created that would stay empty.
+            // Checked first, so that a missing file creates no empty store.
             throw InputError(file + ": no such file");
         }
     }
@@ -262,7 +265,7 @@ int prune(const Request& request, Console& console) {
     return done;
 }
 
-/// Fits the emulator's hyperparameters to the runs; the file is kept beside an atlas.
+/// Fits the hyperparameters of the emulator to the selected runs and writes them to a CSV file.
 int learn(const Request& request, Console& console) {
     demand_words(request, 1, "the file to write, emulator.csv beside its atlas");
     std::vector<dem::RunResult> runs;

@@ -94,7 +94,8 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
                     run.wall_seconds, run.particle_steps_per_second()));
 }
 
-/// @throws InputError
+/// Requested standard error of an observable, parsed from "OBSERVABLE=STANDARD_ERROR".
+/// @throws InputError for a malformed text or an unknown observable
 dem::Precision precision_from(const std::string& text) {
     try {
         return dem::precision_named(text);
@@ -103,7 +104,8 @@ dem::Precision precision_from(const std::string& text) {
     }
 }
 
-/// @throws InputError for what cannot be simulated
+/// Checks that a run can be simulated.
+/// @throws InputError where it cannot
 void refuse_impossible(const dem::RunParameters& run) {
     try {
         check_run(run);
@@ -112,14 +114,15 @@ void refuse_impossible(const dem::RunParameters& run) {
     }
 }
 
-/// Files that a run writes besides its averages.
+/// Options for snapshots, checkpoints and the initial state of a run.
 struct Extras {
-    double snapshot_every = 0;  ///< strain; 0: none
-    std::string checkpoint;
-    double checkpoint_minutes = 10;
-    std::string start;  ///< number of a stored run, "nearest" or nothing
+    double snapshot_every = 0;       ///< strain between snapshots [1]; 0: no snapshots
+    std::string checkpoint;          ///< file for checkpoints; empty: none
+    double checkpoint_minutes = 10;  ///< time between checkpoints [min]
+    std::string start;  ///< number of the stored run to start from, or "nearest"; empty: none
 
-    /// @throws InputError
+    /// Checks that these options go together with each other and with the common options.
+    /// @throws InputError where they do not
     void check_combination(const Options& options, const CommonOptions& common) const;
 };
 
@@ -148,7 +151,8 @@ void Extras::check_combination(const Options& options, const CommonOptions& comm
     }
 }
 
-/// Progress of a single run; the time left follows from the speed since this process began.
+/// Prints the progress of a single run. The time left follows from the speed since this object was
+/// made, so that it is right for a resumed run too.
 class RunProgress {
   public:
     explicit RunProgress(Console& console) : console_(console) {}
@@ -184,7 +188,7 @@ void write_fields(const dem::RunResult& result, const nlohmann::ordered_json& js
     }
 }
 
-/// Text on the files of an interrupted run and on how it resumes.
+/// Text on the files that an interrupted run has written and on how to resume the run.
 std::string what_remains(const dem::Checkpoint* checkpoint, const dem::Snapshots* snapshots) {
     std::string text;
     if (snapshots) {
@@ -197,7 +201,9 @@ std::string what_remains(const dem::Checkpoint* checkpoint, const dem::Snapshots
     return text.empty() ? "nothing was written" : text;
 }
 
-/// The stored run to start from: the one of that number, or the nearest if there is one.
+/// Stored run to start from: the run with the number `word`, or for "nearest" the run with the
+/// nearest state, if there is one.
+/// @throws InputError where there is no run of this number, or the run has no final state
 std::optional<StoredRun> start_of(const dem::RunParameters& run, const std::string& word,
                                   const RunStore& store) {
     if (word != "nearest") {
@@ -293,7 +299,7 @@ void simulate_and_report(dem::RunParameters run, const RunEffects& effects, cons
         write_fields(result, json, *common.out);
     }
     if (checkpoint) {
-        checkpoint->remove();  // only now: the results are written
+        checkpoint->remove();  // only after the results are written
     }
 }
 

@@ -9,13 +9,14 @@
 
 namespace pendular::app {
 
-/// The store of runs for a command that only adds to it. Null, which is said on standard error,
-/// where its standard place cannot be written: the command then goes on without.
-/// @throws InputError, std::runtime_error as RunStore
+/// Opens the user's store of runs for a command that can do without a store. Returns null, with a
+/// note on standard error, where the default folder of the store cannot be written.
+/// @throws InputError for a file that is not a store, is corrupt or is from a newer version
+/// @throws std::runtime_error where a store that the user named cannot be written
 std::unique_ptr<RunStore> open_store(const CommonOptions& options);
 
-/// Number of a stored run.
-/// @throws InputError if it is none
+/// Number of a stored run, parsed from a word of the command line.
+/// @throws InputError where the word is not a whole number
 std::int64_t run_number(const std::string& word);
 
 }  // namespace pendular::app

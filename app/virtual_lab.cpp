@@ -18,7 +18,7 @@
 namespace pendular::app {
 namespace {
 
-/// Quantities as the user writes them.
+/// Values of options with units, as text, with their defaults.
 struct Words {
     std::string dry_normal_stresses = "0.3, 1, 3 kPa";
     std::string wet_normal_stresses = "0.3, 0.6, 1, 3 kPa";
@@ -56,7 +56,8 @@ void take(const Words& words, bool dry, LabPlan& plan) {
     }
 }
 
-/// Refuses a folder that holds files, so that no earlier measurement is lost or mixed up.
+/// Checks that a folder is new or empty, so that no earlier measurement is lost or mixed up.
+/// @throws InputError where it holds files or cannot be written
 void demand_new(const std::filesystem::path& folder) {
     demand_writable(folder, "OUT", true);
     if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder)) {

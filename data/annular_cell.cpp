@@ -34,8 +34,7 @@ double normal_force(double normal_stress, const AnnularCell& cell) {
 }
 
 double torque(double shear_stress, const AnnularCell& cell) {
-    // The conversion is proportional: the shear stress of a torque of 1 N m is its factor, in
-    // either variant.
+    // Both formulas are proportional to the torque: their factor is the shear stress at 1 N m.
     return shear_stress / pendular::shear_stress(1, cell);
 }
 

@@ -7,43 +7,48 @@
 
 namespace pendular {
 
-/// A parameter of an effect.
+/// Parameter of a physical effect that a model may lack, such as the coefficient of wall friction.
 struct EffectParameter {
-    std::string name;  ///< "on": a switch, 0 or 1
-    std::string unit = "1";
-    double lower = 0, upper = 1;      ///< [unit]
-    double neutral = 0;               ///< value at which the effect is gone [unit]
-    double smallest_of_interest = 1;  ///< how far from neutral it would matter to a user [unit]
-    std::string meaning;
-    /// Amplitude to which the effect is proportional, as a function of the parameter's value; the
-    /// value itself where empty. It must not have a zero slope at neutral, as 1 - cos has.
+    std::string name;             ///< "on" for a switch, whose value is 0 or 1
+    std::string unit = "1";       ///< SI unit; "1": dimensionless
+    double lower = 0, upper = 1;  ///< bounds of the value [unit]
+    double neutral = 0;           ///< value at which the effect vanishes [unit]
+    /// Smallest difference from `neutral` that matters to a user [unit].
+    double smallest_of_interest = 1;
+    std::string meaning;  ///< meaning of the parameter in a few words
+    /// Amplitude to which the response is proportional, as a function of the parameter's value.
+    /// Needed for a response with zero slope at `neutral`, such as 1 - cos(angle). Null: the value
+    /// itself.
     double (*amplitude)(double value) = nullptr;
-    /// Effective amplitude of an effect on grains at a given friction, for effects that friction
-    /// limits; 0 at neutral and largest at `upper`. The emulator trains responses on it.
+    /// Effective amplitude at a given intergranular friction [1], for effects that friction limits;
+    /// 0 at `neutral`, largest at `upper`. The emulator (Gaussian processes trained on simulations)
+    /// takes the response to the effect as proportional to this amplitude. Null: `amplitude` is
+    /// used.
     double (*effective_amplitude)(double value, double friction) = nullptr;
 
+    /// Whether the effect is only on or off, with the parameter "on".
     bool is_switch() const { return name == "on"; }
 };
 
-/// The parameter of a switch.
+/// Returns the parameter "on" of an effect that is only on or off.
 EffectParameter on_switch(std::string meaning);
 
-/// Values of the parameters of an effect.
+/// An effect with a value for each of its parameters.
 struct EffectValues {
-    std::string effect;          ///< its name
-    std::vector<double> values;  ///< in the order of its parameters
+    std::string effect;          ///< name of the effect
+    std::vector<double> values;  ///< one per parameter, in the order of the effect's parameters
 
     bool operator==(const EffectValues&) const = default;
 };
 
-/// Values of an effect's parameters, by name; a view.
+/// Access to the values of an effect's parameters by name. Refers to the arrays it was made from.
 class Values {
   public:
     Values(std::span<const EffectParameter> parameters, std::span<const double> values)
         : parameters_(parameters), values_(values) {}
 
-    /// Value of the parameter of that name, in its unit; aborts if there is none, since names in
-    /// the program are constants.
+    /// Value of the parameter with this name, in the parameter's unit.
+    /// @throws std::logic_error if the effect has no such parameter, an error of the program
     double operator[](std::string_view name) const;
 
   private:

@@ -7,11 +7,12 @@ namespace pendular {
 /// Standard acceleration of gravity [m/s^2].
 constexpr double gravity = 9.80665;
 
-/// Properties of the grains, in SI units.
+/// Material properties of the grains, in SI units.
 struct GrainProperties {
     double diameter = 0;  ///< mean diameter a [m]
     double density = 0;   ///< density of the grain material [kg/m^3]
-    /// Young's modulus E [Pa]; without it, results hold for the stiffness number of the fidelity.
+    /// Young's modulus E [Pa]. Without it, results hold for the stiffness number of the chosen
+    /// fidelity (size and duration of the simulations).
     std::optional<double> youngs_modulus = {};
     double poisson_ratio = 0.3;  ///< Poisson ratio nu [1]
 
@@ -28,7 +29,8 @@ struct Liquid {
     bool operator==(const Liquid&) const = default;
 };
 
-/// I = rate sqrt(m/(a s22)) [1], from a shear rate [1/s] and a normal stress [Pa].
+/// Inertial number I = rate sqrt(m/(a s22)) [1] at a shear rate [1/s] and a normal stress [Pa],
+/// with m the mass and a the diameter of a grain.
 /// Source: Badetti et al. (2018), eq:defI, in its three-dimensional form; the other common form,
 /// rate a sqrt(rho/s22), is sqrt(6/pi) = 1.382 times larger.
 double inertial_number(double shear_rate, double normal_stress, const GrainProperties& grains);
@@ -37,16 +39,17 @@ double inertial_number(double shear_rate, double normal_stress, const GrainPrope
 /// `inertial_number`.
 double shear_rate_at(double inertial_number, double normal_stress, const GrainProperties& grains);
 
-/// Stiffness number kappa = (E~/s22)^(2/3) [1], E~ = E/(1 - nu^2); empty without a Young's modulus.
+/// Stiffness number kappa = (E~/s22)^(2/3) [1] at a normal stress s22 [Pa], E~ = E/(1 - nu^2);
+/// empty without a Young's modulus.
 std::optional<double> stiffness_number(double normal_stress, const GrainProperties& grains);
 
 /// Pull-off force F0 = pi a Gamma cos(theta) [N]: the attraction of two equal grains in contact,
-/// joined by a liquid bridge of any volume. Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105;
-/// Badetti et al. (2018), eq:Maugis, where a is the bead diameter.
+/// joined by a liquid bridge of any volume; a is the grain diameter.
+/// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; Badetti et al. (2018), eq:Maugis.
 double pull_off_force(const GrainProperties& grains, const Liquid& liquid);
 
-/// Reduced pressure P* = a^2 s22/F0 [1], from a normal stress [Pa]; infinite for a liquid without
-/// surface tension.
+/// Reduced pressure P* = a^2 s22/F0 [1] at a normal stress s22 [Pa], with F0 the pull-off force;
+/// infinite for a liquid without surface tension.
 /// Source: Badetti et al. (2018), eq:defPstar.
 double reduced_pressure(double normal_stress, const GrainProperties& grains, const Liquid& liquid);
 

@@ -12,118 +12,133 @@
 
 namespace pendular {
 
-/// Imposed conditions of one measured or simulated state of steady shear.
+/// Imposed conditions of a measured or simulated state of steady shear.
 struct Condition {
     double normal_stress = 0;           ///< s22 [Pa]
     double inertial_number = 0;         ///< I [1]; 0: the quasi-static limit
     double liquid_content = 0;          ///< Phi_L/Phi_S [1]; 0: dry
     std::optional<double> height;       ///< height of the sample [m], if known
-    std::optional<double> bead_volume;  ///< volume of the beads in the cell [m^3], if known
+    std::optional<double> bead_volume;  ///< solid volume of the grains in the cell [m^3], if known
     double time = 0;                    ///< time since the first recording began [s]
 
+    /// Whether there is no liquid.
     bool dry() const { return liquid_content == 0; }
     bool operator==(const Condition&) const = default;
 };
 
-/// Error that several readings share, such as the error of one filling of the cell.
+/// Part of a reading's error that other readings share, such as the error of one filling of the
+/// cell. Vectors hold standard errors of (shear stress [Pa], solid fraction [1]).
 struct SharedError {
-    std::size_t source =
-        0;  ///< readings with the same number have the same error, fully correlated
-    Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< standard error in `value` of a reading
-    Eigen::Vector2d estimated =
-        Eigen::Vector2d::Zero();  ///< standard error before widening for few replicates
-    bool known = false;           ///< the size is stated, not estimated from replicates
+    /// Number of the error's source: errors with the same number are fully correlated.
+    std::size_t source = 0;
+    Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< standard errors
+    /// Standard errors before they were widened because few replicates determine them.
+    Eigen::Vector2d estimated = Eigen::Vector2d::Zero();
+    bool known = false;  ///< whether `size` is known, rather than estimated from replicates
 };
 
 /// One measured steady state: (shear stress [Pa], solid fraction [1]) at a condition.
 struct Reading {
-    Position origin;    ///< file and first line of the rows of this reading
-    int last_line = 0;  ///< last line of its rows; 0: the first line
-    int step = 0;       ///< step of constant set points within the file, from 1
+    Position origin;    ///< file, and first of the lines that the reading was made from
+    int last_line = 0;  ///< last line that the reading was made from; 0: `origin.line`
+    int step = 0;  ///< number of the step of constant set points in the file, from 1; 0: unknown
     Condition condition;
-    double shear_rate = 0;  ///< shear rate [1/s]; 0: the inertial number was given instead
-    Eigen::Vector2d value =
-        Eigen::Vector2d::Zero();  ///< shear stress magnitude [Pa], solid fraction [1]
-    /// Covariance of `value` with all errors; the scatter is widened where few replicates determine
-    /// it.
+    double shear_rate = 0;  ///< shear rate [1/s]; 0: only the inertial number was given
+    /// Magnitude of the shear stress [Pa], solid fraction [1].
+    Eigen::Vector2d value = Eigen::Vector2d::Zero();
+    /// Covariance of `value`, all errors included. The scatter between replicates is widened where
+    /// few replicates determine it.
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-    /// Part of `covariance` that the widening added.
+    /// Part of `covariance` that the widening for few replicates added.
     Eigen::Matrix2d widened_by = Eigen::Matrix2d::Zero();
-    std::vector<SharedError> shared;  ///< parts of `covariance` that are shared with other readings
-    /// Degrees of freedom that the scatter of each observable was estimated with.
+    /// Parts of `covariance` that are shared with other readings.
+    std::vector<SharedError> shared;
+    /// Degrees of freedom with which the scatter of each observable was estimated; infinite: known.
     Eigen::Vector2d scatter_freedom = Eigen::Vector2d::Constant(INFINITY);
-    std::size_t scatter_group = 0;  ///< place in ReplicateScatter::groups
-    /// Step to which `value` was rounded where it was written down; 0: none worth mention.
+    std::size_t scatter_group = 0;  ///< index in ReplicateScatter::groups
+    /// Step to which `value` was rounded in a table of readings [Pa, 1]; 0: not rounded.
     Eigen::Vector2d resolution = Eigen::Vector2d::Zero();
-    double sampled_seconds = 0;    ///< length of the steady part [s]; 0 for ready-made readings
-    bool within_run_only = false;  ///< `covariance` as read knows nothing of other runs or fillings
-    bool error_assumed = false;    ///< 2 % of a value was assumed, nothing was measured
-    int replicates = 1;  ///< readings of the same liquid content and set points, this one included
+    double sampled_seconds = 0;  ///< duration of the averaged steady part [s]; 0: unknown
+    /// Whether the imported `covariance` contains only the scatter within a run, not the scatter
+    /// between runs or fillings.
+    bool within_run_only = false;
+    /// Whether an error is unknown and was assumed to be 2 % of the value.
+    bool error_assumed = false;
+    /// Number of readings at this condition, this reading included.
+    int replicates = 1;
 
-    /// Covariance of `value` with the scatter as estimated, for tests that allow for the number of
-    /// replicates themselves.
+    /// Covariance of `value` without the widening for few replicates, for tests that allow for the
+    /// number of replicates in another way.
     Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
+    /// Shear stress over normal stress [1].
     double stress_ratio() const { return value(0) / condition.normal_stress; }
 };
 
-/// A row or step that was not used, and why.
+/// Rows of a file that make no reading, with the reason.
 struct Excluded {
-    Position origin;
-    int last_line = 0;  ///< of the rows left out
-    std::string reason;
+    Position origin;     ///< file and first line of the rows
+    int last_line = 0;   ///< last line of the rows
+    std::string reason;  ///< why the rows were left out
 };
 
-/// A measured value, or several, that cannot be right.
+/// A reason not to believe one or more measured values.
 struct Doubt {
-    /// One sentence: file, quantity, value, the limit it breaks, the likely cause.
+    /// Sentence for the user: file, quantity, value, violated limit, likely cause.
     std::string what;
-    std::string quantity;           ///< name of what is doubted, "solid_fraction" for example
-    std::vector<Position> origins;  ///< of the readings or rows concerned
-    bool set_aside = true;          ///< whether they were moved to `excluded`
+    std::string quantity;           ///< name of the doubtful quantity, such as "solid_fraction"
+    std::vector<Position> origins;  ///< positions of the doubtful readings or rows
+    /// Whether the doubtful readings or rows were moved to `Measurements::excluded`.
+    bool set_aside = true;
 };
 
-/// Scatter between replicates in excess of the scatter within them, relative to the values of
-/// (stress ratio, solid fraction) [1].
+/// Scatter between replicates in excess of the scatter within their runs. Variances and mean
+/// squares are relative to the squared values of (stress ratio, solid fraction) [1].
 struct ReplicateScatter {
-    /// Scatter from step to step in files that replicate each other.
+    /// Scatter from step to step in a group of files that have conditions in common.
     struct Group {
-        std::vector<std::string> files;
-        Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();  ///< variance at `reference_stress`
-        /// Mean square between replicates, that within runs included; the same number for groups
-        /// that share one estimate.
+        std::vector<std::string> files;  ///< paths of the files
+        /// Covariance of the step scatter in excess of the scatter within runs, at
+        /// `reference_stress` [1].
+        Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();
+        /// Mean square between replicates, scatter within runs included [1]; equal for groups that
+        /// share one estimate.
         Eigen::Vector2d mean_square = Eigen::Vector2d::Zero();
-        Eigen::Vector2d freedom = Eigen::Vector2d::Zero();  ///< degrees of freedom it rests on
+        Eigen::Vector2d freedom = Eigen::Vector2d::Zero();  ///< degrees of freedom of `mean_square`
     };
-    std::vector<Group> groups;
-    /// Standard deviation of step scatter ~ (normal stress/reference)^-exponent, by observable [1].
+    std::vector<Group> groups;  ///< every file is in one group
+    /// Exponent of the step scatter of each observable [1]:
+    ///     standard deviation ~ (normal stress/reference_stress)^-exponent.
     Eigen::Vector2d load_exponent = Eigen::Vector2d::Zero();
-    /// Standard errors of `load_exponent` [1]; 0 where it is not estimated.
+    /// Standard errors of `load_exponent` [1]; 0: not estimated.
     Eigen::Vector2d load_exponent_error = Eigen::Vector2d::Zero();
-    /// Degrees of freedom that the correlation between the observables rests on; infinite: known.
+    /// Degrees of freedom of the correlation between the observables; infinite: known.
     double correlation_freedom = INFINITY;
-    double reference_stress = 0;  ///< [Pa]
+    double reference_stress = 0;  ///< normal stress at which `Group::excess` holds [Pa]
 
-    /// Errors that all steps of one filling share. From the mean squares of a two-way analysis of
-    /// variance (conditions, files): (between - within)/steps, widened.
+    /// Error that all steps of one filling of the cell share, estimated by a two-way analysis of
+    /// variance (conditions, files): variance = (between - within)/steps, widened for few fillings.
     struct Filling {
-        double variance = 0;         ///< relative, widened for how few fillings tell it [1]
-        double between = 0;          ///< mean square between files, relative [1]
-        double within = 0;           ///< mean square between steps, relative [1]
-        double freedom_between = 0;  ///< 0: no two files share a condition
-        double freedom_within = 0;
-        double steps = 1;  ///< effective number of conditions that two files share
+        double variance = 0;  ///< relative variance, widened for few fillings [1]
+        double between = 0;   ///< relative mean square between files [1]
+        double within = 0;    ///< relative mean square between steps of a file [1]
+        /// Degrees of freedom of `between`; 0: no two files share a condition; infinite: `variance`
+        /// is treated as known.
+        double freedom_between = 0;
+        double freedom_within = 0;  ///< degrees of freedom of `within`
+        double steps = 1;           ///< effective number of conditions that two files share
     };
-    std::array<Filling, 2> filling;  ///< of stress ratio, of solid fraction
-    bool stated = false;             ///< it is that of `[scatter]` in the study
+    std::array<Filling, 2> filling;  ///< error of stress ratio, error of solid fraction
+    bool stated = false;             ///< whether the scatter was given in [scatter] of study.toml
 };
 
-/// All readings of a study, with every excluded row and its reason.
+/// Readings of a study, with everything that was left out or is doubtful.
 struct Measurements {
-    std::vector<Reading> readings;  ///< in run order
-    ReplicateScatter scatter;       ///< that is in the covariances of the readings
-    std::vector<Excluded> excluded;
-    std::vector<Doubt> doubts;       ///< about what the files say; most were set aside
-    std::vector<std::string> notes;  ///< checks worth a line: a flipped torque, heavy beads
+    std::vector<Reading> readings;   ///< in the order of study.toml, the files of an entry by name
+    ReplicateScatter scatter;        ///< scatter that the readings' covariances contain
+    std::vector<Excluded> excluded;  ///< rows that make no reading
+    std::vector<Doubt> doubts;       ///< doubts about the files' values; most values were set aside
+    /// Messages for the user about the import, such as a torque whose sign was flipped.
+    std::vector<std::string> notes;
 };
 
 /// Condition of each reading, in the order of `readings`.

@@ -37,8 +37,8 @@ std::string parameter_line(const std::string& name, const std::string& unit,
                        estimate(after), moved);
 }
 
-/// "shear stress", "shear stress and solid fraction": those whose left-out error rose by more than
-/// a twentieth.
+/// Names of the observables whose RMS error at conditions left out of the fit rose by more than
+/// 5 %: "shear stress", "shear stress and solid fraction"; empty for none.
 std::string left_out_rose(const LadderStep& before, const LadderStep& after) {
     std::string which;
     if (!before.left_out_percent || !after.left_out_percent) {
@@ -93,8 +93,8 @@ std::string advice_on_dropped(const std::string& effect, const LadderStep& befor
             effect, number(before.chi2), number(after.chi2));
     }
     return fmt::format(
-        "The error rose without {0} (chi2 {1} -> {2}): the readings need it, or an effect like it; "
-        "'pendular add {3} {0}' adds it again.",
+        "Without {0} the fit is worse (chi2 {2}, with it {1}): the model needs it, or a similar "
+        "effect. 'pendular add {3} {0}' adds it again.",
         effect, number(before.chi2), number(after.chi2), study);
 }
 

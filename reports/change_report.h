@@ -7,19 +7,22 @@
 
 namespace pendular {
 
-/// One line about the change: the error before and after.
+/// Returns a sentence on a change of the study's model, one effect added or dropped: chi2/dof and
+/// the RMS error of the shear stress [%] before and after.
 std::string verdict_of(const StudyChange& change, const LadderStep& before,
                        const LadderStep& after);
 
-/// Errors before and after the change: chi2/dof, RMS errors [%] and those at conditions left out of
-/// the fit.
+/// Table of the model's errors before and after a change: chi2/dof, RMS errors [%], and RMS errors
+/// at conditions that were left out of the fit [%].
 std::vector<std::string> error_changes(const LadderStep& before, const LadderStep& after);
 
-/// Parameters before and after the change, with the change in standard errors.
+/// Table of the fitted parameters before and after a change. The change of a parameter is given in
+/// units of its standard error before.
 std::vector<std::string> parameter_changes(const LadderStep& before, const LadderStep& after);
 
-/// Sentences on whether the change improved the model, where it did not, and what to do next;
-/// `study` as the user named it.
+/// Advice after a change, as sentences: on an added effect that does not improve the model, on a
+/// dropped effect, and on parameters that changed by more than three standard errors. `study` is
+/// the study's name as the user gave it, for commands in the text.
 std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before,
                                    const LadderStep& after, const std::string& study);
 

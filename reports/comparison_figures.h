@@ -9,9 +9,9 @@
 
 namespace pendular {
 
-/// The figures of `compare`: those of dry readings (dry_figures.h) and of wet ones (wet_figures.h),
-/// parity, and residuals (residual_figures.h). What they draw as the model is the fitted one, as
-/// the instrument shows it. `cohesion` is what the calibration's cohesion lines were made with.
+/// Returns the figures of `pendular compare`: dry readings (dry_figures.h), wet readings
+/// (wet_figures.h), predicted against measured values (`parity`), and residuals
+/// (residual_figures.h). The model in them is the fitted model with the study's effects.
 std::vector<Figure> comparison_figures(const StudyModel& model, const Calibration& calibration,
                                        const Comparison& comparison);
 

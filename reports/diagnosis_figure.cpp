@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t most_shown = 9;
 
-/// Findings that the readings carry information on, the most significant first.
+/// Findings on effects that the readings could reveal, at most nine, the largest reduction of chi2
+/// first.
 std::vector<const Finding*> most_telling(const Diagnosis& diagnosis) {
     std::vector<const Finding*> findings;
     for (const Finding& finding : diagnosis.scan) {
@@ -25,7 +26,7 @@ std::vector<const Finding*> most_telling(const Diagnosis& diagnosis) {
     return findings;
 }
 
-/// Position of a bar: the middle of its place, shifted by `aside`.
+/// Adds a finite value to a curve at the x of the effect with index `place`, shifted by `aside`.
 void add(Curve& curve, std::size_t place, double value, double aside = 0) {
     if (std::isfinite(value)) {
         curve.x.push_back(static_cast<double>(place) + 1 + aside);

@@ -5,9 +5,10 @@
 
 namespace pendular {
 
-/// The most telling candidates of a diagnosis: by how much each lowers chi2, predicted and
-/// refitted, and how large each seems to be in units of the smallest effect of interest, beside the
-/// size from which on it is seen.
+/// Figure of the most significant candidates of a diagnosis, the effects that the model may lack.
+/// Above: reduction of chi2 by each effect, predicted and refitted. Below: estimated size of each
+/// effect over the smallest size of interest, beside the smallest size that the readings would
+/// reveal.
 Figure diagnosis_figure(const Diagnosis& diagnosis, const ModelSpace& space);
 
 }  // namespace pendular

@@ -20,7 +20,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& las
     return text;
 }
 
-/// "lid-slip, liquid-loss, torque-gain and 8 more": a list that one can read.
+/// Short list of names: "lid-slip, liquid-loss, torque-gain and 8 more".
 std::string some_of(std::vector<std::string> names) {
     constexpr std::size_t most_named = 4;
     if (names.size() > most_named) {
@@ -35,7 +35,8 @@ double chi2_per_dof(double chi2, double dof) {
     return chi2 / std::max(1.0, dof);
 }
 
-/// "torque-offset (0.41 +- 0.03 mN m)", from the refit; a switch has its name alone.
+/// Names of the effects of an explanation with the refitted values, "torque-offset (0.41 +- 0.03
+/// mN m)"; an effect that is a switch has no value.
 std::string with_estimates(const Explanation& explanation, const ModelSpace& space) {
     const auto parameters = space.with(explanation.chosen)->parameters();
     auto next = static_cast<Eigen::Index>(space.with({})->parameters().size());
@@ -78,7 +79,7 @@ const Explanation* best_of(const std::vector<Explanation>& explanations) {
     return best == explanations.end() ? nullptr : &*best;
 }
 
-/// "brings chi2/dof from 7.79 to about 0.94".
+/// Text of the reduction of chi2/dof by an explanation: "chi2/dof from 7.79 to about 0.94".
 std::string reduction(const Diagnosis& d, const Explanation& by) {
     const auto dof = static_cast<double>(by.fit.dof);
     return fmt::format("chi2/dof from {:.2f} to about {:.2f}", chi2_per_dof(d.chi2, d.dof),
@@ -95,7 +96,7 @@ const EffectParameter& parameter_of(const ModelSpace& space, const Finding& find
     return space.candidates()[finding.candidate].parameters.front();
 }
 
-/// "99.7 %": a share that is not rounded up to all.
+/// Text of a share, rounded down so that it never reads 100 % below 1: "99.7 %".
 std::string percent(double share) {
     return fmt::format("{:.{}f} %", std::floor(1000 * share) / 10, share < 0.99 ? 0 : 1);
 }
@@ -185,7 +186,8 @@ std::string finding_line(const Finding& finding, const ModelSpace& space) {
         100 * finding.test.share_imitated, finding.power, p_text(finding.p, ""), finding.decision);
 }
 
-/// States how alike the changes by the effects are, beyond what the calibrated parameters imitate.
+/// Sentence on how alike the effects of the verdict change the readings, beyond what the calibrated
+/// parameters imitate.
 std::string alike_line(const Diagnosis& d) {
     if (d.effects.size() == 2) {
         return fmt::format(
@@ -287,7 +289,8 @@ std::string fit_line(const Diagnosis& d) {
 
 namespace {
 
-/// Line on the size from which an effect would be seen.
+/// Line on the size from which the readings would reveal an effect; for a switch, on the share of
+/// studies that would reveal it.
 std::string unseen_line(const Finding& finding, const EffectParameter& p,
                         const std::string& effect) {
     return p.is_switch()

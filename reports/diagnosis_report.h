@@ -9,37 +9,41 @@
 
 namespace pendular {
 
-/// The verdict in one line, in plain words: "Missing: torque-offset (0.41 +- 0.03 mN m). Adding it
+/// The verdict as one or two sentences: "Missing: torque-offset (0.41 +- 0.03 mN m). Adding it
 /// brings chi2/dof from 9.8 to about 1.1.", "Something is missing that no known effect explains; it
 /// grows with height."
 std::string verdict_line(const Diagnosis& diagnosis, const ModelSpace& space, const Checks& checks);
 
-/// Table of the tested effects, one line each, the largest reduction of chi2 first.
+/// Table of the tested effects, one line per effect, the largest reduction of chi2 first.
 std::vector<std::string> diagnosis_table(const Diagnosis& diagnosis, const ModelSpace& space);
 
-/// Sentence with chi2 of the model as it is, its degrees of freedom and its probabilities.
+/// Sentence with chi2 and degrees of freedom of the study's model as it is, and with two
+/// probabilities: of its lack of fit, and of the residuals if no known effect is missing.
 std::string fit_line(const Diagnosis& diagnosis);
 
-/// Sentences on a verdict that names effects which do not explain everything: how sure they lead,
-/// by how much the RMS errors [%] fall from `before` to `after`, and what `remaining` checks show;
-/// empty where the verdict is complete.
+/// Sentences on a verdict that names effects which explain most of the misfit, but not all of it:
+/// the RMS errors [%] of shear stress and solid fraction without (`before`) and with (`after`) the
+/// effects, how often another explanation would lead by chance, and the strongest trend among the
+/// checks of the model with the effects (`remaining`). Empty where the effects explain everything.
 std::vector<std::string> incomplete_lines(const Diagnosis& diagnosis,
                                           const std::array<double, 2>& before,
                                           const std::array<double, 2>& after,
                                           const Checks& remaining);
 
-/// Sentence that names the measurements that deviate most from the rest; empty where none does.
+/// Sentence that names the suspect measurements, conditions or files, that deviate from the rest
+/// with p < 0.05; empty without such measurements.
 std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);
 
-/// Effects of a size of interest that these readings would not reveal, one line each below a
-/// heading; empty unless the verdict is inconclusive.
+/// Table of the effects that these readings would not reveal at the smallest size of interest, one
+/// line per effect below a heading; empty unless the verdict is inconclusive.
 std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpace& space);
 
-/// Sentences on how far the verdict reaches: effects that would stay unseen, rival explanations,
-/// assumed errors.
+/// Sentences on the limits of the verdict: how alike rival explanations are, which readings to
+/// repeat or to add, and whether the errors of the readings are assumed.
 std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace& space);
 
-/// The command or measurement that follows from the verdict; `study` as the user names it.
+/// Returns the command to give, or the measurement to make, after the verdict. `study` is the
+/// study's name as the user gave it.
 std::string next_step(const Diagnosis& diagnosis, const std::string& study);
 
 }  // namespace pendular

@@ -29,7 +29,8 @@ bool has_line(const Curve& curve) {
            !curve.x.empty();
 }
 
-/// The data of lines and bands as named blocks, so that every terminal draws the same.
+/// Gnuplot commands that define the data of lines and bands as named blocks, once for all file
+/// formats.
 std::string data_blocks(const Figure& figure) {
     std::string text;
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
@@ -50,7 +51,7 @@ std::string data_blocks(const Figure& figure) {
     return text;
 }
 
-/// A reference as an object behind the data, its error as a shaded band.
+/// Gnuplot commands that draw a reference line behind the data, with its error as a shaded band.
 std::string reference_object(const Reference& r, int number, const PanelPlace& place) {
     const auto [x, y] = std::pair(place.x, place.y);
     std::string text;
@@ -84,7 +85,7 @@ std::string plot_term(const Curve& curve, const std::string& block) {
                        pen.width, pen.dash, pen.colour);
 }
 
-/// Round numbers at even distances, about four of them.
+/// Positive round numbers at even distances in a range, about four.
 std::vector<double> even_tics(AxisRange range) {
     const double rough = (range.second - range.first) / 4;
     const double decade = std::pow(10.0, std::floor(std::log10(rough)));
@@ -97,8 +98,8 @@ std::vector<double> even_tics(AxisRange range) {
     return tics;
 }
 
-/// Tics at 1, 2 and 5 of each decade: a logarithmic axis often shows little more than one decade.
-/// Where fewer than two of them lie in the range, even ones.
+/// List of tics for a logarithmic axis: 1, 2 and 5 times powers of ten, or powers of ten alone for
+/// more than three decades. Where fewer than two lie in the range: round numbers at even distances.
 std::string tics_of_logarithm(AxisRange range) {
     std::vector<double> tics;
     const int first = static_cast<int>(std::floor(std::log10(range.first)));
@@ -120,7 +121,7 @@ std::string tics_of_logarithm(AxisRange range) {
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// Axes of a panel and where they stand on the page.
+/// Gnuplot commands for the axes of a panel and for their position on the page.
 std::string axes_script(const Panel& panel, const PanelPlace& place, const Page& page) {
     std::string text =
         "unset object\nunset arrow\nunset logscale\nunset key\nset format x '%g'\n"
@@ -186,10 +187,10 @@ std::string page_script(const Figure& figure, const Page& page, const Ink& marks
     return text + marks.script(page.width, page.height) + "unset multiplot\nunset output\n";
 }
 
-/// A file format gnuplot draws, and how a file of it that was written whole ends.
+/// File format that gnuplot draws. A complete file contains `end` in its last bytes.
 struct Format {
     std::string_view extension, terminal;
-    double dots_per_inch;  ///< 0: sizes are in inches
+    double dots_per_inch;  ///< resolution of the size given to gnuplot; 0: size in inches
     std::string_view end;
 };
 constexpr Format formats[] = {
@@ -200,7 +201,7 @@ constexpr Format formats[] = {
     {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.7 linewidth 1.6 size", 0,
      "%%EOF"}};
 
-/// Where a drawing is made before it takes its name.
+/// Temporary file for a drawing, which is renamed when the drawing is complete.
 fs::path unfinished(const fs::path& folder, const Figure& figure, const Format& format) {
     return folder / fmt::format(".{}.{}", figure.name, format.extension);
 }
@@ -220,9 +221,10 @@ bool written_whole(const fs::path& file, std::string_view end) {
     return tail.find(end) != std::string_view::npos;
 }
 
-/// Sends everything to gnuplot and waits for it to end. Its warnings are for whoever draws, not for
-/// the user, whose settings it does not read. The folder is absolute: gnuplot takes a file name
-/// that begins with '|' for a command and a leading '~' for the home directory.
+/// Draws a figure by gnuplot into temporary files, one per format, and waits for gnuplot to end.
+/// Gnuplot reads no settings of the user, and its warnings are discarded. The folder must be
+/// absolute: gnuplot takes a file name that begins with '|' for a command and a leading '~' for the
+/// home directory.
 void run_gnuplot(const Figure& figure, const fs::path& folder) {
     Gnuplot gnuplot("gnuplot --default-settings 2>/dev/null");
     const Page page = page_of(figure);

@@ -6,8 +6,9 @@
 
 namespace pendular {
 
-/// Draws the figure through gnuplot as NAME.svg, .png and .pdf, and writes its numbers as NAME.csv.
-/// @throws std::runtime_error where gnuplot is missing or draws nothing
+/// Draws a figure by gnuplot as NAME.svg, NAME.png and NAME.pdf in a folder, and writes its numbers
+/// as NAME.csv. Creates the folder where there is none.
+/// @throws std::runtime_error where gnuplot is missing or a drawing is incomplete
 void draw(const Figure& figure, const std::filesystem::path& folder);
 
 }  // namespace pendular

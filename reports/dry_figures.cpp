@@ -28,7 +28,7 @@ std::vector<double> simulated_inertial_numbers(const Calibration& c) {
 struct DryStudy {
     const StudyModel& model;
     const Calibration& calibration;
-    std::vector<std::size_t> readings;  ///< dry ones, by place in the calibration
+    std::vector<std::size_t> readings;  ///< indices of the dry readings in the calibration
 
     double friction() const { return calibration.fit.parameters(0); }
     const Condition& condition(std::size_t place) const {
@@ -39,7 +39,7 @@ struct DryStudy {
         return shown(calibration.prediction, static_cast<Eigen::Index>(place),
                      condition(place).normal_stress);
     }
-    /// Effects on dry readings, on the instrument or on the grains.
+    /// Effects of the model on dry readings: those on the instrument, or all others.
     std::vector<const Effect*> effects(bool on_instrument) const {
         std::vector<const Effect*> result;
         std::ranges::copy_if(model.effects(), std::back_inserter(result), [&](const Effect* e) {
@@ -49,7 +49,8 @@ struct DryStudy {
     }
 };
 
-/// Dry readings at the lowest inertial number, within 5 %: those of the calibration figure.
+/// Indices of the dry readings at the lowest inertial number, within 5 %, for the figure
+/// `calibration`.
 std::vector<std::size_t> slowest_of(const DryStudy& study) {
     const auto number = [&](std::size_t k) { return study.condition(k).inertial_number; };
     const double least = number(std::ranges::min(study.readings, {}, number));
@@ -59,7 +60,8 @@ std::vector<std::size_t> slowest_of(const DryStudy& study) {
     return result;
 }
 
-/// Solid fraction of a run at the study's stiffness, stress ratio as it is.
+/// Stress ratio of a run, and its solid fraction corrected to the study's stiffness. `share`: share
+/// of the rigidity shift to subtract [1].
 Shown at_study_stiffness(const dem::RunResult& run, double share) {
     const Mean &ratio = run[dem::Observable::stress_ratio],
                &fraction = run[dem::Observable::solid_fraction];
@@ -68,7 +70,8 @@ Shown at_study_stiffness(const dem::RunResult& run, double share) {
     return {{ratio.value, fraction.value - shift}, {ratio.standard_error, fraction.standard_error}};
 }
 
-/// Runs of plain dry grains, whatever effects the study has.
+/// Points of dry runs without effects at an inertial number, against friction, corrected to the
+/// study's stiffness.
 Curve runs_curve(const DryStudy& study, const Condition& condition, std::size_t o,
                  double inertial_number) {
     const Calibration& c = study.calibration;
@@ -91,7 +94,8 @@ Curve runs_curve(const DryStudy& study, const Condition& condition, std::size_t 
     return curve;
 }
 
-/// True flow of the model at a condition, against friction; other parameters as fitted.
+/// Curve of the model's true flow at a condition against friction, with the other parameters as
+/// fitted.
 ModelCurve against_friction(const DryStudy& study, const Condition& condition) {
     const Predictor& flow = study.model.flow();
     Eigen::VectorXd parameters = study.model.flow_parameters(study.calibration.fit.parameters);
@@ -112,8 +116,8 @@ ModelCurve against_friction(const DryStudy& study, const Condition& condition) {
     return {x, all, std::vector<Condition>(x.size(), condition)};
 }
 
-/// Mean of readings as they would be at a condition on an instrument that shows the truth: each is
-/// shifted by the difference that the fitted model predicts.
+/// Mean of readings, corrected to one condition and to an ideal instrument: each reading is shifted
+/// by the difference that the fitted model predicts.
 Shown corrected_mean(const DryStudy& study, const std::vector<std::size_t>& places,
                      const Condition& condition) {
     const Shown there =
@@ -164,7 +168,7 @@ Figure calibration_figure(const DryStudy& study) {
     return figure;
 }
 
-/// Symbols and line style of one series of readings and of its model.
+/// Colour and symbol of one series of readings and of the model's predictions for the series.
 struct SeriesLook {
     const char* colour;
     Shape shape;
@@ -178,17 +182,18 @@ constexpr std::array<SeriesLook, 8> series_looks = {{{"#1f4fd8", Shape::circle},
                                                      {"#111111", Shape::circle},
                                                      {"#808080", Shape::square}}};
 
-/// Readings of the figure against the inertial number, divided into series where one model curve
-/// cannot represent them.
+/// Data of the figure against the inertial number: readings divided into series that one model
+/// curve each can represent.
 struct InertialFigure {
     const DryStudy& study;
     std::vector<CurveGroup> series;
-    double low, high;               ///< ends of the axis
-    double fastest;                 ///< up to where there is a model to show
+    double low, high;               ///< ends of the inertial number axis [1]
+    double fastest;                 ///< largest inertial number at which the model is drawn [1]
     bool curves;                    ///< whether the model is known at more than one inertial number
-    std::vector<ModelCurve> model;  ///< of each series
+    std::vector<ModelCurve> model;  ///< model curve of each series
 
     bool parted() const { return series.size() > 1; }
+    /// Label of the data `what` of a series.
     std::string of(const std::string& what, const CurveGroup& one) const {
         return one.name.empty() ? what : what + ", " + one.name;
     }
@@ -210,7 +215,8 @@ InertialFigure inertial_figure_of(const DryStudy& study) {
         const ConditionPath path = one.path(c.readings, along_inertial_number);
         std::vector<double> x;
         std::vector<Condition> conditions;
-        // The model is not shown at higher rates than simulated; to lower rates it is extrapolated.
+        // The curve ends at the largest simulated inertial number and is extrapolated to lower
+        // ones.
         for (int k = 0; k <= curve_steps; ++k) {
             x.push_back(figure.low *
                         std::pow(figure.fastest / figure.low, k / double{curve_steps}));
@@ -222,7 +228,8 @@ InertialFigure inertial_figure_of(const DryStudy& study) {
     return figure;
 }
 
-/// Quasi-static readings of all series as one, beside the model's mean of them.
+/// Draws the mean of the quasi-static readings (I = 0) and the mean of the model's predictions for
+/// these readings, as horizontal lines.
 void draw_limit(Panel& panel, const std::vector<std::size_t>& quasi_static, const Calibration& c,
                 std::size_t o) {
     if (quasi_static.empty()) return;
@@ -233,7 +240,8 @@ void draw_limit(Panel& panel, const std::vector<std::size_t>& quasi_static, cons
         {"model, I → 0", model.value[o], model.error[o], false, calibrated_colour});
 }
 
-/// Readings of a series and, where the curve does not represent them, the prediction for each.
+/// Draws the readings of series `s` with its model curve, and the prediction of each reading where
+/// a curve does not represent them or there are several series.
 void draw_series(Panel& panel, const InertialFigure& figure, std::size_t s, std::size_t o) {
     const CurveGroup& one = figure.series[s];
     const DryStudy& study = figure.study;
@@ -258,7 +266,7 @@ void draw_series(Panel& panel, const InertialFigure& figure, std::size_t s, std:
             quasi_static.push_back(k);
             continue;
         }
-        // A logarithmic axis has no zero: the limit stands at its left edge.
+        // A logarithmic axis has no zero: the quasi-static limit is drawn at the left edge.
         const double x = number > 0 ? number : 1.06 * figure.low;
         add_point(measured, x, study.measured(k), o);
         add_point(model, x, study.predicted(k), o);
@@ -269,7 +277,8 @@ void draw_series(Panel& panel, const InertialFigure& figure, std::size_t s, std:
     if (!model.x.empty() && (!curve || figure.parted())) panel.curves.push_back(model);
 }
 
-/// Key for several series: the look of each series, then of each kind of data.
+/// Adds the key for several series: the colour and symbol of each series, then of each kind of
+/// data.
 void explain_series(Panel& panel, const InertialFigure& figure) {
     for (std::size_t s = 0; s < figure.series.size(); ++s) {
         panel.curves.push_back({.label = figure.series[s].name,

@@ -8,17 +8,16 @@
 
 namespace pendular {
 
-/// The figures of dry readings, none where there are none:
-/// - `calibration`: stress ratio and solid fraction against friction, of the readings at the lowest
-///   inertial number. The curve is the flow of the grains, before the instrument shows it; where
-/// the study has
-///   effects on the instrument, the measured band is corrected for them, by what the fitted model
-///   says of each reading. They cross where these readings alone would put the friction. Source:
-///   Badetti et al. (2018), the calibration figure.
-/// - `inertial_number`: both against the inertial number as the instrument shows them: readings as
-///   they were measured, the fitted model with all its effects. Where what is shown depends on
-///   normal stress, mass of beads or file, each has a curve of its own, and the prediction of every
-///   reading stands beside it.
+/// Returns two figures of the dry readings; none without dry readings:
+/// - `calibration`: stress ratio and solid fraction against friction, for the readings at the
+///   lowest inertial number. The curve is the true flow of the grains at the fitted parameters. The
+///   measured band is corrected for effects on the instrument, by the change that the fitted model
+///   predicts for each reading. Curve and band cross at the friction that these readings alone
+///   would give. Source: Badetti et al. (2018), the calibration figure.
+/// - `inertial_number`: stress ratio and solid fraction against the inertial number: readings as
+///   measured, and the fitted model with all effects of the study. Where the predictions differ
+///   between normal stresses, masses of beads or files, the model has a curve for each, with the
+///   prediction of each reading.
 std::vector<Figure> dry_figures(const StudyModel& model, const Calibration& calibration);
 
 }  // namespace pendular

@@ -14,9 +14,9 @@ namespace {
 
 /// Groups of the catalogue, by the part of the experiment that an effect changes.
 struct Group {
-    const char* name;                  ///< in JSON
-    const char* heading;               ///< in the table
-    bool in_simulate, in_virtual_lab;  ///< which commands take its parameters as options
+    const char* name;                  ///< name of the group in JSON
+    const char* heading;               ///< heading of the group in tables
+    bool in_simulate, in_virtual_lab;  ///< whether these commands have options for the effects
 };
 
 constexpr std::array<Group, 5> groups = {{
@@ -55,7 +55,7 @@ std::string in_study(const EffectEntry& entry) {
     if (!entry.status) {
         return "";
     }
-    return entry.status->why_not ? "no" : entry.status->listed ? "on" : "optional";
+    return entry.status->why_not ? "no" : entry.status->listed ? "yes" : "may be added";
 }
 
 std::string unit_of(const EffectParameter& parameter) {
@@ -66,10 +66,10 @@ std::string table_line(const std::string& name, const std::string& parameter,
                        const std::string& unit, const std::string& touches,
                        const std::string& status, const std::string& summary) {
     return fmt::format("  {:<23} {:<16} {:<8} {:<8} {}{}", name, parameter, unit, touches,
-                       status.empty() ? "" : fmt::format("{:<9}", status), summary);
+                       status.empty() ? "" : fmt::format("{:<13}", status), summary);
 }
 
-/// One line for each parameter; the second and further lines hold the parameter only.
+/// Adds the lines of an effect to a table, one per parameter. Only the first line names the effect.
 void add_effect(std::vector<std::string>& lines, const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
     for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
@@ -84,7 +84,7 @@ std::string field(const char* name, const std::string& text) {
     return fmt::format("  {:<13} {}", name, text);
 }
 
-/// A field of several lines.
+/// Adds a field of several lines to a page.
 void add_lines(std::vector<std::string>& page, const char* name, const std::string& text) {
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line); name = "") {
@@ -101,7 +101,7 @@ std::string parameter_text(const EffectParameter& p) {
                        p.meaning);
 }
 
-/// Option that sets an effect to its smallest size of interest, "--torque-offset.torque 0.0001".
+/// Options that set an effect to its smallest size of interest, "--torque-offset.torque 0.0001".
 std::string options_of(const Effect& effect) {
     std::vector<std::string> options;
     for (const EffectParameter& p : effect.parameters) {
@@ -137,7 +137,7 @@ std::string status_text(const EffectEntry& entry) {
     return entry.status->listed ? "switched on" : "can be added";
 }
 
-/// Text of an effect escaped for Markdown.
+/// Text with the special characters of Markdown escaped.
 std::string markdown(const std::string& words) {
     constexpr std::string_view special = "\\`*_|<>[]";
     std::string text;
@@ -221,7 +221,7 @@ std::vector<std::string> effect_page(const EffectEntry& entry) {
     const Effect& effect = *entry.effect;
     std::vector<std::string> page = {fmt::format("{}: {}", effect.name, effect.summary)};
     add_lines(page, "equation", effect.equation);
-    page.push_back(field("changes", groups[group_index(effect)].heading));
+    page.push_back(field("acts on", groups[group_index(effect)].heading));
     page.push_back(field("touches", fmt::format("{} readings", touched(effect))));
     for (const EffectParameter& parameter : effect.parameters) {
         page.push_back(field("parameter", parameter_text(parameter)));

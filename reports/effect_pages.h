@@ -11,31 +11,33 @@ namespace pendular {
 
 /// Relation of an effect to a study.
 struct EffectStatus {
-    bool listed = false;                 ///< the study switches it on
-    std::optional<std::string> why_not;  /// why it does not apply; empty where it does
+    bool listed = false;                 ///< whether the study's model has the effect
+    std::optional<std::string> why_not;  ///< why it does not apply to the study; empty: it applies
 };
 
-/// An effect as the catalogue shows it.
+/// Entry of the catalogue of effects.
 struct EffectEntry {
     const Effect* effect;
-    bool written = false;                     ///< by the user, in the study
+    bool written = false;                     ///< whether the user wrote the effect in study.toml
     std::optional<EffectStatus> status = {};  ///< empty without a study
 };
 
-/// The catalogue, one effect a line, grouped by what they change.
+/// Table of effects, one line per parameter, grouped by the part of the experiment that the effects
+/// change.
 std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries);
 
-/// Full description of one effect, with the way to switch it on.
+/// Full description of one effect as lines of text, with the settings and options that switch the
+/// effect on.
 std::vector<std::string> effect_page(const EffectEntry& entry);
 
-/// A page of the manual in Markdown, of one effect; `figure` is the Markdown of its figure, or why
-/// there is none.
+/// Page of the manual on one effect, in Markdown; `figure` is the Markdown of its figure, or the
+/// reason why there is none.
 std::string manual_page(const EffectEntry& entry, const std::string& figure);
 
-/// The manual's first page: the catalogue, a row an effect, with links to NAME.md.
+/// First page of the manual, in Markdown: all effects, one row per effect, with links to NAME.md.
 std::string manual_index(const std::vector<EffectEntry>& entries);
 
-/// Entry of the catalogue as JSON.
+/// JSON of an entry of the catalogue of effects.
 nlohmann::ordered_json to_json(const EffectEntry& entry);
 
 }  // namespace pendular

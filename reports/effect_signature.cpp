@@ -30,22 +30,22 @@ Condition usual(bool dry, const Study& study) {
             .time = time_of_readings};
 }
 
-/// P* that the study's wet beads have at 1 Pa.
+/// Reduced pressure P* of the study's wet beads at a normal stress of 1 Pa [1/Pa].
 double reduced_pressure_per_pascal(const Study& study) {
     const Condition wet{.normal_stress = 1, .liquid_content = usual_content};
     return 1 / inverse_pressure_of(wet, study);
 }
 
-/// Quantity that varies along the curves of a column of panels.
+/// Quantity that varies along the x axis of a column of panels.
 struct Column {
     const char* label;
     double from, to;
-    bool log, dry;  ///< dry: readings without liquid have it too
+    bool log, dry;  ///< logarithmic axis; whether dry readings have the quantity too
     void (*set)(Condition&, double, const Study&);
-    bool shows_height = false;  ///< [mm], in place of what was set
+    bool shows_height = false;  ///< the x axis shows the height [mm] instead of the quantity
 };
 
-// Dry readings have no P*: they are drawn at the P* of wet readings of equal normal stress.
+// Dry readings have no P*. They are drawn at the P* of wet readings with the same normal stress.
 constexpr std::array<Column, 4> columns = {
     {{"reduced pressure P*", 0.5, 20, true, true,
       [](Condition& c, double value, const Study& study) {
@@ -65,13 +65,14 @@ Eigen::VectorXd plain_parameters() {
     return Eigen::VectorXd::Constant(1, friction);
 }
 
-/// Readings along a column of panels, with their x values.
+/// Conditions along the x axis of a column of panels, with their x values.
 struct Along {
     std::vector<double> at;
     std::vector<Condition> conditions;
 };
 
-/// Their heights are those of the beads without the effect.
+/// Conditions, dry or wet, along the x axis of a column. The height of the sample follows from the
+/// solid fraction without the effect.
 Along along(const Column& column, bool dry, const Study& study, const Predictor& plain) {
     Along all;
     for (int k = 0; k < points; ++k) {
@@ -92,8 +93,8 @@ Along along(const Column& column, bool dry, const Study& study, const Predictor&
     return all;
 }
 
-/// Size at which an effect is shown: the smallest of interest, added to the value that the study's
-/// liquid gives.
+/// Value of an effect's parameter at which its signature is drawn: the smallest size of interest
+/// away from neutral, or from the liquid's value where the parameter is a property of the liquid.
 double shown_size(const Effect& effect, const EffectParameter& p, const Study& study) {
     if (p.is_switch()) return 1;
     const double from = effect.given_by_liquid ? effect.unlisted_value(study.liquid) : p.neutral;
@@ -108,8 +109,8 @@ std::vector<double> shown_sizes(const Effect& effect, const Study& study) {
     return values;
 }
 
-/// Changes of shear stress [%] and 1000 times those of solid fraction, in turns; their standard
-/// errors, or none.
+/// Changes of the readings by an effect, with standard errors (empty: none): for each condition the
+/// change of shear stress [%], then 1000 times the change of solid fraction [1].
 struct Changes {
     Eigen::VectorXd value, error;
 };
@@ -122,7 +123,7 @@ Changes changes_between(const Eigen::VectorXd& without, const Eigen::VectorXd& w
     return changes;
 }
 
-/// Includes the emulator's errors, most of which cancel in the change.
+/// Changes by an effect on grains, with the emulator's errors, most of which cancel in the change.
 Changes changes_of_grains(const ActiveEffect& active, const Study& study,
                           const Predictor& simulation, const std::vector<Condition>& conditions) {
     std::vector<Condition> both = conditions;
@@ -145,7 +146,7 @@ Changes changes_of_grains(const ActiveEffect& active, const Study& study,
     return {changes_between(without, with).value, error};
 }
 
-/// The model that an effect is added to, without it and with it.
+/// Model without and with one effect.
 class Models {
   public:
     Models(const Effect& effect, Study study, std::shared_ptr<const EmulatedSimulation> simulation)
@@ -175,11 +176,11 @@ class Models {
 
   private:
     const Effect& effect_;
-    Study study_;  ///< of base `rumpf` where the effect is one on closures
+    Study study_;  ///< study with base `rumpf` for an effect on closures
     std::shared_ptr<const Predictor> without_, model_;
 };
 
-/// The two panels of a column.
+/// Two panels of a column: shear stress above, solid fraction below.
 using Pair = std::array<Panel, 2>;
 
 void add_curves(Pair& panels, const Column& column, bool dry, const Study& study,
@@ -209,7 +210,8 @@ void add_curves(Pair& panels, const Column& column, bool dry, const Study& study
     }
 }
 
-/// The whole range of some panels of one row, with zero and `least` to both sides of it.
+/// Range of y that includes all curves of the panels from `begin` to before `end` in one row, and
+/// `least` to both sides of zero.
 AxisRange common_range(const std::vector<Pair>& all, std::size_t row, std::size_t begin,
                        std::size_t end, double least) {
     AxisRange range{-least, least};
@@ -226,9 +228,10 @@ AxisRange common_range(const std::vector<Pair>& all, std::size_t row, std::size_
     return {range.first - margin, range.second + margin};
 }
 
-/// Panels at one normal stress have one range; where it varies changes are often far larger.
+/// Sets the ranges of y. The panels at one normal stress share one range. The first column, along
+/// which the normal stress varies, has its own, since changes are often far larger there.
 void set_ranges(std::vector<Pair>& all) {
-    constexpr std::array least = {0.1, 0.5};  // what instruments cannot see
+    constexpr std::array least = {0.1, 0.5};  // changes that instruments cannot resolve
     for (std::size_t row = 0; row < least.size(); ++row) {
         const AxisRange of_pressure = common_range(all, row, 0, 1, least[row]),
                         of_others = common_range(all, row, 1, all.size(), least[row]);
@@ -238,7 +241,7 @@ void set_ranges(std::vector<Pair>& all) {
     }
 }
 
-/// The first panel explains all of them.
+/// Adds the key that serves all panels, to the first panel.
 void add_key(Panel& panel) {
     const auto band = std::ranges::find(panel.curves, Curve::Style::band, &Curve::style);
     if (band != panel.curves.end()) {

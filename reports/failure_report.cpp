@@ -16,7 +16,9 @@ std::string sentence(const Check& check) {
     switch (check.kind) {
         case Check::Kind::lack_of_fit:
             return fmt::format(
-                "The model misses the mean of at least one condition (lack of fit, {}).", p);
+                "At one condition or more, the mean of the readings differs from the model (lack "
+                "of fit, {}).",
+                p);
         case Check::Kind::trend:
             return fmt::format("Measured {} {} the model as {} grows ({}).", check.of,
                                check.statistic > 0 ? "rises above" : "falls below", check.covariate,
@@ -79,7 +81,7 @@ std::string deviating_line(std::vector<std::pair<std::string, double>> measureme
         if (named.size() < most_named) named.push_back(fmt::format("{} (p {})", name, p_text(p)));
     }
     const std::size_t others = measurements.size() - named.size();
-    return fmt::format("Measurements that deviate most from the rest: {}{}.",
+    return fmt::format("Measurements that the model fits worse than the others: {}{}.",
                        fmt::join(named, "; "),
                        others > 0 ? fmt::format("; and {} more", others) : "");
 }

@@ -9,23 +9,23 @@
 
 namespace pendular {
 
-/// One set of data in a panel. Without data it only adds an entry to the key.
+/// One series of data in a panel. A curve without data only adds an entry to the key.
 struct Curve {
     enum class Style { points, line, dotted_line, dashed_line, band, bars };
     std::string label;
     Style style = Style::points;
     std::vector<double> x, y;
-    std::vector<double> y_error;          ///< of points: bars; of a band: its half-width
-    std::vector<std::string> names = {};  ///< above bars
+    std::vector<double> y_error;          ///< error bars of points, or half-width of a band
+    std::vector<std::string> names = {};  ///< texts above the bars of a bar chart
     std::string colour = "#000000";
     Symbol symbol = {};
-    double weight = 1;  ///< of a line, by which it is wider than usual
-    double area = 1;    ///< of symbols, by which they are larger than usual
-    bool in_key = true;
-    bool in_table = true;  ///< its numbers are written too
+    double weight = 1;     ///< factor on the usual width of a line [1]
+    double area = 1;       ///< factor on the usual area of symbols [1]
+    bool in_key = true;    ///< whether the key has an entry for the curve
+    bool in_table = true;  ///< whether the CSV file of the figure has the curve's numbers
 };
 
-/// A value with its error that runs across a panel: horizontal, or vertical at one x.
+/// Straight line across a panel at one value with its error: horizontal, or vertical.
 struct Reference {
     std::string label;
     double value = 0;
@@ -34,35 +34,35 @@ struct Reference {
     std::string colour = "#888888";
 };
 
-/// Where a panel's key stands: in a corner, or to the right of the axes where none is free.
+/// Place of a panel's key: in a corner of the axes, or outside, to the right of the axes.
 enum class Key { none, top_left, top_right, bottom_left, bottom_right, outside };
 
-/// One pair of axes.
+/// One pair of axes with the data drawn in it.
 struct Panel {
-    std::string x_label, y_label;  ///< with units
+    std::string x_label, y_label;  ///< labels of the axes with units
     bool log_x = false, log_y = false;
-    std::vector<Reference> references;  ///< drawn first
+    std::vector<Reference> references;  ///< reference lines, drawn behind the curves
     std::vector<Curve> curves;
-    bool diagonal = false;  ///< y = x, for parity
-    bool zero_line = false;
+    bool diagonal = false;   ///< draw the line y = x, with equal ranges of both axes
+    bool zero_line = false;  ///< draw the line y = 0
     Key key = Key::none;
-    double headroom = 0;  ///< share of the height kept free above the data, for the key
+    double headroom = 0;  ///< share of the height kept free above the data, for the key [1]
     std::optional<std::pair<double, double>> x_range = {};
-    /// Labels at x = 1, 2, ... in place of numbers, each as lines of text.
+    /// Names below x = 1, 2, ... in place of numbers, each as its lines of text.
     std::vector<std::vector<std::string>> x_names = {};
-    bool y_from_zero = false;  ///< where it is not logarithmic
+    bool y_from_zero = false;  ///< a y axis that is not logarithmic includes zero
     double y_least = 0;        ///< the y axis reaches at least this far to both sides of zero
-    std::optional<std::pair<double, double>> y_range = {};  ///< before headroom
+    std::optional<std::pair<double, double>> y_range = {};  ///< range of y without the headroom
 };
 
-/// Panels side by side or above one another, under one title.
+/// Panels under one title, side by side or one above the other.
 struct Figure {
     std::string name;  ///< file name without extension
     std::string title;
     std::vector<Panel> panels;
-    bool stacked = false;     ///< above one another
-    std::size_t columns = 0;  ///< after so many panels side by side a new row begins; 0: never
-    bool small = false;       ///< panels side by side are small ones, where there are many
+    bool stacked = false;     ///< panels one above the other instead of side by side
+    std::size_t columns = 0;  ///< number of panels in a row; 0: all in one row
+    bool small = false;       ///< small panels, for figures with many of them
 };
 
 }  // namespace pendular

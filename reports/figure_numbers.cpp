@@ -15,7 +15,8 @@ namespace {
 
 using Names = std::vector<std::vector<std::string>>;
 
-/// The names along a panel's x axis. Of panels above one another only the lowest shows them.
+/// Names along a panel's x axis, or those of another panel where this panel shows none: among
+/// panels one above the other only the lowest shows the names.
 const Names& names_along(const Panel& panel, const Figure& figure) {
     const auto shows = [](const std::vector<std::string>& name) { return !name.empty(); };
     if (std::ranges::any_of(panel.x_names, shows)) {
@@ -28,7 +29,7 @@ const Names& names_along(const Panel& panel, const Figure& figure) {
     return other == figure.panels.end() ? panel.x_names : other->x_names;
 }
 
-/// The rows of one panel.
+/// Writes the CSV rows of one panel.
 class PanelRows {
   public:
     PanelRows(const Figure& figure, const Panel& panel)
@@ -61,7 +62,7 @@ class PanelRows {
     std::string name(std::size_t k) const {
         return unescaped(fmt::format("{}", fmt::join(names_[k], "")));
     }
-    /// Points stand at or beside the whole number of their name.
+    /// Name at the whole number nearest to `x`; empty where there is none.
     std::string name_at(double x) {
         const double nearest = std::round(x) - 1;
         if (!(nearest >= 0) || nearest >= static_cast<double>(names_.size())) {
@@ -80,7 +81,7 @@ class PanelRows {
     const Panel& panel_;
     const Names& names_;
     std::size_t number_;
-    std::set<std::size_t> named_;  ///< names with a point
+    std::set<std::size_t> named_;  ///< indices of the names with a point
     std::string text_;
 };
 

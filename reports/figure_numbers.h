@@ -6,10 +6,10 @@
 
 namespace pendular {
 
-/// The numbers of a figure as CSV (RFC 4180), a row for each point and reference: number of the
-/// panel from 1, name of the curve, x, y, standard error of y (of a vertical reference: of x), what
-/// stands at x in place of a number, and what the axes say with their units. Names without any
-/// point have a row of their own.
+/// Numbers of a figure as CSV (RFC 4180), one row per point and per reference line. Columns: number
+/// of the panel from 1, label of the curve, x, y, standard error of y (for a vertical reference
+/// line: of x), name at x where the axis shows names in place of numbers, and labels of both axes
+/// with their units. A name without any point has a row without numbers but x.
 std::string numbers_table(const Figure& figure);
 
 }  // namespace pendular

@@ -26,7 +26,7 @@ Shown shown(const Prediction& predicted, Eigen::Index place, double normal_stres
 
 namespace {
 
-/// Weights of values with these standard errors; their sum is 1.
+/// Weights 1/standard error^2 of the values of observable `o`, normalised to the sum 1.
 Eigen::VectorXd weights_of(const std::vector<Shown>& all, std::size_t o) {
     Eigen::VectorXd weights(std::ssize(all));
     for (std::size_t k = 0; k < all.size(); ++k) {

@@ -8,7 +8,8 @@
 namespace pendular {
 namespace {
 
-/// The empty group keeps gnuplot from reading "\U+00e9", wherever that comes from, as a character.
+/// Escaped backslash. The empty group keeps gnuplot from reading a user's "\U+00e9" as a character
+/// code.
 constexpr std::string_view escaped_backslash = "\\\\{}";
 
 bool is_control(char c) {
@@ -23,8 +24,8 @@ std::size_t characters(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::count_if(text, begins_character));
 }
 
-/// Pieces of a text between the places where it may be broken: behind hyphens and line ends, and
-/// after every so many characters of a longer word.
+/// Pieces of a text between the places where a line may break: after hyphens and line ends, and
+/// after every 24 characters without such a place.
 std::vector<std::string> pieces_of(const std::string& text) {
     constexpr std::size_t longest = 24;
     std::vector<std::string> pieces = {""};

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double edge_width = 1.2;
 
-/// An outline of a symbol of area 1 about the origin, at its place and size.
+/// Outline of a symbol of area 1 about the origin, scaled to `area` [inch^2] and moved to `place`.
 Outline placed(Outline outline, PaperPoint place, double area) {
     const double size = std::sqrt(area);
     for (auto& p : outline) {

@@ -21,7 +21,7 @@ std::vector<std::string> name_of(const LadderStep& ladder_step) {
     return broken_name((ladder_step.change == "add" ? "+ " : "− ") + ladder_step.effect);
 }
 
-/// Where the ladder begins anew, between two ladder steps.
+/// Vertical lines between two steps of a ladder where the ladder starts anew.
 std::vector<Reference> new_starts(const Ladder& ladder) {
     std::vector<Reference> lines;
     for (std::size_t k = 1; k < ladder.size(); ++k) {
@@ -32,7 +32,7 @@ std::vector<Reference> new_starts(const Ladder& ladder) {
     return lines;
 }
 
-/// Two digits or three.
+/// Text of a positive number with about two significant digits, without an exponent.
 std::string number(double value) {
     return fmt::format("{:.{}f}", value, value < 0.995 ? 2 : value < 9.95 ? 1 : 0);
 }
@@ -62,7 +62,8 @@ Panel chi2_panel(const Ladder& ladder) {
     return panel;
 }
 
-/// Errors of one observable [%], fitted or left out, beside the middle of their ladder step.
+/// RMS errors of one observable along a ladder [%], for the readings or for conditions left out of
+/// the fit. The two kinds are drawn to either side of the middle of their step.
 Curve error_curve(const Ladder& ladder, std::size_t observable, bool left_out) {
     Curve curve{.label = fmt::format("{}, {}", observable == 0 ? "shear stress" : "solid fraction",
                                      left_out ? "left out" : "fitted"),
@@ -79,7 +80,7 @@ Curve error_curve(const Ladder& ladder, std::size_t observable, bool left_out) {
     return curve;
 }
 
-/// Lines through points, none across the place where the ladder begins anew.
+/// Lines through points, interrupted at `breaks`, where the ladder starts anew.
 std::vector<Curve> lines_through(const Curve& points, const std::vector<Reference>& breaks) {
     std::vector<Curve> lines;
     std::ptrdiff_t last = -1;

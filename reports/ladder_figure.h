@@ -5,10 +5,11 @@
 
 namespace pendular {
 
-/// How the error of a study's model went down with each effect: above, chi2 over its degrees of
-/// freedom, beside 1 where model and errors are right; below, the RMS error of both observables,
-/// fitted and for conditions left out of the fit. The latest ladder steps where they are many. A
-/// line stands where the ladder begins anew.
+/// Figure of a ladder, the sequence of a study's models that differ by one effect each, or of the
+/// last ten models of a long ladder. Above: chi2 per degree of freedom of each model, beside the
+/// value 1 of a right model with right errors. Below: RMS errors of shear stress and solid fraction
+/// [%], for the readings and for conditions left out of the fit. Vertical lines mark where the
+/// ladder starts anew.
 Figure ladder_figure(const Ladder& ladder);
 
 }  // namespace pendular

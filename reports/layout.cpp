@@ -9,7 +9,7 @@
 namespace pendular {
 namespace {
 
-// All lengths in inches.
+// All lengths are in inches.
 constexpr double title_height = 0.38, title_line = 0.24, title_character = 0.078;
 constexpr double left_margin = 1.1, right_margin = 0.3, bottom_margin = 0.62, top_margin = 0.1;
 constexpr double outside_key_width = 2.75;
@@ -17,9 +17,9 @@ struct Size {
     double width, height;
 };
 constexpr Size above_another{6.0, 3.9}, side_by_side{5.2, 4.2}, alone{6.0, 5.0}, small{4.15, 2.95};
-constexpr double left_margin_unlabelled = 0.7;  ///< of small panels
+constexpr double left_margin_unlabelled = 0.7;  ///< left margin of small panels without a y label
 
-/// Least and greatest value that an axis has to show.
+/// Least and greatest of the values that an axis must include.
 class Extent {
   public:
     void include(double value, double error = 0) {
@@ -52,7 +52,7 @@ Extent extent(const Panel& panel, bool along_x) {
     if (!along_x && !panel.log_y && (panel.y_from_zero || has_bars(panel))) {
         extent.include(0);
     } else if (!along_x && panel.log_y && has_bars(panel)) {
-        extent.include(0.6 * extent.least());  // the least of them still shows
+        extent.include(0.6 * extent.least());  // leaves the shortest bar visible
     }
     for (const auto& reference : panel.references) {
         if (reference.vertical == along_x) {
@@ -62,19 +62,19 @@ Extent extent(const Panel& panel, bool along_x) {
     return extent;
 }
 
-/// Range of one axis over all that a panel shows, with a margin.
+/// Range of one axis of a panel that includes all its data and reference lines, with a margin.
 AxisRange range(const Panel& panel, bool along_x) {
     const Extent shown = extent(panel, along_x);
     const double least = shown.least(), greatest = shown.greatest();
     if (!(least < greatest)) {
-        // One value only: it stands in the middle.
+        // A single value is drawn in the middle of the axis.
         const double middle = std::isfinite(least) ? least : 0,
                      reach = middle == 0 ? 1e-3 : 0.5 * std::abs(middle);
         return {middle - reach, middle + reach};
     }
     if (along_x && !panel.diagonal &&
         greatest - least < 0.2 * std::max(std::abs(least), std::abs(greatest))) {
-        // Set points that scatter by a few per cent were one set point.
+        // Values along x that scatter by a few per cent belong to one set point.
         const double middle = 0.5 * (least + greatest);
         return {0.8 * middle, 1.2 * middle};
     }
@@ -82,7 +82,7 @@ AxisRange range(const Panel& panel, bool along_x) {
         return {least / 1.3, greatest * 1.3};
     }
     const double margin = 0.08 * (greatest - least);
-    // Values that cannot be negative keep their natural zero.
+    // An axis of positive values near zero begins at zero.
     return {least >= 0 && least < margin ? 0 : least - margin, greatest + margin};
 }
 
@@ -109,7 +109,7 @@ void set_ranges(PanelPlace& place, const Panel& panel) {
     place.log_x = panel.log_x, place.log_y = panel.log_y;
 }
 
-/// Greatest number of lines of a label along a panel's axis.
+/// Largest number of lines among the names along a panel's x axis.
 std::size_t name_lines(const Panel& panel) {
     std::size_t lines = 0;
     for (const auto& name : panel.x_names) {
@@ -118,7 +118,7 @@ std::size_t name_lines(const Panel& panel) {
     return lines;
 }
 
-/// Width of a panel's axes at which labels along them do not touch.
+/// Width of a panel's axes [inch] at which the names along the x axis do not touch.
 double width_for_names(const Panel& panel) {
     constexpr double character = 0.092, apart = 0.12, least = 0.62;
     std::size_t longest = 0;
@@ -131,8 +131,7 @@ double width_for_names(const Panel& panel) {
     return (static_cast<double>(panel.x_names.size()) + 0.2) * each;
 }
 
-/// The space that one panel takes: where it has words in place of numbers it grows for the longest
-/// of them and shrinks below axes without any.
+/// Size of a panel, widened where the names along the x axes of the figure's panels need it.
 Size with_names(Size size, const Panel& panel, const Figure& figure) {
     if (panel.x_names.empty()) {
         return size;
@@ -162,12 +161,13 @@ PaperPoint PanelPlace::at(double value_x, double value_y) const {
 
 namespace {
 
-/// The text with line ends behind commas or blanks, so that no line is wider than a page.
+/// Title with line ends after commas or blanks, so that no line is wider than the page [inch] if
+/// there is a place to break it.
 std::string wrapped_title(const std::string& title, double page_width) {
     const auto most = static_cast<std::size_t>(page_width / title_character);
     if (shown_characters(title) <= most) return title;
     for (const std::string_view mark : {", ", " "}) {
-        // The last place before which the text fits.
+        // Search for the last mark before which the text fits on the page.
         for (std::size_t at = title.rfind(mark); at != std::string::npos && at > 0;
              at = title.rfind(mark, at - 1)) {
             const std::size_t end = at + mark.size() - 1;
@@ -211,7 +211,7 @@ Page page_of(const Figure& figure) {
         }
     }
     for (auto& place : page.panels) {
-        // Distance from the upper edge; gnuplot counts from the lower one.
+        // So far counted from the upper edge of the page; gnuplot counts from the lower edge.
         place.bottom += page.height;
         place.top += page.height;
     }

@@ -8,29 +8,30 @@
 
 namespace pendular {
 
-/// Range of an axis.
+/// Least and greatest value on an axis.
 using AxisRange = std::pair<double, double>;
 
-/// Where one pair of axes lies on the page, and what it spans.
+/// Position of a panel's axes on the page, and the ranges of values that they span.
 struct PanelPlace {
-    double left = 0, right = 0, bottom = 0, top = 0;  ///< of the axes on the page [inch]
+    double left = 0, right = 0, bottom = 0, top = 0;  ///< edges of the axes on the page [inch]
     AxisRange x, y;
     bool log_x = false, log_y = false;
 
-    /// Where a value stands on the page [inch].
+    /// Position of the values (x, y) on the page [inch].
     PaperPoint at(double value_x, double value_y) const;
 };
 
-/// Height of a line of text along an axis [inch].
+/// Line height of the labels below an x axis [inch].
 constexpr double name_line = 0.19;
 
-/// A figure's page. Every place on it is known before it is drawn, so that symbols and key can be
-/// drawn in inches and keep their shape.
+/// Layout of a figure's page. Every position is known before the figure is drawn, so that symbols
+/// and key can be drawn in inches and keep their shape.
 struct Page {
     double width = 0, height = 0;  ///< [inch]
-    std::string title;             ///< in as many lines as the width needs
+    std::string title;             ///< title with line ends where it is wider than the page
     std::vector<PanelPlace> panels;
 };
+/// Lays out the panels and the title of a figure on a page.
 Page page_of(const Figure& figure);
 
 }  // namespace pendular

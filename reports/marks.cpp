@@ -5,7 +5,7 @@
 namespace pendular {
 namespace {
 
-// All lengths in inches.
+// All lengths are in inches.
 constexpr double symbol_area = 0.1 * 0.1;
 constexpr double cap = 0.035;  ///< half the width of an error bar's ends
 constexpr double line_spacing = 0.21;
@@ -33,9 +33,10 @@ void draw_points(Ink& ink, const PanelPlace& place, const Curve& curve) {
     }
 }
 
-constexpr double bar_width = 0.62;  ///< in units of the axis
+constexpr double bar_width = 0.62;  ///< width of a bar in units of the x axis
 
-/// Height for text above a bar that ends at `top`, clear of the panel's references.
+/// Height on the page [inch] of a text above a bar that ends at `top` [inch], clear of the panel's
+/// horizontal reference lines.
 double above_bar(const PanelPlace& place, const Panel& panel, double top) {
     constexpr double half_line = 0.11;
     double height = top + half_line;
@@ -48,7 +49,7 @@ double above_bar(const PanelPlace& place, const Panel& panel, double top) {
     return height;
 }
 
-/// Bars from the axis up, with the value written above each.
+/// Draws the bars of a curve from the x axis up, with a text above each bar.
 void draw_bars(Ink& ink, const PanelPlace& place, const Panel& panel, const Curve& curve) {
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
         const PaperPoint low = place.at(curve.x[k] - bar_width / 2, place.y.first),
@@ -73,10 +74,10 @@ void draw_names(Ink& ink, const PanelPlace& place, const Panel& panel) {
     }
 }
 
-/// One line of a key: text and a sample of the style that it explains.
+/// Entry of a key: a text and the curve or reference line whose style it explains.
 struct Entry {
     const std::string* label;
-    const Curve* curve = nullptr;  ///< none: a reference, of this colour
+    const Curve* curve = nullptr;  ///< null: a reference line, drawn in `colour`
     std::string colour = {};
 };
 
@@ -95,7 +96,7 @@ std::vector<Entry> entries_of(const Panel& panel) {
     return entries;
 }
 
-/// Draws the sample of an entry of the key, about its middle.
+/// Draws the sample of line or symbol of a key's entry, centred on `middle`.
 void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
     const double reach = sample_width / 2, y = middle.y;
     const Outline stroke{{middle.x - reach, y}, {middle.x + reach, y}};
@@ -125,7 +126,8 @@ void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
     }
 }
 
-/// Samples stand at the outer edge and words run inwards, so that no width of words need be known.
+/// Draws the key of a panel. The samples are at the outer edge and the texts run inwards, so that
+/// the width of the texts need not be known.
 void draw_key(Ink& ink, const PanelPlace& place, const Panel& panel) {
     const auto entries = entries_of(panel);
     const bool right = panel.key == Key::top_right || panel.key == Key::bottom_right;

@@ -5,12 +5,15 @@
 
 namespace pendular {
 
-/// How a line is drawn; no points or bands.
+/// Pen for a curve that is drawn as a line, by its style, colour and weight.
 Pen pen_of(const Curve& curve);
+/// Pen for reference lines, without a colour.
 inline const Pen reference_pen{.colour = {}, .width = 1.4, .dash = "(7,4)"};
+/// Opacity of bands of errors, from 0 to 1.
 constexpr double band_opacity = 0.16;
 
-/// Elements drawn above the axes and lines of a figure: error bars, symbols, keys.
+/// Draws what lies above the axes and lines of a figure: error bars, symbols, bars, names along the
+/// x axes, and keys.
 Ink marks_of(const Figure& figure, const Page& page);
 
 }  // namespace pendular

@@ -24,7 +24,8 @@ const Coordinate along_inverse_normal_stress = {
 namespace {
 
 constexpr std::size_t most_series = 8;
-constexpr double same_place = 0.05;  ///< coordinates that agree so are one set point
+/// Relative difference up to which coordinates belong to one set point [1].
+constexpr double same_place = 0.05;
 
 double mixed(double a, double b, double share) {
     return a + share * (b - a);
@@ -35,7 +36,7 @@ std::optional<double> mixed(const std::optional<double>& a, const std::optional<
     return a && b ? std::optional(mixed(*a, *b, share)) : std::nullopt;
 }
 
-/// `a` where the share of `b` is 0.
+/// Condition between `a` and `b`, interpolated linearly with the share of `b` [1].
 Condition mixed(const Condition& a, const Condition& b, double share) {
     Condition result = a;
     result.normal_stress = mixed(a.normal_stress, b.normal_stress, share);
@@ -53,7 +54,7 @@ ConditionPath::ConditionPath(std::vector<Condition> conditions, const Coordinate
     : along_(along) {
     std::ranges::sort(conditions, {}, along.of);
     double first = 0;  // coordinate of the first condition of the last node
-    int count = 0;     // of conditions in it
+    int count = 0;     // number of conditions in the last node
     for (const Condition& condition : conditions) {
         if (count == 0 || !agree(first, along.of(condition), same_place)) {
             nodes_.push_back(condition);
@@ -79,7 +80,8 @@ Condition ConditionPath::at(double coordinate) const {
 
 namespace {
 
-/// A number by which readings are told apart.
+/// Number by which readings are divided: normal stress [Pa], bead volume [m^3], or index of the
+/// file from 1.
 double number_of(const Reading& reading, Apart apart, const std::vector<std::string>& files) {
     switch (apart) {
         case Apart::normal_stress:
@@ -116,7 +118,7 @@ std::vector<std::string> files_of(const std::vector<Reading>& readings) {
     return files;
 }
 
-/// The parts of a series, by rising number.
+/// Divides a series by a quantity into parts, sorted by the rising quantity.
 std::vector<CurveGroup> divided(const CurveGroup& series, Apart apart, const Calibration& c) {
     const std::vector<std::string> files = files_of(c.readings);
     const auto number = [&](std::size_t k) { return number_of(c.readings[k], apart, files); };
@@ -155,7 +157,7 @@ bool passes(const CurveGroup& series, const Predictor& model, const Calibration&
     for (std::size_t m = 0; m < series.members.size(); ++m) {
         const std::size_t k = series.members[m];
         const Reading& reading = c.readings[k];
-        // Both as stress ratios: normal stresses of replicates differ a little.
+        // Compared as stress ratios, since the normal stresses of replicates differ a little.
         const Eigen::Vector2d unit(reading.condition.normal_stress, 1);
         Eigen::Vector2d off = drawn.segment<2>(2 * static_cast<Eigen::Index>(m));
         off(0) *= unit(0) / conditions[m].normal_stress;
@@ -188,7 +190,7 @@ std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
     };
     std::vector<CurveGroup> best = {{.members = members}};
     bool told = judge(best);
-    // One criterion alone serves, or else one after the other.
+    // First each quantity alone, then several quantities one after the other.
     for (auto by = apart.begin(); by != apart.end() && !told; ++by) {
         std::vector<CurveGroup> finer = divided(best.front(), *by, c);
         if (finer.size() > most_series || !judge(finer)) continue;

@@ -10,59 +10,67 @@
 
 namespace pendular {
 
-// How figures draw the fitted model beside readings: what an instrument shows may depend on more
-// than a figure's axis, such as normal stress, height of the sample and time.
+// Curves of the fitted model in figures. The values that an instrument shows may depend on more
+// quantities than the one along the figure's axis, such as normal stress, height of the sample and
+// time. A curve then follows the conditions of the readings.
 
 /// Quantity of a condition along which a curve runs.
 struct Coordinate {
-    double (*of)(const Condition&);
-    void (*set)(Condition&, double);
+    double (*of)(const Condition&);   ///< returns the quantity of a condition
+    void (*set)(Condition&, double);  ///< sets the quantity of a condition
 };
 extern const Coordinate along_inertial_number;        ///< [1]
 extern const Coordinate along_inverse_normal_stress;  ///< [1/Pa]
 
-/// Conditions between those of readings: every number is interpolated linearly along a coordinate,
-/// between the means of conditions whose coordinates agree within 5 %, and constant beyond them.
+/// Conditions along a coordinate through the conditions of readings. Every number is interpolated
+/// linearly between nodes, and is constant before the first node and after the last. A node is the
+/// mean of conditions whose coordinates agree within 5 %.
 class ConditionPath {
   public:
-    /// @param conditions at least one
+    /// @param conditions conditions of readings, at least one
     ConditionPath(std::vector<Condition> conditions, const Coordinate& along);
+    /// Condition at a value of the coordinate.
     Condition at(double coordinate) const;
 
   private:
     Coordinate along_;
-    std::vector<Condition> nodes_;  ///< by rising coordinate
+    std::vector<Condition> nodes_;  ///< sorted by rising coordinate
 };
 
-/// Quantity by which curves of the model are separated.
+/// Quantity by which readings are divided into groups with a model curve each.
 enum class Apart { normal_stress, bead_volume, file };
 
-/// Readings that are drawn together.
+/// Group of readings that are drawn as one series.
 struct CurveGroup {
-    std::vector<std::size_t> members;  ///< by place in the calibration
-    std::string name = {};  ///< what sets it apart, as "σ_{22} = 300 Pa"; empty of the only one
-    /// A curve of the model along the coordinate, through the conditions of the members, passes the
-    /// prediction of each within a quarter of its standard error.
+    std::vector<std::size_t> members;  ///< indices of the readings in the calibration
+    /// Quantity that distinguishes the group, as "σ_{22} = 300 Pa"; empty for the only group.
+    std::string name = {};
+    /// Whether one model curve along the coordinate, at interpolated conditions of the members,
+    /// passes within a quarter of the standard error of each reading from the reading's prediction.
     bool curve = false;
 
+    /// Conditions along a coordinate through the conditions of the members.
     ConditionPath path(const std::vector<Reading>& readings, const Coordinate& along) const;
 };
 
-/// Divides readings by what may set curves apart, one after the other, until a curve through each
-/// part tells what the model predicts of its readings. Stops before there are more than 8 parts.
+/// Divides readings into groups such that one model curve represents the predictions of each group.
+/// Tries no division, then division by one quantity of `apart`, then by several in their order,
+/// with at most 8 groups. `CurveGroup::curve` tells for each group whether a curve represents it.
+/// @param members indices of the readings in the calibration
 std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
                                      const Predictor& model, const Calibration& calibration,
                                      const Coordinate& along, const std::vector<Apart>& apart);
 
-/// The model along an axis, with its standard errors.
+/// Curve of the model along the x axis of a figure, with its standard errors.
 struct ModelCurve {
     std::vector<double> x;
     std::vector<Shown> y;
 
-    /// Predictions at conditions whose places on the axis are these.
+    /// Curve from predictions at `conditions`, drawn at the x values `at`.
     ModelCurve(std::vector<double> at, const Prediction& predicted,
                const std::vector<Condition>& conditions);
-    /// Adds its band and its line, for observable `o`, in the colour of `look`.
+    /// Adds the curve and its band of one standard error to a panel, in the style of `look`, for
+    /// observable `o`: 0 for the stress ratio, 1 for the solid fraction.
     void draw_in(Panel& panel, std::size_t o, const Curve& look,
                  const std::string& band_label) const;
 };

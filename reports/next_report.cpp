@@ -14,7 +14,7 @@
 namespace pendular {
 namespace {
 
-/// "300 Pa, I 0.03 (1.2 1/s), dry, 60 g of beads".
+/// Text of a condition: "300 Pa, I 0.03 (1.2 1/s), dry, 60 g of beads".
 std::string where(const Condition& c, const Study& study) {
     std::string text =
         fmt::format("{:.4g} Pa, I {:.2g} ({:.3g} 1/s)", c.normal_stress, c.inertial_number,
@@ -38,7 +38,8 @@ std::string readings(int count) {
     return count == 1 ? "1 reading" : fmt::format("{} readings", count);
 }
 
-/// "3 readings at 300 Pa, ...", "1 direct measurement of torque-offset.torque (...)".
+/// Text of `count` measurements at a point: "3 readings at 300 Pa, I 0.03 (1.2 1/s), dry",
+/// "1 direct measurement of torque-offset.torque".
 std::string to_measure(const Point& point, int count, const Study& study) {
     if (!point.direct) return fmt::format("{} at {}", readings(count), where(point, study));
     return fmt::format(
@@ -65,10 +66,11 @@ std::string joined(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, "; "));
 }
 
-/// Adds the prediction of each rival explanation at a point.
+/// Adds lines with the prediction of each rival, a model that fits, at the point of a plan.
 void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next, const Plan& plan) {
     if (const auto& direct = next.points[plan.point].direct) {
-        lines.push_back(fmt::format("  {:<44} {:>30}", "if the missing effect is", direct->parameter));
+        lines.push_back(
+            fmt::format("  {:<44} {:>30}", "if the missing effect is", direct->parameter));
         for (std::size_t k = 0; k < next.rivals.size(); ++k) {
             const Forecast& forecast = plan.forecasts[k];
             lines.push_back(
@@ -79,8 +81,8 @@ void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next,
                                     with_error(0, direct->standard_error, direct->unit)));
         return;
     }
-    lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", "if the missing effect is", "shear stress [Pa]",
-                                "solid fraction [1]"));
+    lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", "if the missing effect is",
+                                "shear stress [Pa]", "solid fraction [1]"));
     for (std::size_t k = 0; k < next.rivals.size(); ++k) {
         const Forecast& forecast = plan.forecasts[k];
         const Eigen::VectorXd error = error_of(forecast);
@@ -114,9 +116,8 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
         lines.push_back(fmt::format("Measure {}: that tells {} apart.", measure(steps[0]), apart));
         add_forecasts(lines, next, plan_at(next, steps[0].point));
     } else {
-        lines.push_back(fmt::format(
-            "Take these {} measurements: together they tell {} apart.",
-            next.series.readings(), apart));
+        lines.push_back(fmt::format("Take these {} measurements: together they tell {} apart.",
+                                    next.series.readings(), apart));
         for (const Series::Step& step : steps) {
             lines.push_back(measure(step));
             add_forecasts(lines, next, plan_at(next, step.point));
@@ -144,7 +145,8 @@ std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     return lines;
 }
 
-/// Whether two conditions differ in the normal stress alone.
+/// Whether two conditions differ only in the normal stress, at equal shear rate (`same_rate`) or at
+/// equal inertial number.
 bool beside(const Condition& a, const Condition& b, const Study& study, bool same_rate) {
     const auto rate = [&](const Condition& c) {
         return shear_rate_at(c.inertial_number, c.normal_stress, study.grains);
@@ -191,7 +193,7 @@ Figure next_figure(const NextMeasurement& next) {
         }
     }
     std::ranges::sort(along, {}, &Plan::point);
-    std::vector<double> stresses;  // to be measured
+    std::vector<double> stresses;  // normal stresses of the readings to make [Pa]
     for (const Series::Step& each : steps) {
         const Condition& c = next.points[each.point].condition;
         if (of_shear(each.point) && beside(c, at, next.study, same_rate)) {

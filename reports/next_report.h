@@ -8,11 +8,13 @@
 
 namespace pendular {
 
-/// One line about the measurement, then the prediction of each rival explanation for it, or the
-/// errors of the parameters after it.
+/// Text on the next measurement to make. Where several models fit, it lists the readings that
+/// separate these models, with the prediction of each model. Where one model fits, it lists the
+/// standard errors of its parameters before and after the measurement.
 std::vector<std::string> next_lines(const NextMeasurement& next);
 
-/// Figure of the rivals' predictions along the normal stress, through the point to measure.
+/// Figure of the predictions of the models that fit against normal stress, with the readings to
+/// make. Without panels where one model fits or only direct measurements are possible.
 Figure next_figure(const NextMeasurement& next);
 
 }  // namespace pendular

@@ -34,7 +34,8 @@ const Variable& variable_named(const std::string& name) {
     return *std::ranges::find(variables, name, &Variable::name);
 }
 
-/// Whether a run differs from the curve in the variable alone.
+/// Whether a run agrees within 5 % with the states of a curve in all quantities but the variable,
+/// and in the stiffness number.
 bool beside(const dem::RunResult& run, const PredictionCurve& curve, const Variable& variable) {
     constexpr double tolerance = 0.05;
     const FlowState state = emulated::flow_state_of(run.parameters), &line = curve.states.front();

@@ -7,11 +7,12 @@
 
 namespace pendular {
 
-/// Stress ratio and solid fraction along the curve with their standard errors, beside the runs that
-/// differ from it in the varied quantity alone, up to 5 %, and in stiffness not by more than that.
+/// Figure of the emulator's stress ratio and solid fraction along a curve with their standard
+/// errors, and of the emulator's runs near the curve: all quantities but the varied one, and the
+/// stiffness number, agree within 5 %.
 Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator);
 
-/// Curve as CSV: the states, then every observable with its standard error.
+/// CSV of a curve, one row per state: the state, then every observable with its standard error.
 std::string prediction_table(const PredictionCurve& curve);
 
 }  // namespace pendular

@@ -17,11 +17,11 @@ namespace {
 
 constexpr const char* observables[] = {"shear stress", "solid fraction"};
 
-/// Axis of a covariate: label and scale.
+/// Axis for a covariate, a quantity that residuals may depend on.
 struct Axis {
     std::string label;
     bool logarithmic = false;
-    double factor = 1;  ///< from SI units
+    double factor = 1;  ///< factor from SI units to the unit of the axis
 };
 
 Axis axis_of(const Covariate& covariate) {
@@ -87,10 +87,10 @@ Figure residuals_along(const Comparison& comparison) {
     return figure;
 }
 
-/// Symbol of a residual in a map: its area grows with the residual.
+/// Symbol for residuals of a range of magnitudes in a map; its area grows with the residual.
 struct Look {
-    double from, to;
-    double area;
+    double from, to;  ///< range of |residual| in standard errors [1]
+    double area;      ///< factor on the usual area of symbols [1]
 };
 constexpr Look looks[] = {{0, 1, 0.35}, {1, 2, 1}, {2, 3, 1.9}, {3, INFINITY, 3.2}};
 
@@ -101,7 +101,8 @@ std::string text_of(const Look& look, bool above) {
     return fmt::format("{} by {}", above ? "above" : "below", size);
 }
 
-/// Map of an observable's residuals at a liquid content; `key`: explains all symbols, without data.
+/// Panel of the mean residuals of an observable at a liquid content, over normal stress and
+/// inertial number. `key`: whether the panel has the key that explains all symbols.
 Panel map_panel(const Comparison& comparison, double liquid_content, std::size_t observable,
                 bool key) {
     const std::string liquid =

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 const std::string contact_colour = model_colour, distant_colour = calibrated_colour;
 
-/// Fields that a run has.
+/// Profiles and distributions that a run has.
 std::vector<Field> fields_of(const dem::RunResult& run) {
     std::vector<Field> result;
     for (std::size_t k = 0; k < dem::field_count; ++k) {
@@ -53,7 +53,7 @@ std::string cell(double value) {
     return std::isfinite(value) ? fmt::format("{:.10g}", value) : "";
 }
 
-/// The fields of one coordinate side by side.
+/// CSV of the fields over one coordinate, side by side.
 std::string table_of(const dem::RunResult& run, const std::vector<Field>& shared) {
     const auto& coordinate = dem::about(dem::about(shared.front()).coordinate);
     std::string text = fmt::format("{} [{}]", coordinate.name, coordinate.unit);
@@ -73,8 +73,7 @@ std::string table_of(const dem::RunResult& run, const std::vector<Field>& shared
     return text;
 }
 
-/// A field as points with error bars. Bins without samples are left out, and on a logarithmic axis
-/// values that are not positive.
+/// Curve of a field as points with error bars. Bins without samples are left out.
 Curve curve_of(const dem::BinnedMeans& field, const std::string& label, const std::string& colour,
                Symbol symbol) {
     Curve curve{.label = label, .colour = colour, .symbol = symbol};
@@ -138,8 +137,8 @@ Figure profiles_figure(const dem::RunResult& run) {
                    panel(Field::granular_temperature, "granular temperature ⟨δv^2⟩/(3a^2γ̇^2)")}};
 }
 
-/// The density of a distribution that falls over decades; bins whose error reaches zero are left
-/// out, since their bars would have no end.
+/// Panel of the probability density of the normal contact force, with a logarithmic axis. Bins
+/// whose density is below 1.5 standard errors are left out: their error bars would reach zero.
 Panel force_panel(const dem::RunResult& run) {
     Curve kept{.label = "contacts",
                .colour = contact_colour,

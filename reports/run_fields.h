@@ -10,16 +10,18 @@
 
 namespace pendular {
 
-/// A run's "profiles" and "distributions": each field with its meaning, its unit, the coordinate's,
-/// and lists `at`, `value` and `stderr`, null where there was nothing to average. Fields of bridges
-/// are left out of dry runs.
+/// JSON of a run's profiles and distributions: each field with its meaning, unit and coordinate and
+/// with the lists `at`, `value` and `stderr`, null for bins without samples. A dry run has no
+/// fields of liquid bridges.
 nlohmann::ordered_json fields_json(const dem::RunResult& run);
 
-/// Fields of a run as CSV: file name to content, a file per coordinate, headers `name [unit]`, each
-/// value followed by its standard error NAME_sd.
+/// Profiles and distributions of a run as CSV: a map from file name to content, with one file per
+/// coordinate. Headers are `NAME [unit]`; the column NAME_sd after each value is its standard
+/// error.
 std::map<std::string, std::string> field_tables(const dem::RunResult& run);
 
-/// Fields of a run as the figures `profiles` and `distributions`.
+/// Returns the figures `profiles` and `distributions` of a run: velocity, solid fraction and
+/// granular temperature across the gradient; orientations, forces and gaps of contacts and bridges.
 std::vector<Figure> field_figures(const dem::RunResult& run);
 
 }  // namespace pendular

@@ -61,8 +61,8 @@ std::optional<double> number_of(const RunColumn& column, const dem::RunResult& r
     return number && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
 }
 
-/// 0: dry; then reduced pressures below 1, from 1 to 10 and above; the same again with effects on
-/// grains.
+/// Index of a run's group among `curves_of_groups`. Without effects on grains: 0 for dry runs, 1 to
+/// 3 for wet runs with P* below 1, from 1 to 10 and above 10; with effects on grains: 4 to 7.
 std::size_t group_of(const dem::RunResult& run) {
     const auto& wetting = run.parameters.wetting;
     const std::size_t wetness = !wetting                            ? 0
@@ -72,7 +72,7 @@ std::size_t group_of(const dem::RunResult& run) {
     return run.parameters.effects.empty() ? wetness : wetness + std::size(colours);
 }
 
-/// The curves of those groups, without points.
+/// Curves of the groups of runs, by dryness or P* and by effects on grains, without points yet.
 std::vector<Curve> curves_of_groups() {
     const std::vector<std::string> labels = {"dry", "P* < 1", "P* 1 to 10", "P* > 10"};
     std::vector<Curve> curves;

@@ -8,13 +8,15 @@
 
 namespace pendular {
 
-/// Course of one run over its strain: stress ratio and solid fraction block by block, with their
-/// averages and the end of the transient.
+/// Figure of one run over its strain: stress ratio and solid fraction averaged over short blocks of
+/// strain, with the averages of the steady state and the end of the transient.
 Figure trace_figure(const StoredRun& run);
 
-/// One column of `run_columns()` against another, with standard errors where there are any: dry
-/// runs, and wet ones by decade of reduced pressure; those with effects on grains apart.
-/// @throws InputError for a column that is not there or holds no numbers
+/// Figure of one column of `run_columns()` against another, one point per run that did not fail,
+/// with standard errors where there are any. Dry runs, wet runs by range of reduced pressure, and
+/// runs with effects on grains have different colours and symbols.
+/// @throws InputError for a column that does not exist or holds no numbers, and where no run has
+///         both columns
 Figure runs_figure(const std::vector<StoredRun>& runs, const std::string& x, const std::string& y);
 
 }  // namespace pendular

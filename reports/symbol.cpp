@@ -18,7 +18,7 @@ using Point = geometry::model::d2::point_xy<double>;
 using Polygon = geometry::model::polygon<Point>;
 using Line = geometry::model::linestring<Point>;
 
-constexpr double far_away = 10;  ///< outside every symbol of area 1
+constexpr double far_away = 10;  ///< coordinate outside every symbol of area 1
 
 Outline outline_of(const auto& points) {
     Outline outline;
@@ -28,7 +28,8 @@ Outline outline_of(const auto& points) {
     return outline;
 }
 
-/// Corners on a circle, the first at an angle; every second one at a share of the radius.
+/// Polygon with corners on a circle of radius 1, the first at `first_angle` [rad]. Every second
+/// corner is at the radius `inner_share`.
 Polygon corners(int count, double first_angle, double inner_share = 1) {
     Polygon polygon;
     for (int k = 0; k < count; ++k) {
@@ -40,7 +41,7 @@ Polygon corners(int count, double first_angle, double inner_share = 1) {
     return polygon;
 }
 
-/// Edge of a shape, of any size. Corners on a circle have their centre of area at its centre.
+/// Edge of a shape as a polygon with its centre of area at the origin; its size is arbitrary.
 Polygon edge_of(Shape shape) {
     constexpr double up = std::numbers::pi / 2;
     switch (shape) {
@@ -70,7 +71,8 @@ Polygon with_unit_area(const Polygon& polygon) {
     return result;
 }
 
-/// The part of a polygon below (or above) half its height; a star's lower half is in two pieces.
+/// Part of a polygon below half its height (`lower`) or above it, in one or more pieces: the lower
+/// half of a star has two.
 std::vector<Outline> half(const Polygon& polygon, bool lower) {
     using Box = geometry::model::box<Point>;
     const auto bounds = geometry::return_envelope<Box>(polygon);
@@ -86,7 +88,7 @@ std::vector<Outline> half(const Polygon& polygon, bool lower) {
     return result;
 }
 
-/// The diagonals of a polygon's centre, from edge to edge.
+/// Two diagonal lines through the centre of a polygon, from edge to edge.
 std::vector<Outline> cross(const Polygon& polygon) {
     std::vector<Outline> result;
     for (const double slope : {1.0, -1.0}) {

@@ -4,18 +4,20 @@
 
 namespace pendular {
 
-/// A place on paper, in whatever unit the drawing is in; y grows upwards.
+/// Point of a drawing, in the drawing's unit of length; y grows upwards.
 struct PaperPoint {
     double x = 0, y = 0;
 };
+/// Points joined by straight lines.
 using Outline = std::vector<PaperPoint>;
 
 enum class Shape { square, triangle, circle, star, downward_triangle, diamond, plus };
 
-/// How the inside of a symbol looks. A half is that of its height. A plus has no inside.
+/// Filling of a symbol's inside. The halves are the lower and the upper half of the height. A plus
+/// has no inside.
 enum class Filling { filled, bottom_half, hollow, crossed, top_half };
 
-/// Symbol of a point; its colour belongs to the curve.
+/// Symbol of the points of a curve. The curve has the colour.
 struct Symbol {
     Shape shape = Shape::circle;
     Filling filling = Filling::filled;
@@ -23,14 +25,14 @@ struct Symbol {
     bool operator==(const Symbol&) const = default;
 };
 
-/// A symbol as outlines about its centre of area, which is the origin.
+/// Outlines of a symbol whose centre of area is the origin.
 struct SymbolDrawing {
-    std::vector<Outline> fills;    ///< closed: the last point is the first
-    std::vector<Outline> strokes;  ///< lines; the edge is among them, closed
+    std::vector<Outline> fills;    ///< filled areas; the last point repeats the first
+    std::vector<Outline> strokes;  ///< lines, among them the closed edge of the symbol
 };
 
-/// The drawing of a symbol whose edge encloses the area 1, whatever its shape, so that all symbols
-/// weigh the same to the eye. A plus reaches out of all of them.
+/// Outlines of a symbol of area 1, so that symbols of all shapes look equally large. A plus reaches
+/// beyond the edges of all other symbols.
 SymbolDrawing drawing_of(const Symbol& symbol);
 
 }  // namespace pendular

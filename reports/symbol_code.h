@@ -7,11 +7,12 @@
 
 namespace pendular {
 
-// How figures tell frictions and liquid contents apart: shape by friction, colour and filling by
-// liquid content. Source: Badetti et al. (2018), tab:symbols.
+// Code of the symbols in figures: the shape shows the friction, colour and filling show the liquid
+// content. Source: Badetti et al. (2018), tab:symbols.
 
+/// Shape of the symbols for an intergranular friction.
 struct FrictionCode {
-    double friction;
+    double friction;  ///< intergranular friction coefficient [1]
     Shape shape;
 };
 inline constexpr std::array<FrictionCode, 5> friction_code = {{{0.05, Shape::square},
@@ -20,6 +21,7 @@ inline constexpr std::array<FrictionCode, 5> friction_code = {{{0.05, Shape::squ
                                                                {0.20, Shape::star},
                                                                {0.25, Shape::downward_triangle}}};
 
+/// Colour and filling of the symbols for a liquid content.
 struct ContentCode {
     double liquid_content;  ///< Phi_L/Phi_S [1]
     std::string_view colour;
@@ -32,21 +34,22 @@ inline constexpr std::array<ContentCode, 5> content_code = {
      {0.030, "#111111", Filling::crossed},      // black
      {0.063, "#8e2fb5", Filling::top_half}}};   // purple
 
-/// Symbols of dry readings, for which Badetti et al. (2018) give no code: grey.
+/// Grey symbols for dry readings, for which Badetti et al. (2018) give no code.
 inline constexpr ContentCode dry_code{0, "#808080", Filling::filled};
 
-/// Shape of the nearest friction of the code.
+/// Shape for the friction in `friction_code` that is nearest to `friction` [1].
 Shape shape_of(double friction);
 
-/// Colour and filling of the liquid content of the code that is nearest in the logarithm, as the
-/// contents of the code are about evenly spaced there; grey where dry.
+/// Colour and filling for the liquid content in `content_code` that is nearest in the logarithm to
+/// `liquid_content` [1]; `dry_code` for 0. The contents of the code are about evenly spaced in the
+/// logarithm.
 const ContentCode& code_of(double liquid_content);
 
-/// The symbol of a simulated state.
+/// Symbol of a simulated state with this friction [1] and liquid content [1].
 Symbol simulated_symbol(double friction, double liquid_content);
 
-/// Measured points are plusses whatever the friction, which is not known; their colour tells the
-/// liquid content.
+/// Symbol of measured points: a plus, since the friction of the measured grains is not known. The
+/// colour shows the liquid content.
 inline constexpr Symbol measured_symbol{Shape::plus, Filling::hollow};
 
 }  // namespace pendular

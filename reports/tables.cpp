@@ -145,7 +145,8 @@ std::vector<std::string> misfit_table(const Comparison& comparison) {
 
 namespace {
 
-/// "+6.3 +- 1.2 % at P* 1.37, ...", the mean of replicates.
+/// Text of the deviations of a cohesion line from points that it was not fitted to, as means of
+/// replicates: "+6.3 +- 1.2 % at P* 1.4, +3.0 +- 1.0 % at P* 1.9".
 std::string deviations(const std::vector<Overestimate>& points) {
     std::vector<std::pair<std::string, std::vector<Overestimate>>> groups;
     for (const Overestimate& point : points) {
@@ -177,10 +178,10 @@ std::string deviations(const std::vector<Overestimate>& points) {
 
 namespace {
 
-/// Cohesion lines in the order of liquid content and inertial number, so that the measured and the
+/// Cohesion lines sorted by liquid content and inertial number, so that the measured and the
 /// simulated line of a condition follow each other.
 std::vector<CohesionLine> measured_beside_simulated(std::vector<CohesionLine> lines) {
-    // Set points of replicates differ in their third digit.
+    // Two digits, since the set points of replicates differ in the third digit.
     const auto rounded = [](double x) { return fmt::format("{:.1e}", x); };
     std::ranges::stable_sort(lines, {}, [&](const CohesionLine& line) {
         return std::pair(std::stod(rounded(line.liquid_content)),

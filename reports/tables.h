@@ -8,25 +8,28 @@
 
 namespace pendular {
 
-/// Text tables, one string a line, units in the header.
+// Text tables, one string per line, with the units in the header.
 
-/// Table of the readings, one line each.
+/// Table of the readings, one line per reading.
 std::vector<std::string> readings_table(const Measurements& measurements);
 
 /// Table of the rows that were left out, one line for each range, with the reason.
 std::vector<std::string> excluded_table(const Measurements& measurements);
 
-/// Table of the scatter between steps and between fillings [% of the value], from replicates; empty
-/// without replicates.
+/// Table of the scatter of replicates [% of the value]: between steps, and between fillings of the
+/// cell. Empty without replicates.
 std::vector<std::string> scatter_table(const Measurements& measurements);
 
-/// Measured and predicted values of each reading.
+/// Table of measured and predicted values, one line per reading, then the direct measurements. In
+/// the order of the readings or, if `worst_first`, with the largest chi2 first.
 std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first = false);
 
-/// Misfit by observable, by condition and by covariate; the parts of chi2 add up to the total.
+/// Table of chi2 by observable, by condition and, where there are several, by file. Each division
+/// adds up to the chi2 of all readings.
 std::vector<std::string> misfit_table(const Comparison& comparison);
 
-/// Cohesion lines, measured beside simulated; empty where there are none.
+/// Table of the Mohr-Coulomb cohesion lines, with the measured and the simulated line of a
+/// condition one below the other; empty without lines.
 std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines);
 
 }  // namespace pendular

@@ -30,7 +30,7 @@ Json plan_json(const LabPlan& plan) {
             {"inertial_numbers", plan.inertial_numbers}};
 }
 
-/// JSON of the true conditions, for steps on which effects act.
+/// JSON of the true condition of a step, which effects make differ from the shown condition.
 Json imposed_json(const Condition& imposed) {
     Json json = {{"normal_stress", imposed.normal_stress},
                  {"inertial_number", imposed.inertial_number},

@@ -6,9 +6,9 @@
 
 namespace pendular {
 
-/// The truth behind a virtual laboratory's recordings, for people and scripts: what was planned,
-/// and of every step its condition and its run, with everything needed to repeat it. The program
-/// never reads it.
+/// JSON of the truth behind the recordings of a virtual laboratory, for users and scripts: hidden
+/// friction and effects, plan, and the condition and simulation run of each step, with all that is
+/// needed to repeat the run. The program never reads this file.
 nlohmann::ordered_json to_json(const LabResult& result);
 
 }  // namespace pendular

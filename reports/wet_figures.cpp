@@ -22,9 +22,9 @@ struct WetStudy {
     const StudyModel& study_model;
     const Predictor& model;
     const Calibration& calibration;
-    std::vector<WetGroup> groups;     ///< those of the lowest inertial number
-    std::vector<CohesionLine> lines;  ///< likewise
-    double limit;                     ///< P* from which on they are fitted
+    std::vector<WetGroup> groups;     ///< wet readings of the lowest inertial number, by content
+    std::vector<CohesionLine> lines;  ///< cohesion lines of the lowest inertial number
+    double limit;                     ///< lowest P* of the points that the lines are fitted to [1]
 
     double friction() const { return calibration.fit.parameters(0); }
     double inertial_number() const { return groups.front().inertial_number; }
@@ -43,7 +43,8 @@ struct WetStudy {
         }
         return largest;
     }
-    /// Whether the model is the bare simulation, and may be called so.
+    /// Whether the model is the simulation alone, without effects or closures, so that figures call
+    /// it "simulated".
     bool simulated() const {
         return study_model.effects().empty() && calibration.model.base == "dem";
     }
@@ -59,7 +60,7 @@ struct WetStudy {
     }
 };
 
-/// Entries of a list with the lowest inertial number, within the width of a group.
+/// Entries of a list whose inertial numbers agree with the lowest one, `least`, within 20 %.
 template <class Grouped>
 std::vector<Grouped> slowest(const std::vector<Grouped>& all, double least) {
     std::vector<Grouped> result;
@@ -84,7 +85,8 @@ std::string content_text(double liquid_content) {
     return fmt::format("Φ_L/Φ_S = {:.3g}", liquid_content);
 }
 
-/// "F_0 = 32.4 µN", and whose it is where the fit has another liquid.
+/// Text of the study's pull-off force: "F_0 = 32.4 µN", or "F_0 = 32.4 µN as stated" where the
+/// fitted liquid has another.
 std::string force_text(const WetStudy& study) {
     const bool fitted = !agree(study.force(), study.fitted_force(), 1e-6);
     return fmt::format("F_0 = {:.3g} µN{}", study.force(), fitted ? " as stated" : "");
@@ -110,7 +112,7 @@ std::string colour_of(double liquid_content) {
     return std::string(code_of(liquid_content).colour);
 }
 
-/// An empty set of points of one liquid content.
+/// Curve without points yet, in the colour of one liquid content.
 Curve points_of(const std::string& kind, double liquid_content, const Symbol& symbol) {
     return {.label = fmt::format("{}, {}", kind, content_text(liquid_content)),
             .colour = colour_of(liquid_content),
@@ -118,7 +120,7 @@ Curve points_of(const std::string& kind, double liquid_content, const Symbol& sy
             .in_key = false};
 }
 
-/// The model of some readings from nearly dry to the strongest cohesion that was measured.
+/// Curve of the model for a group of readings, from nearly dry to the largest 1/P* of the group.
 ModelCurve model_of(const WetStudy& study, const CurveGroup& series) {
     constexpr int steps = 60;
     const double end = study.largest_inverse_pressure(series.members);
@@ -132,8 +134,9 @@ ModelCurve model_of(const WetStudy& study, const CurveGroup& series) {
     return {x, predict_unseen(study.model, study.calibration, conditions), conditions};
 }
 
-/// Curves of one content: several where what is shown depends on the mass of beads or the file. No
-/// curve is drawn where it would not represent the predictions of the readings.
+/// Draws the model curves of one liquid content, several where the predictions differ between
+/// masses of beads or files. A curve that does not represent the predictions of its readings is
+/// left out.
 void draw_model(Panel& panel, const WetStudy& study, const WetGroup& group, std::size_t o) {
     for (const CurveGroup& series :
          curve_groups(group.members, study.model, study.calibration, along_inverse_normal_stress,
@@ -161,8 +164,8 @@ void draw_points(Panel& panel, const WetStudy& study, const WetGroup& group, std
     panel.curves.push_back(simulated);
 }
 
-/// Dry readings of the same inertial number and the model of them, where 1/P* = 0: as one point, or
-/// one by one where the model predicts that the instrument shows different values.
+/// Draws the dry readings of the same inertial number and their predictions at 1/P* = 0: as one
+/// mean point, or one by one where the model predicts different values for them.
 void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
     const Calibration& c = study.calibration;
     std::vector<std::size_t> dry;
@@ -198,7 +201,7 @@ void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
     panel.curves.push_back(simulated);
 }
 
-/// Name of a series: "measured", or the name of the model.
+/// Source of a cohesion line in a figure: "measured", or "simulated" or "model".
 std::string source_of(const CohesionLine& line, const WetStudy& study) {
     return line.source == "measured" ? line.source : study.model_word();
 }
@@ -215,12 +218,12 @@ void draw_lines(Panel& panel, const WetStudy& study, double end) {
     }
 }
 
-/// Entry of the key that explains a line style or symbol for all liquid contents.
+/// Entry of a key that explains a line style or symbol for all liquid contents.
 Curve kind(const std::string& label, Curve::Style style, const Symbol& symbol = {}) {
     return {.label = label, .style = style, .colour = explaining_colour, .symbol = symbol};
 }
 
-/// Key: the code of each liquid content, then the look of each kind of data.
+/// Adds the key: the symbol of each liquid content, then the style of each kind of data.
 void explain(Panel& panel, const WetStudy& study, bool with_dry, bool with_lines) {
     using Style = Curve::Style;
     const auto code = [&](double content, const std::string& label) {
@@ -247,7 +250,7 @@ void explain(Panel& panel, const WetStudy& study, bool with_dry, bool with_lines
     panel.key = Key::outside;
 }
 
-/// Stress ratio (o = 0) or solid fraction (o = 1) against 1/P*.
+/// Panel of the stress ratio (o = 0) or the solid fraction (o = 1) against 1/P*.
 Panel pressure_panel(const WetStudy& study, std::size_t o) {
     Panel panel{.x_label = fmt::format("inverse reduced pressure 1/P* = F_0/(a^2σ_{{22}}), {}",
                                        force_text(study)),
@@ -289,7 +292,7 @@ Figure solid_fraction_figure(const WetStudy& study) {
             .panels = {pressure_panel(study, 1)}};
 }
 
-/// Cohesions of lines, each point in the look of its content.
+/// Draws the reduced cohesion of each cohesion line, in the symbol of its liquid content.
 void draw_cohesions(Panel& panel, const WetStudy& study) {
     for (const CohesionLine& line : study.lines) {
         const double content = line.liquid_content;
@@ -304,9 +307,9 @@ void draw_cohesions(Panel& panel, const WetStudy& study) {
     }
 }
 
-/// Contribution of effects on the instrument to the measured cohesions: the slope of the line
-/// through the predictions less that of the line through what the same grains show on an instrument
-/// that shows the truth. By liquid content; none where there is no such effect or line.
+/// Contribution of effects on the instrument to the reduced cohesion [1], by liquid content: slope
+/// of the line through the predictions, less the slope of the line through predictions for an ideal
+/// instrument. Empty without such effects or lines.
 std::map<double, double> cohesions_by_instrument(const WetStudy& study) {
     const Calibration& c = study.calibration;
     std::map<double, double> added;

@@ -8,21 +8,21 @@
 
 namespace pendular {
 
-/// The figures of wet readings, none where there are none:
-/// - `stress_ratio_wet` and `solid_fraction_wet` against 1/P*, for each liquid content the
-/// readings,
-///   what the fitted model says of them, and the model between them; in the former also the
-///   straight lines of the Mohr-Coulomb cohesion, drawn on below the P* they are fitted for. Where
-///   the model depends on the mass of beads or on the file there is a curve for each;
-/// - `reduced_cohesion` against liquid content: measured, of the model, and explained by the
-///   simulated structure, with and without capillary shear stress; where there is a line to take it
-///   from. The cohesion explained by structure is scaled by the change that instrument effects
-///   make to the model's cohesion, so that all values are as the instrument shows them.
-/// F0 is that of the study's liquid on all axes, as in tables, so that measured points stay where
-/// they are when another liquid is fitted; the title says what F0 was fitted.
-/// The lines are the calibration's, made with these options. All show the wet readings of the
-/// lowest inertial number, within 20 %. Colours and symbols are those of symbol_code.h. Source:
-/// Badetti et al. (2018), fig:cexpnum, fig:phiexpnum and fig:cphilphis.
+/// Returns the figures of the wet readings at the lowest inertial number, within 20 %; none without
+/// wet readings:
+/// - `stress_ratio_wet` and `solid_fraction_wet` against 1/P*: for each liquid content, the
+///   readings, the model's predictions of the readings, and curves of the model, with a curve for
+///   each mass of beads or file where the predictions differ between these. `stress_ratio_wet` also
+///   shows the straight Mohr-Coulomb lines, extended to P* below the range of the fit;
+/// - `reduced_cohesion` against liquid content: from measured lines, from lines of the model, and
+///   explained by the simulated structure, with and without capillary shear stress. The change of
+///   cohesion by instrument effects in the model is added to the structural values, so that all
+///   values are as the instrument shows them. Left out without any such value.
+/// All axes use the pull-off force F0 of the study's liquid, as tables do, so that measured points
+/// stay in place when another liquid is fitted; the title states a fitted F0. Colours and symbols
+/// follow symbol_code.h. Source: Badetti et al. (2018), fig:cexpnum, fig:phiexpnum and
+/// fig:cphilphis.
+/// @param cohesion the options with which the calibration's cohesion lines were fitted
 std::vector<Figure> wet_figures(const StudyModel& model, const Calibration& calibration,
                                 const CohesionOptions& cohesion = {});
 

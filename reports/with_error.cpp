@@ -13,7 +13,7 @@ struct Prefix {
     const char* letter;
 };
 
-/// SI prefix for a value with this unit; none for angles, ratios and rates.
+/// SI prefix for a value of this size and unit; no prefix for angles, ratios and rates.
 Prefix prefix_of(double size, const std::string& unit) {
     const bool scaled = unit == "N m" || unit == "N" || unit == "m" || unit == "N/m" ||
                         unit == "Pa" || unit == "Pa s";
@@ -36,7 +36,7 @@ std::string with_error(double value, double error) {
     }
     const int power = static_cast<int>(std::floor(std::log10(error)));
     const int digits = std::max(0, 1 - power);
-    if (digits > 7) {  // forces between beads, in newtons
+    if (digits > 7) {  // such as forces between grains [N]
         const int exponent = std::max(
             power, static_cast<int>(std::floor(std::log10(std::max(std::abs(value), error)))));
         const double unit = std::pow(10.0, exponent);

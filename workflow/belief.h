@@ -5,7 +5,8 @@
 
 namespace pendular {
 
-/// Judges a calibration, and, where its model is emulated, looks for a column in a wrong unit.
+/// Judges whether a calibration can be believed, and looks for a column of the recordings that was
+/// read in a wrong unit and would explain its misfit.
 Belief belief_in(const ResolvedStudy& study, const Measurements& measurements, const Calibration& c,
                  const Comparison& comparison);
 

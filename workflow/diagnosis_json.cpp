@@ -59,7 +59,8 @@ nlohmann::ordered_json to_json(const Explanation& explanation, const ModelSpace&
     return json;
 }
 
-/// Share of the excess chi2 that each named effect takes alone.
+/// JSON with, for each effect that the verdict names, the share of the excess chi2 - dof [1] that
+/// the model with this effect alone explains; null where that model was not refitted.
 nlohmann::ordered_json explained_of(const Diagnosis& d, const ModelSpace& space) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (const std::string& effect : d.effects) {
@@ -75,7 +76,7 @@ nlohmann::ordered_json explained_of(const Diagnosis& d, const ModelSpace& space)
     return json;
 }
 
-/// Cosines between the effects that the verdict names.
+/// JSON with the cosine between the signatures of each two effects that the verdict names [1].
 nlohmann::ordered_json cosines_of(const Diagnosis& d) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (Eigen::Index i = 0; i < d.cosines.rows(); ++i) {

@@ -6,10 +6,10 @@
 
 namespace pendular {
 
-/// All checks of a fit, and the probability that they look so bad together.
+/// JSON of all checks of a fit, each with its p value, and the p value of all checks together.
 nlohmann::ordered_json to_json(const Checks& checks);
 
-/// The checks of a fit and the readings that stand out.
+/// JSON of the checks of a fit and of the groups of readings that deviate from the model.
 nlohmann::ordered_json to_json(const WhereItFails& where);
 
 }  // namespace pendular

@@ -52,7 +52,7 @@ Json model_json(const ModelSettings& m) {
     return json;
 }
 
-/// Formulas of the effects that the study defines.
+/// JSON of the effects that the study defines itself, with bounds and formulas.
 Json formulas_json(const std::vector<WrittenEffect>& effects) {
     Json json = Json::object();
     for (const WrittenEffect& effect : effects) {
@@ -172,7 +172,7 @@ Json to_json(const Calibration& c, const Comparison& comparison) {
 
 Json write_calibration(const std::filesystem::path& folder, const Calibration& calibration,
                        const Comparison& comparison, const Belief& belief) {
-    // The runs first: a fit file whose runs are not there yet could not be read.
+    // The runs are written first, since a fit file without its runs cannot be read.
     write_own_runs(folder, calibration.runs);
     Json json = to_json(calibration, comparison);
     add_belief(json, belief);
@@ -207,7 +207,7 @@ Eigen::MatrixXd matrix_from(const Json& rows, Eigen::Index n) {
     return matrix;
 }
 
-/// The fitted parameters with their errors, in their order.
+/// Reads the fitted parameters with their errors, in the order of the file.
 void read_parameters(const Json& json, Calibration& c) {
     const auto n = static_cast<Eigen::Index>(json.at("parameters").size());
     c.fit.parameters.resize(n);
@@ -236,7 +236,8 @@ Calibration parse_calibration(const Json& json, const ResolvedStudy& resolved,
     const Json basis = basis_json(study.grains, study.liquid, study.model, study.written_effects,
                                   resolved.direct());
     const bool same_basis = std::ranges::all_of(basis.items(), [&](const auto& item) {
-        return json.value(item.key(), Json::array()) == item.value();  // none: nothing was measured
+        return json.value(item.key(), Json::array()) ==
+               item.value();  // a missing key is an empty list
     });
     if (!same_readings || !same_basis) {
         throw InputError(where,

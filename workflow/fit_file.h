@@ -9,21 +9,23 @@
 
 namespace pendular {
 
-/// JSON that `calibrate` prints and `out/fit.json` holds.
+/// JSON of a calibration, as in out/fit.json, without the judgement (`Belief`) of the fit.
 nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
 
-/// Writes FOLDER/fit.json, and beside it FOLDER/fit_runs.csv with the runs that the atlas lacks.
-/// @return what fit.json holds
-/// @throws std::runtime_error where it cannot be written
+/// Writes a calibration to FOLDER/fit.json, and its training runs that the atlas (the runs that
+/// come with the program) lacks to FOLDER/fit_runs.csv. Returns the content of fit.json.
+/// @throws std::runtime_error where a file cannot be written
 nlohmann::ordered_json write_calibration(const std::filesystem::path& folder,
                                          const Calibration& calibration,
                                          const Comparison& comparison, const Belief& belief);
 
-/// A calibration back from `out/fit.json`, its predictions excepted; its grains, liquid, model and
-/// readings (dry first) come from the study and must be those that were fitted. Files of versions
-/// that wrote whole runs into it are read too.
-/// @throws InputError where the file is missing, malformed, of another format, or was made from
-///         others, and where a run it rests on is nowhere any more
+/// Reads a calibration from a fit.json, without its predictions. Grains, liquid, model and direct
+/// measurements are taken from `study`, which must be the study that was fitted. Files of earlier
+/// versions, which contain whole runs, are read too.
+/// @param readings readings of the study, dry readings first
+/// @throws InputError where the file is missing, malformed or of another format, where the fit was
+///         made from other readings, direct measurements, grains, liquid or model, and where a
+///         training run is neither in the atlas nor in fit_runs.csv
 Calibration read_calibration(const std::filesystem::path& file, const ResolvedStudy& study,
                              const std::vector<Reading>& readings);
 

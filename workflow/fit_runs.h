@@ -9,19 +9,24 @@
 
 namespace pendular {
 
-// The runs that a fit rests on. A fit file names each by its fingerprint; the atlas has most of
-// them, the others stand in a table beside the fit file.
+// Training runs of a calibration. A fit file (fit.json) names each run by its fingerprint. Most of
+// the runs are in the atlas, the runs that come with the program; the others are in the table
+// fit_runs.csv beside the fit file.
 
-/// Their fingerprints, in the order of the runs, which the emulator's rounding errors depend on.
+/// JSON array of the fingerprints of training runs. The order is that of `runs` and must be kept,
+/// since the emulator's rounding errors depend on it.
 nlohmann::ordered_json run_names(const std::vector<dem::RunResult>& runs);
 
-/// Writes those that the atlas lacks to FOLDER/fit_runs.csv; none: removes that file.
-/// @throws std::runtime_error where it cannot be written
+/// Writes the training runs that the atlas lacks to FOLDER/fit_runs.csv. Removes that file where
+/// the atlas has all runs.
+/// @throws std::runtime_error where the file cannot be written
 void write_own_runs(const std::filesystem::path& folder, const std::vector<dem::RunResult>& runs);
 
-/// The runs that a fit file names, from the atlas and from fit_runs.csv beside it; runs that stand
-/// in the fit file whole, as older versions wrote them, are taken as they are.
-/// @throws InputError where some of them are nowhere any more, with what to do
+/// Returns the training runs that a fit file names, from the atlas and from the fit_runs.csv beside
+/// the fit file. Runs that the fit file contains whole, as earlier versions wrote them, are
+/// returned unchanged.
+/// @param names fingerprints, or whole runs, as in the fit file
+/// @throws InputError where a run is in neither place, with what to do
 std::vector<dem::RunResult> named_runs(const nlohmann::ordered_json& names,
                                        const std::filesystem::path& fit_file);
 

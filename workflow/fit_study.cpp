@@ -11,8 +11,8 @@
 namespace pendular {
 namespace {
 
-/// With known runs, new runs at the optimum confirm a fit if requested; without known runs, one
-/// more round confirms it.
+/// Request for a calibration. With known runs, new runs at the optimum confirm the fit if that is
+/// requested; without known runs, one more round confirms the fit.
 CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOptions& session,
                                const FitOptions& options) {
     CalibrationRequest request{.fidelity = session.fidelity,

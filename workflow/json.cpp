@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Infinite degrees of freedom, for a scatter that is known exactly, become null.
+/// JSON of degrees of freedom; null where they are infinite, for a scatter that is exactly known.
 Json freedom_json(double freedom) {
     return std::isfinite(freedom) ? Json(freedom) : Json();
 }

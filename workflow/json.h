@@ -10,16 +10,18 @@
 
 namespace pendular {
 
-/// JSON that `import` prints: every reading, every exclusion with its reason, notes.
+/// JSON of a study's measurements, which `pendular import` prints: every reading, every excluded
+/// range of rows with its reason, the scatter between replicates, doubts and notes.
 nlohmann::ordered_json to_json(const Measurements& measurements);
 
-/// JSON that `compare` prints and `out/compare.json` holds.
+/// JSON of a comparison of model and measurement, which `pendular compare` prints and writes to
+/// out/compare.json.
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 
-/// Writes an object, `"format"` first (data/files/json_text.h), through a temporary file and a
-/// rename, so that an earlier file survives a full disk.
-/// @throws std::runtime_error where it cannot be written
+/// Writes a JSON object to a file, with the key `"format"` first (data/files/json_text.h). The text
+/// goes to a temporary file that is then renamed, so that an earlier file survives a full disk.
+/// @throws std::runtime_error where the file cannot be written
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
 
 }  // namespace pendular

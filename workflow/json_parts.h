@@ -11,12 +11,13 @@
 
 namespace pendular {
 
-// What the JSON of several commands has in common.
+// Parts of JSON that several commands share.
 
-/// Shear stress [Pa] and solid fraction with their standard errors.
+/// JSON of a shear stress [Pa] and a solid fraction [1], each with its standard error.
 nlohmann::ordered_json pair_of(const Eigen::Vector2d& value, const Eigen::Matrix2d& covariance);
 
-/// chi2, degrees of freedom and the probability of a larger chi2; 1 without any degree.
+/// JSON of chi2, degrees of freedom and the probability of a larger chi2, which is 1 where there
+/// are no degrees of freedom.
 nlohmann::ordered_json misfit_json(const Misfit& misfit);
 
 /// JSON of a reading with the model's prediction.
@@ -25,9 +26,10 @@ nlohmann::ordered_json prediction_json(const ReadingMisfit& misfit);
 /// JSON of a direct measurement with its standard error.
 nlohmann::ordered_json direct_json(const DirectMeasurement& direct);
 
-/// Adds the keys `believable` and `reasons`.
+/// Adds the judgement of a fit to its JSON, as the keys `believable` and `reasons`.
 void add_belief(nlohmann::ordered_json& json, const Belief& belief);
 
+/// JSON array of cohesion lines.
 nlohmann::ordered_json cohesion_lines_json(const std::vector<CohesionLine>& lines);
 
 }  // namespace pendular

@@ -24,7 +24,7 @@ std::array<double, 2> pair_from(const Json& json) {
     return {json.at("shear_stress").get<double>(), json.at("solid_fraction").get<double>()};
 }
 
-/// NaN becomes null in JSON.
+/// Number from JSON; not a number from null, which is how such numbers are written.
 double number_from(const Json& json) {
     return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }

@@ -7,15 +7,16 @@
 
 namespace pendular {
 
-/// JSON of a ladder step, as in ladder.json.
+/// JSON of one step of a ladder (a study's model after one change of its effects), as in
+/// ladder.json.
 nlohmann::ordered_json to_json(const LadderStep& ladder_step);
 
-/// Reads the ladder from a file; empty if there is no file.
-/// @throws InputError where it is cut off or something else, with what to do
+/// Reads a ladder from a file; empty where there is no file.
+/// @throws InputError where the file is cut off, of another format or no ladder, with what to do
 Ladder read_ladder(const std::filesystem::path& file);
 
-/// Writes the ladder, whole or not at all.
-/// @throws std::runtime_error where it cannot be written
+/// Writes a ladder to a file. Where that fails, an earlier file is unchanged.
+/// @throws std::runtime_error where the file cannot be written
 void write_ladder(const std::filesystem::path& file, const Ladder& ladder);
 
 }  // namespace pendular

@@ -9,7 +9,7 @@
 
 namespace pendular {
 
-/// Event of the work on a study, for whoever shows it.
+/// Note or progress report of the work on a study, for display.
 struct Event {
     enum class Kind {
         note,   ///< note for the user: `text`
@@ -19,16 +19,16 @@ struct Event {
         refits  ///< progress of the refits that `text` names: `number` of `total`
     };
     Kind kind = Kind::note;
-    std::string text = {};
-    EnsembleProgress runs = {};
-    std::size_t number = 0, total = 0;
-    const Fit* fit = nullptr;
+    std::string text = {};              ///< text of the note, or name of the stage
+    EnsembleProgress runs = {};         ///< progress of simulations, for the kind `runs`
+    std::size_t number = 0, total = 0;  ///< counts for the kinds `round` and `refits`
+    const Fit* fit = nullptr;           ///< result of a round; valid during the call only
 };
 
-/// Callback for events; called from one thread at a time; may be empty.
+/// Callback that receives events. It is called from one thread at a time and may be empty.
 using Listener = std::function<void(const Event&)>;
 
-/// Passes an event to a listener, if there is one.
+/// Calls a listener with an event; does nothing where the listener is empty.
 inline void tell(const Listener& listener, const Event& event) {
     if (listener) listener(event);
 }

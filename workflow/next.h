@@ -8,36 +8,45 @@
 
 namespace pendular {
 
-/// Next measurement of one study, with its reasons.
+/// Next measurement to make for a study, with the plans that were considered.
 struct NextMeasurement {
     const Study& study;
-    std::vector<Rival> rivals;  ///< models that fit; one: nothing to separate
-    std::vector<Point> points;
-    std::vector<Plan> plans;  ///< plans that separate rivals, the largest separation first
-    std::vector<Sharpening>
-        sharpenings;     ///< plans that sharpen the parameters, where one model fits
-    Series series = {};  ///< readings to make; empty: none separates the rivals
-    int most_repeats = 1,
-        most_readings = 1;        ///< largest number of readings at one point, and in all
-    std::size_t unsupported = 0;  ///< conditions of the rig that the known runs do not support
+    std::vector<Rival> rivals;  ///< models that fit the readings; one: nothing to separate
+    std::vector<Point> points;  ///< points at which the rig can measure and predictions exist
+    /// Plan for each point to separate the rivals, in the order of `separating_plans`; empty where
+    /// only one model fits.
+    std::vector<Plan> plans;
+    /// Expected precision of the parameters after readings at each point, the largest gain first;
+    /// empty where several models fit.
+    std::vector<Sharpening> sharpenings;
+    /// Readings to make; without steps where no readings separate the rivals or only one model
+    /// fits.
+    Series series = {};
+    /// Largest number of readings at one point, and in total.
+    int most_repeats = 1, most_readings = 1;
+    /// Number of the rig's points at which the known runs support no prediction.
+    std::size_t unsupported = 0;
 };
 
-/// Plan to show: the first, or the one of largest separation where none separates the rivals.
+/// Plan to show to the user: the first plan or, where no readings separate the rivals, the plan
+/// with the largest noncentrality. There must be a plan.
 const Plan& shown_plan(const NextMeasurement& next);
 
-/// Plan of a point.
+/// Plan for the point with this index.
 const Plan& plan_at(const NextMeasurement& next, std::size_t point);
 
-/// Mass of the beads at a condition [kg].
+/// Mass of the beads in the cell at a condition [kg]; `c.bead_volume` must be known.
 double mass_of(const Condition& c, const Study& study);
 
-/// Standard errors of a rival's forecast.
+/// Standard errors of the values of a forecast [their units], from parameters and simulation.
 Eigen::VectorXd error_of(const Forecast& forecast);
 
-/// Looks for the measurement on the study's rig, or within what its readings span, that tells the
-/// models apart that a diagnosis leaves, or sharpens the parameters of the only one. The diagnosis
-/// and the study must live as long as the result.
-/// @throws InputError where the known runs support none of the rig's conditions
+/// Finds the measurement, among those that the study's rig can make, that best discriminates
+/// between the models which the diagnosis found to fit; where only one model fits, the measurement
+/// that determines its parameters most precisely. Without [rig] in the study, the range of its
+/// readings is used. The diagnosis and the study must outlive the result.
+/// @throws InputError where the known runs support a prediction at none of the rig's conditions, or
+///         where [rig] lists a direct measurement of an effect that does not apply to the study
 NextMeasurement next_measurement(const ResolvedStudy& study, const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

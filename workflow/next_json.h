@@ -6,7 +6,7 @@
 
 namespace pendular {
 
-/// JSON that `next` prints and `out/next.json` holds.
+/// JSON of the next measurement, which `pendular next` prints and writes to out/next.json.
 nlohmann::ordered_json to_json(const NextMeasurement& next);
 
 }  // namespace pendular

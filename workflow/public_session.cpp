@@ -17,7 +17,7 @@
 namespace pendular::v1 {
 namespace {
 
-/// Runs work and turns its errors into those of the public interface.
+/// Returns the result of `work`, with its exceptions converted to those of the public interface.
 template <typename Work>
 auto translated(const Work& work) {
     try {
@@ -29,7 +29,7 @@ auto translated(const Work& work) {
     }
 }
 
-/// A line for a listener of texts.
+/// One line of text that describes an event.
 std::string line_of(const Event& event) {
     switch (event.kind) {
         case Event::Kind::runs:

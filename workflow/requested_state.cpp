@@ -14,7 +14,8 @@
 namespace pendular {
 namespace {
 
-/// The parts of a state that were given, with their names as option and as text.
+/// List of the quantities that a request gives, with their values: as options of `pendular predict`
+/// or as text.
 std::string listed(const RequestedState& state, bool as_options) {
     std::string text;
     const auto add = [&](const char* option, const char* name, const std::optional<double>& value) {

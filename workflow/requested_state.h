@@ -8,49 +8,56 @@
 
 namespace pendular {
 
-/// State of steady shear as the user requests it: wet where a reduced pressure is given, with the
-/// liquid as a bridge volume or as a liquid content.
+/// State of steady shear as the user requests it. The state is wet where a reduced pressure is
+/// given; the amount of liquid is then either a bridge volume or a liquid content.
 struct RequestedState {
-    double friction = 0.09, inertial_number = 0;
+    double friction = 0.09, inertial_number = 0;  ///< both [1]
+    /// Reduced pressure P* [1], bridge volume over a^3 [1], liquid content Phi_L/Phi_S [1].
     std::optional<double> reduced_pressure, bridge_volume, liquid_content;
 
-    /// @throws InputError for what is no state
+    /// Checks that the state is possible: numbers within their ranges, and the amount of liquid
+    /// given in exactly one way where the state is wet.
+    /// @throws InputError where it is not, naming the option
     void check_supported() const;
 
-    /// State in the coordinates of the emulator; a liquid content is turned into a bridge volume by
-    /// its coordination number.
-    /// @throws InputError for a wet state where no known run has liquid bridges
+    /// State in the coordinates of the emulator. A liquid content is converted to a bridge volume
+    /// with the emulated coordination number.
+    /// @throws InputError for a wet state where no known run is wet, and for a dry state where no
+    ///         known run is dry
     FlowState state(const Emulator& emulator, const KnownRange& known) const;
-    /// Request of another state, with the liquid given as in this request.
+    /// Request for another state, with the amount of liquid given in the same way as in this
+    /// request.
     RequestedState with(const FlowState& state, const Emulator& emulator) const;
 
-    /// State as text: "friction 0.3, inertial number 0.01, reduced pressure 1, liquid content
-    /// 0.03".
+    /// Text that describes the state, as in "friction 0.3, inertial number 0.01, reduced pressure
+    /// 1, liquid content 0.03".
     std::string text() const;
-    /// Options of `pendular predict` that request this state.
+    /// Options of `pendular predict` that request this state, as in "--friction 0.3".
     std::string options() const;
 };
 
-/// Run that simulates a state: at the fidelity's lowest inertial number where that of the state is
-/// lower.
+/// Parameters of the run that simulates a state. Where the state's inertial number is below the
+/// lowest one of the fidelity, the run has the lowest one.
 dem::RunParameters run_of(const FlowState& state, const Fidelity& fidelity,
                           double stiffness_number);
 
-/// Message of `dem::check_run_parameters` for a run; empty where the run can be simulated.
+/// Reason why a run cannot be simulated, the message of `check_run`; empty where it can be
+/// simulated.
 std::string why_impossible(const dem::RunParameters& run);
 
-/// Command that simulates a run of `run_of`.
+/// Command line of `pendular simulate` for a run that `run_of` returned.
 std::string simulate_command(const dem::RunParameters& run, const Fidelity& fidelity);
 
-/// Why no prediction is given at an unsupported state, the nearest supported state and the commands
-/// that predict there and simulate.
+/// Error message for a state that the known runs do not support: the reason `why`, the nearest
+/// supported state with the command that predicts it, and a command that simulates instead.
 std::string unsupported_text(const RequestedState& requested, const FlowState& state,
                              const std::string& why, const Emulator& emulator,
                              const KnownRange& known, const Fidelity& fidelity,
                              double stiffness_number);
 
-/// An unsupported state with the bridge volume that its liquid content makes at the coordination
-/// number of the nearest supported state, since the emulator's own is a guess there.
+/// Returns an unsupported state with its bridge volume computed again from the requested liquid
+/// content, with the coordination number of the nearest supported state; the emulated coordination
+/// number of the state itself would be unreliable. Unchanged where no liquid content is requested.
 FlowState with_known_coordination(const RequestedState& requested, FlowState state,
                                   const Emulator& emulator, const KnownRange& known);
 

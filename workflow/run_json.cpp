@@ -30,7 +30,7 @@ Json effects_json(const std::vector<ActiveEffect>& effects) {
 
 namespace {
 
-/// Effects on grains, their values in the units of the run.
+/// JSON of a run's effects on grains, with values in the run's dimensionless units.
 Json run_effects_json(const std::vector<EffectValues>& effects) {
     std::vector<ActiveEffect> active;
     for (const EffectValues& values : effects) {
@@ -39,7 +39,7 @@ Json run_effects_json(const std::vector<EffectValues>& effects) {
     return effects_json(active);
 }
 
-/// Reads effects back from JSON, by name as a run has them.
+/// Reads the effects on grains of a run from JSON.
 std::vector<EffectValues> read_run_effects(const Json& json) {
     std::vector<EffectValues> effects;
     for (const auto& [key, value] : json.items()) {
@@ -104,7 +104,7 @@ dem::RunResult run_from_json(const Json& json) {
     dem::RunResult run;
     for (std::size_t k = 0; k < dem::observable_count; ++k) {
         const auto observable = json.find(std::string(dem::observable_names[k]));
-        if (observable != json.end()) {  // documents of versions that did not measure it lack it
+        if (observable != json.end()) {  // earlier versions measured fewer observables
             run.means[k].value = observable->at("value");
             run.means[k].standard_error = observable->at("stderr");
         }

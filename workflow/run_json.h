@@ -8,18 +8,19 @@
 
 namespace pendular {
 
-/// Number with its error as {"value", "stderr"}, both in the same unit.
+/// JSON of a number with its standard error, {"value", "stderr"}, both in the same unit.
 nlohmann::ordered_json uncertain(double value, double error);
 
-/// Values of effects as `calibrate` names fitted parameters, "EFFECT.PARAMETER", in SI units.
+/// JSON of the parameter values of effects, with the keys "EFFECT.PARAMETER" that fitted parameters
+/// have in fit.json.
 nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 
-/// JSON of a run with its observables, each {"value", "stderr"}, and all that is needed to repeat
-/// it. Observables of liquid bridges are zero in a dry run. Effects on grains, where there are any,
-/// stand under `effects_in_run_units`.
+/// JSON of a run: its observables, each {"value", "stderr"}, and all parameters that are needed to
+/// repeat it. Observables of liquid bridges are zero in a dry run. Effects on grains, if there are
+/// any, are under the key `effects_in_run_units`.
 nlohmann::ordered_json to_json(const dem::RunResult& run);
 
-/// Reads a run back from JSON.
+/// Reads a run from the JSON that `to_json` makes of it.
 dem::RunResult run_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace pendular

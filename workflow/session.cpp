@@ -12,7 +12,7 @@ namespace pendular {
 
 namespace {
 
-/// Default output files of a session.
+/// Places for output, with the session's default folder and files where none are given.
 OutputPlaces with_own_files(const std::filesystem::path& study, OutputPlaces places) {
     if (places.folder.empty()) places.folder = study_folder(study) / "out";
     if (places.files.empty()) places.files = {"fit.json", "fit_runs.csv", "ladder.json"};
@@ -45,7 +45,7 @@ ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) c
     Comparison comparison = pendular::compare(c);
     if (cohesion) c.cohesion = *cohesion;
     draw_cohesion_lines(c);
-    // Without the errors of the fitted parameters, which the checks take out themselves.
+    // The prediction is without errors of the fitted parameters, which the checks project out.
     WhereItFails where =
         where_it_fails(c.readings, measurements().scatter,
                        model.at(c.readings).predict(c.fit.parameters), c.parameters, c.direct);

@@ -16,64 +16,75 @@
 
 namespace pendular {
 
-/// Fit of a study with its comparison to the readings.
+/// Fit of a study, compared with the readings and judged.
 struct CalibratedStudy {
     Calibration calibration;
     Comparison comparison;
     Belief belief;
 };
 
-/// Fit of a study from its results folder, with the model and its failures.
+/// Fit of a study, read from its results folder and compared with the readings.
 struct ComparedStudy {
     Calibration calibration;
-    StudyModel model;
+    StudyModel model;  ///< model of the fit
     Comparison comparison;
-    WhereItFails where;
-    Belief belief;
+    WhereItFails where;  ///< failures of the model
+    Belief belief;       ///< judgement whether the fit can be believed
 };
 
-/// Session on a study: reads its files once, then calibrates, compares, diagnoses and plans. Long
-/// work reports its progress to the listener of the options; nothing is printed. Files are written
-/// by `calibrate`, `add` and `drop` alone, to the results folder and, last, to study.toml.
+/// Session on a study: reads its files once, then calibrates, compares, predicts, diagnoses, plans
+/// measurements and changes effects. Long work reports its progress to the listener of the options;
+/// nothing is printed. Only `calibrate`, `add` and `drop` write files: results to the results
+/// folder and, last, a change of effects to study.toml.
 class Session {
   public:
-    /// Reads a study, named by its folder or its study.toml, and all its recordings; what cannot be
-    /// used is refused before any work. Results go to the folder of `outputs`, else to STUDY/out.
-    /// @throws InputError for what is wrong in its files, its effects included, and where results
-    ///         would replace or become an input
+    /// Reads a study and all its recordings, and checks them before any work. Results will go to
+    /// `outputs.folder` or, where that is empty, to STUDY/out.
+    /// @param study folder of the study, or its study.toml
+    /// @throws InputError where a file of the study or an effect that it lists is wrong, and where
+    ///         results would replace an input or be read as one
     explicit Session(const std::filesystem::path& study, SessionOptions options = {},
                      OutputPlaces outputs = {});
-    /// Session on a study that was read already, with results in `folder`.
+    /// Session on a study that has been read, with results in `folder`.
     Session(StudyInput input, SessionOptions options, std::filesystem::path folder);
 
     const Study& study() const { return input_.study; }
     const Measurements& measurements() const { return input_.measurements; }
     const SessionOptions& options() const { return options_; }
 
-    /// Fits the study's parameters, and writes fit.json to the results folder.
-    /// @throws InputError where there is nothing to fit; dem::Interrupted with how to go on
+    /// Fits the study's parameters, and writes fit.json and fit_runs.csv to the results folder.
+    /// @throws InputError where there is nothing to fit, and where a reading cannot be simulated
+    /// @throws std::runtime_error where a file cannot be written
+    /// @throws dem::Interrupted where the user stops the work, with how to continue
     CalibratedStudy calibrate(const FitOptions& fit = {}) const;
-    /// Compares the fit of the results folder with the readings. `cohesion`: how lines are drawn,
-    /// if not as they were.
-    /// @throws InputError where there is no fit, or it is another study's
+    /// Compares the fit of the results folder with the readings. Writes no file.
+    /// @param cohesion options of the cohesion lines; empty: the options of the fit
+    /// @throws InputError where there is no readable fit, or where the study has changed since
     ComparedStudy compare(const std::optional<CohesionOptions>& cohesion = {}) const;
-    /// Predicts what the study's instrument shows at conditions, by the fit of the results folder:
-    /// shear stresses [Pa] and solid fractions [1], with the errors of the fit and of simulation.
-    /// @throws InputError as `compare`, and where a condition cannot be simulated
+    /// Predicts the readings of the study's instrument at some conditions from the fit of the
+    /// results folder: shear stresses [Pa] and solid fractions [1], with errors of the fit and of
+    /// the simulation.
+    /// @throws InputError where there is no readable fit, where the study has changed since, and
+    ///         where a condition cannot be simulated
     Prediction predict(const std::vector<Condition>& conditions) const;
-    /// Tests which physical effect is missing from the study's model.
-    /// @throws InputError for what cannot be diagnosed; dem::Interrupted
+    /// Tests which physical effect is missing from the study's model. Nothing is simulated.
+    /// @throws InputError where readings or known runs are too few, and where a reading is outside
+    ///         the range that can be simulated
+    /// @throws dem::Interrupted where the user stops the work
     StudyDiagnosis diagnose() const;
-    /// Plans the next measurement; the session and the diagnosis must live as long as the result.
-    /// @throws InputError where the known runs support nothing that the rig can do
+    /// Plans the next measurement. The session and the diagnosis must outlive the result.
+    /// @throws InputError where the known runs support a prediction at none of the rig's conditions
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
-    /// Adds an effect to the study's file and fits the study again; see change_study. The session
-    /// then is of the study as it was: open another one.
-    /// @throws InputError, besides those, where study.toml has changed since it was read
+    /// Adds an effect to study.toml and fits the study again, as `change_study`. This session keeps
+    /// the study without the effect; open a new session for the changed study.
+    /// @param same_fidelity whether to use the fidelity of the earlier fit, if there is one
+    /// @throws InputError where study.toml has changed since the session read it
+    /// @throws whatever `change_study` throws
     ChangedStudy add(const std::string& effect, const FitOptions& fit = {},
                      bool same_fidelity = true) const;
-    /// Removes an effect from the study's file and fits the study again.
+    /// Removes an effect from study.toml and fits the study again, with the same parameters and
+    /// exceptions as `add`.
     ChangedStudy drop(const std::string& effect, const FitOptions& fit = {},
                       bool same_fidelity = true) const;
 

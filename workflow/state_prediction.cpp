@@ -15,6 +15,7 @@
 namespace pendular {
 namespace {
 
+/// Emulator trained on the runs of the atlas and of a store, which may be null.
 /// @throws InputError where there are too few runs
 Emulator emulator_of_known_runs(const Fidelity& fidelity, const RunStore* store) {
     auto known = known_runs(Study{}, fidelity, store);
@@ -26,8 +27,9 @@ Emulator emulator_of_known_runs(const Fidelity& fidelity, const RunStore* store)
     return Emulator(known->runs, std::move(known->hyperparameters));
 }
 
-/// The correction to very soft grains may give solid fractions beyond any packing.
-/// @throws InputError for them
+/// Checks that a predicted solid fraction is possible; the correction to very soft grains may give
+/// values beyond any packing.
+/// @throws InputError where the solid fraction is not that of a dense flow
 void demand_physical(const std::vector<EmulatedObservable>& observables, double stiffness_number) {
     for (const auto& one : observables) {
         if (one.which == dem::Observable::solid_fraction &&

@@ -11,46 +11,55 @@
 
 namespace pendular {
 
-/// Prediction of the known runs at one state.
+/// Predicted observables at one state of steady shear, by the emulator trained on known runs.
 struct StatePrediction {
     FlowState state;
     std::vector<EmulatedObservable> observables;
-    double stiffness_number = 1000;  ///< stiffness number for which the solid fraction holds [1]
-    std::string beyond;              ///< `Emulator::beyond` of the state
-    std::size_t runs = 0;            ///< number of training runs
+    /// Stiffness number to which solid fraction and overlap are corrected [1].
+    double stiffness_number = 1000;
+    /// Coordinates in which the state lies beyond all runs, as text (`Emulator::beyond`); empty:
+    /// none.
+    std::string beyond;
+    std::size_t runs = 0;  ///< number of training runs
 };
 
-/// The one quantity of a state that a curve varies, from one value to another.
+/// Quantity of a state that varies along a curve of predictions, with its range.
 struct VariedQuantity {
-    std::string name;  ///< "friction", "inertial_number", "reduced_pressure", "bridge_volume" or
-                       ///< "liquid_content"
-    double from = 0, to = 0;
-    int points = 60;
-    bool logarithmic = false;  ///< even steps of the logarithm
+    /// "friction", "inertial_number", "reduced_pressure", "bridge_volume" or "liquid_content".
+    std::string name;
+    double from = 0, to = 0;   ///< first and last value [1]
+    int points = 60;           ///< number of values
+    bool logarithmic = false;  ///< whether the values are evenly spaced in the logarithm
 
-    /// Parses "reduced-pressure=0.5:10".
-    /// @throws InputError for any other text
+    /// Parses a text such as "reduced-pressure=0.5:10", which gives name, first and last value.
+    /// @throws InputError for any other text, a range that does not increase, or fewer than two
+    ///         points
     static VariedQuantity parsed(const std::string& text, int points);
+    /// Value k [1], from 0 to points - 1.
     double at(int k) const;
+    /// Sets the varied quantity of a requested state to a value.
     void set(RequestedState& requested, double value) const;
 };
 
-/// Predictions along a line of states, as far as the known runs support them.
+/// Predictions along a curve of states that differ in one quantity. States that the known runs do
+/// not support are left out.
 struct PredictionCurve {
-    std::string variable;  ///< as in `VariedQuantity`
-    std::vector<double> at;
-    std::vector<FlowState> states;
+    std::string variable;           ///< name of the varied quantity, as in `VariedQuantity`
+    std::vector<double> at;         ///< value of the varied quantity at each state [1]
+    std::vector<FlowState> states;  ///< supported states
     std::vector<std::vector<EmulatedObservable>> observables;  ///< observables of each state
+    /// Stiffness number to which solid fraction and overlap are corrected [1].
     double stiffness_number = 1000;
     int left_out = 0;          ///< number of states that the known runs do not support
-    std::string why_left_out;  ///< reason for the first of them
+    std::string why_left_out;  ///< reason why the first of these states is not supported
 };
 
-/// Predicts steady shear at any state from the runs of the atlas and of a store, without a study
-/// and without a new run.
+/// Predicts steady shear at any state from the runs of the atlas (the runs that come with the
+/// program) and of a store (the user's file of runs), without a study and without new runs.
 class StatePredictor {
   public:
-    /// @param stiffness_number to which solid fractions are corrected [1], 100 or more
+    /// @param store user's file of runs; may be null
+    /// @param stiffness_number number to which solid fractions are corrected [1], 100 or more
     /// @throws InputError where atlas and store have too few runs to train an emulator, and
     ///         whatever `check_stiffness_number` throws
     StatePredictor(const Fidelity& fidelity, const RunStore* store, double stiffness_number);
@@ -58,22 +67,27 @@ class StatePredictor {
     StatePredictor& operator=(const StatePredictor&) = delete;
 
     /// Checks that solid fractions can be corrected to a stiffness number [1].
-    /// @throws InputError where they cannot
+    /// @throws InputError where the stiffness number is below 100
     static void check_stiffness_number(double stiffness_number);
 
     const Emulator& emulator() const { return emulator_; }
     double stiffness_number() const { return stiffness_number_; }
 
     /// Whether the known runs support a prediction at a state.
+    /// @throws InputError for a wet state where no known run is wet, and for a dry state where no
+    ///         known run is dry
     bool supports(const RequestedState& requested) const;
-    /// @throws InputError where the known runs do not support the state, with the nearest one that
-    ///         they support
+    /// Predicts all observables at a state.
+    /// @throws InputError where the known runs do not support the state, naming the nearest
+    ///         supported state, and where the solid fraction would be impossible
     StatePrediction at(const RequestedState& requested) const;
-    /// @throws InputError where fewer than two states are supported
+    /// Predicts all observables along a curve on which one quantity of a state varies.
+    /// @throws InputError where the known runs support fewer than two states of the curve, and
+    ///         where a solid fraction would be impossible
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
-    /// Run that simulates a state that the known runs do not support.
-    /// @throws InputError where it cannot be simulated
+    /// Parameters of the run that simulates a state that the known runs do not support.
+    /// @throws InputError where the state cannot be simulated
     dem::RunParameters run_for(const RequestedState& requested) const;
 
   private:

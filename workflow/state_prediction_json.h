@@ -6,14 +6,15 @@
 
 namespace pendular {
 
-/// JSON of a predicted state, as `predict --json` writes it: each observable with its standard
-/// error and its derivatives.
+/// JSON of the predictions at one state, as `pendular predict --json` writes it: each observable
+/// with its standard error and its derivatives.
 nlohmann::ordered_json to_json(const StatePrediction& prediction);
 
-/// JSON of a curve, as `predict --json` writes it.
+/// JSON of the predictions along a curve of states, as `pendular predict --json` writes it.
 nlohmann::ordered_json to_json(const PredictionCurve& curve);
 
-/// JSON of a state that was simulated instead of predicted, without derivatives.
+/// JSON of a state that was simulated instead of predicted, as `pendular predict --json` writes it:
+/// each observable with its standard error, without derivatives.
 nlohmann::ordered_json simulated_state_json(const dem::RunParameters& requested,
                                             const dem::RunResult& run);
 

@@ -20,7 +20,8 @@
 namespace pendular {
 namespace {
 
-/// @throws InputError where there is no such effect or it does not apply
+/// Checks that an effect can be added to a study.
+/// @throws InputError where the effect is unknown or does not apply to the study
 void check_added(const ResolvedStudy& study, const std::string& name) {
     try {
         if (const auto why = why_not(study.catalogue().find(name), study)) {
@@ -103,7 +104,8 @@ void apply_change(const StudyChange& change, const LadderStep& before, const Fit
 
 namespace {
 
-/// The study's fit from an earlier command, where it is still the study's and converged.
+/// Fit of the study that an earlier command wrote to `file`; empty where there is none, where the
+/// study has changed since, or where the fit did not converge.
 std::optional<Calibration> earlier_fit(const std::filesystem::path& file,
                                        const ResolvedStudy& study,
                                        const Measurements& measurements) {
@@ -115,7 +117,8 @@ std::optional<Calibration> earlier_fit(const std::filesystem::path& file,
     }
 }
 
-/// @throws dem::Interrupted where the user asked to stop
+/// Compares a calibration with all readings, and computes its errors at conditions left out.
+/// @throws dem::Interrupted where the user stops the work
 Fitted fitted(const ResolvedStudy& study, Calibration c, const SessionOptions& session) {
     Fitted result = fitted(study, std::move(c));
     if (session.stop.stop_requested()) throw interrupted_with(session.store);
@@ -128,7 +131,7 @@ ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measur
                           const std::string& effect, SessionOptions session,
                           const ChangeOptions& options) {
     StudyChange change = plan_change(study, what, effect);
-    Ladder ladder = read_ladder(options.folder / "ladder.json");  // refused before any work
+    Ladder ladder = read_ladder(options.folder / "ladder.json");  // throws before any work
     FitOptions fit = options.fit;
     auto earlier = earlier_fit(options.folder / "fit.json", study, measurements);
     const bool comparable =

@@ -12,68 +12,75 @@
 
 namespace pendular {
 
+/// Change of the effects in a study's model: adding or dropping one effect.
 enum class Action { add, drop };
 
-/// A change of the effects that a study lists, which was checked but not made.
+/// Change of the effects that a study lists, checked but not yet written to study.toml.
 struct StudyChange {
     Action change = Action::add;
-    std::string effect;
+    std::string effect;    ///< effect to add or drop
     ResolvedStudy study;   ///< study after the change
     std::string old_text;  ///< text of study.toml before the change
-    std::string new_text;
+    std::string new_text;  ///< text of study.toml after the change
 };
 
-/// Checks a change of the effects that a study lists.
-/// @throws InputError where there is no such effect (with the nearest one), it does not apply to
-///         the study, is listed already, or is not listed
+/// Checks a change of the effects that a study lists, and prepares the changed study. Nothing is
+/// written.
+/// @throws InputError where an effect to add is unknown (naming the nearest known effect), does not
+///         apply to the study or is listed already, and where an effect to drop is not listed
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect);
 
-/// Calibration with its comparison to the readings.
+/// Calibration of a study before or after a change of effects, compared with the readings.
 struct Fitted {
     Calibration calibration;
     Comparison comparison;
-    LadderStep ladder_step;
-    Belief belief = {};        ///< judgement of the fit after a change
-    std::size_t left_out = 0;  ///< number of conditions left out, one after the other
-    std::size_t undetermined =
-        0;  ///< number of conditions without which a parameter was not determined
+    LadderStep ladder_step;  ///< summary of the fit, for the ladder
+    Belief belief = {};      ///< judgement of the fit; empty before the change
+    /// Number of conditions left out, each in a refit of its own.
+    std::size_t left_out = 0;
+    /// Number of conditions without which the other readings do not determine every parameter.
+    std::size_t undetermined = 0;
 };
-/// Predicts all readings of a calibration, compares them and leaves out each condition in turn.
+/// Compares a calibration with all readings, and computes its errors at conditions left out of the
+/// fit.
 Fitted fitted(const ResolvedStudy& study, Calibration calibration);
 
-/// JSON of a change with the errors before and after, as `add --json` and `drop --json` write it.
+/// JSON of a change of effects, with the model's errors before and after, as `pendular add --json`
+/// and `pendular drop --json` write it. `written`: whether study.toml was changed.
 nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
                                const LadderStep& after, bool written);
 
-/// Writes fit.json and the ladder, with the change on top, to the folder, and then the study's
-/// file.
-/// @throws InputError where the study's file has changed since it was read; nothing is written
-/// @throws std::runtime_error where something cannot be written; the study then is as it was
+/// Carries out a change of effects: appends it to the ladder (the sequence of the study's models),
+/// writes fit.json and ladder.json to `folder`, and last writes study.toml.
+/// @throws InputError where study.toml has changed since it was read; nothing is written
+/// @throws std::runtime_error where a file cannot be written; study.toml is then unchanged
 void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after,
                   Ladder& ladder, const std::filesystem::path& folder);
 
-/// Study before and after a change.
+/// Result of a change of effects: the study's fits before and after it.
 struct ChangedStudy {
     StudyChange change;
     Fitted before, after;
-    Ladder ladder;         ///< ladder of the study, with the change as its last step if it was made
-    bool written = false;  ///< false: the fit after the change did not converge
+    Ladder ladder;  ///< sequence of the study's models; the last is the changed one if `written`
+    /// Whether the change was written to study.toml; false where the fit after it did not converge.
+    bool written = false;
 };
 
 /// Options of a change of effects.
 struct ChangeOptions {
     FitOptions fit = {};           ///< options of the fit after the change
-    bool same_fidelity = true;     ///< use the fidelity of the study's earlier fit
-    std::filesystem::path folder;  ///< for results, with those of earlier commands
+    bool same_fidelity = true;     ///< whether to use the fidelity of the study's earlier fit
+    std::filesystem::path folder;  ///< results folder, with the results of earlier commands
 };
 
-/// Fits a study as it is (or takes its earlier fit, where that can be compared with) and after the
-/// change; then writes fit.json and ladder.json to the folder and, last, the study's file. Nothing
-/// is written where the fit after the change does not converge.
-/// @throws InputError for an effect that cannot be added or dropped, a ladder that cannot be read,
-///         and where the study's file has changed since it was read
-/// @throws std::runtime_error where something cannot be written; the study then is as it was
-/// @throws dem::Interrupted with how to go on
+/// Adds an effect to a study or drops one, and fits the study before and after the change. The fit
+/// before is the one in the results folder where its settings are comparable, else a new one. Then
+/// fit.json and ladder.json are written to the folder and, last, study.toml. Nothing is written
+/// where the fit after the change does not converge.
+/// @throws InputError where the effect cannot be added or dropped, where ladder.json cannot be
+///         read, where a fit is impossible, and where study.toml has changed since it was read
+/// @throws std::runtime_error where a file cannot be written; study.toml is then unchanged
+/// @throws dem::Interrupted where the user stops the work, with how to continue
 ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements,
                           Action change, const std::string& effect, SessionOptions session,
                           const ChangeOptions& options);

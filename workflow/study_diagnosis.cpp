@@ -27,14 +27,15 @@ std::string name_of(const Explanation& explanation, const StudyModels& models) {
     return name.empty() ? "the model as it is" : name;
 }
 
-/// Possible causes of an implausible value of this quantity that was kept.
+/// Text that names the measurements which may cause an implausible value of a quantity.
 std::string cause_of(const std::string& quantity) {
     if (quantity == "solid_fraction") return "the gap or the bead mass (solid fraction)";
     if (quantity == "stress_ratio") return "the torque or the normal force (stress ratio)";
     return "the " + std::string(pendular::quantity(quantity).meaning);
 }
 
-/// An implausible measurement takes precedence over any effect.
+/// Changes the verdict to `suspect_measurement` where a column may be in a wrong unit, or where
+/// implausible readings were kept: a wrong measurement takes precedence over any effect.
 void suspect_measurement(StudyDiagnosis& result, const Study& study,
                          const Measurements& measurements) {
     std::set<std::string> suspects;
@@ -68,7 +69,9 @@ KnownRuns known_for(const ResolvedStudy& study, const SessionOptions& session) {
     return std::move(*known);
 }
 
-/// @throws InputError for too few readings to test a model
+/// Checks that the readings suffice for a diagnosis.
+/// @throws InputError where there is no reading, where all readings are at one condition, and
+///         where a reading cannot be simulated
 void check_readings(const std::vector<Reading>& readings, const Study& study,
                     const Fidelity& fidelity) {
     check_range(readings, study, fidelity);

@@ -16,35 +16,40 @@
 
 namespace pendular {
 
-/// Diagnosis with the readings, models and errors that it rests on.
+/// Diagnosis of a study, with the readings, models and errors on which it is based.
 struct StudyDiagnosis {
-    std::vector<Reading> readings;  ///< dry first
-    std::unique_ptr<StudyModels> models;
-    Evidence evidence;
-    Diagnosis diagnosis;
-    std::optional<UnitMistake> mistake = {};  ///< wrong unit that would explain the misfit
-    Belief belief = {};                       ///< judgement of the fit without further effects
+    std::vector<Reading> readings;        ///< readings of the study, dry readings first
+    std::unique_ptr<StudyModels> models;  ///< the study's model with any candidates added
+    Evidence evidence;                    ///< readings and direct measurements with their errors
+    Diagnosis diagnosis;                  ///< verdict, tests and refitted models
+    /// Column in a wrong unit that would explain the misfit; empty: none was found.
+    std::optional<UnitMistake> mistake = {};
+    Belief belief = {};  ///< judgement of the fit without further effects
 };
 
-/// Diagnoses a study from the atlas and all stored runs. Nothing is simulated.
-/// @throws InputError for what cannot be diagnosed; dem::Interrupted
+/// Tests which physical effect is missing from a study's model, with an emulator trained on the
+/// runs of the atlas and of the store. Nothing is simulated.
+/// @throws InputError where there are too few readings, readings at one condition only or too few
+///         runs, and where a reading is outside the range that can be simulated
+/// @throws dem::Interrupted where the user stops the work
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session);
 
-/// Checks of the model without further effects, beyond what its parameters can imitate; `seed` of
-/// the random errors that set the limits.
+/// Checks where the study's model without further effects fails, beyond what its calibrated
+/// parameters can imitate. `seed`: seed of the random errors from which p values are computed.
 Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// Checks of the model with the leading effects, where the verdict names some that do not explain
-/// everything; empty otherwise.
+/// Checks where the model with the leading effects fails (effects that explain most of the misfit
+/// but not all of it); empty where the diagnosis has no leading effects.
 std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// RMS errors of shear stress and solid fraction [%] of a prediction of the study's readings:
+/// RMS errors of (shear stress, solid fraction) [%] of a prediction of the study's readings:
 /// 100 sqrt(mean((predicted/measured - 1)^2)).
 std::array<double, 2> rms_errors(const StudyDiagnosis& diagnosis, const Prediction& prediction);
 
-/// Models that fit, as rivals; that of the leading effects where they do not explain everything;
-/// the model without further effects where none fits.
+/// Returns the models that fit the readings according to a diagnosis, between which the next
+/// measurement should decide. Where no model fits: the model with the leading effects, if there are
+/// any, else the model without further effects.
 std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models);
 
 }  // namespace pendular

@@ -23,8 +23,8 @@ std::vector<fs::path> inputs_of(const Study& study) {
     return inputs;
 }
 
-/// The pattern of the study that would read an output, a file with an extension or a folder of
-/// files, as a measurement; none if none would.
+/// Returns the `file` pattern of the study that would read an output as a measurement; empty where
+/// no pattern would. An output without an extension is a folder of files.
 std::optional<std::string> pattern_that_reads(const fs::path& output, const Study& study) {
     for (const Source& source : study.sources) {
         const bool folder = !output.has_extension();
@@ -36,7 +36,8 @@ std::optional<std::string> pattern_that_reads(const fs::path& output, const Stud
     return std::nullopt;
 }
 
-/// Whether writing `output`, a file or any file in a folder, replaces an input.
+/// Whether writing `output` replaces the file `input`. Where `output` is a folder, any file in it
+/// may be written.
 bool would_replace(const fs::path& output, const fs::path& input) {
     std::error_code error;  // an output that is not there yet replaces nothing
     if (!fs::is_directory(output, error)) {
@@ -79,7 +80,8 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs) {
 
 namespace {
 
-/// Measurements of a study; refuses it before any work if it cannot be used.
+/// Study with its measurements, checked before any work.
+/// @throws InputError where a file of the study or an effect that it names is wrong
 StudyInput with_measurements(const Study& read) {
     ResolvedStudy resolved(read);
     const Study& study = resolved;

@@ -10,34 +10,39 @@
 
 namespace pendular {
 
-/// Study with its measurements.
+/// Study with its measurements, as read from files.
 struct StudyInput {
     ResolvedStudy study;
     Measurements measurements;
     std::string text = {};  ///< text of study.toml as it was read
 };
 
-/// @throws InputError for what is wrong in its files, its effects included
+/// Reads a study and its recordings.
+/// @param file study.toml, or the folder that contains it
+/// @throws InputError where a file of the study or an effect that it lists is wrong
 StudyInput read_input(const std::filesystem::path& file);
 
-/// Folder of a study that is named by the folder or by its study.toml.
+/// Folder of a study, from the path of the folder or of its study.toml.
 std::filesystem::path study_folder(const std::filesystem::path& study);
 
-/// Places that a command writes to.
+/// Places to which a command writes.
 struct OutputPlaces {
-    std::filesystem::path folder;              ///< for results, as --out names it
-    std::vector<std::filesystem::path> files;  ///< in it: files, or folders all of whose files may
-                                               ///< be written
-    std::optional<std::string> json;           ///< what --json names, "-" for standard output
+    std::filesystem::path folder;  ///< folder for results, option --out
+    /// Files in `folder` that are written, and folders in it in which any file may be written.
+    std::vector<std::filesystem::path> files;
+    std::optional<std::string> json;  ///< file of the option --json; "-": standard output
 };
 
-/// Refuses to write onto what a study was read from, study.toml and the files it names, links to
-/// them included, and files that one of its patterns would read as a measurement.
-/// @throws InputError naming both, and what to do
+/// Checks, before long work, that output replaces none of the files that a study was read from
+/// (study.toml, its recordings, and links to these files), and that no `file` pattern of the study
+/// would read an output as a measurement.
+/// @throws InputError where it does, naming the output, the input or pattern, and what to do
 void protect_inputs(const Study& study, const OutputPlaces& outputs);
 
-/// The study whose results go to these places, with its inputs protected from them.
-/// @throws InputError for what is wrong in its files, its effects included, and as `protect_inputs`
+/// Reads a study and its recordings, after checking that output does not overwrite them.
+/// @param file study.toml, or the folder that contains it
+/// @throws InputError where a file of the study or an effect that it lists is wrong, and whatever
+///         `protect_inputs` throws
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
 
 }  // namespace pendular

@@ -11,7 +11,8 @@
 namespace pendular {
 namespace {
 
-/// Points from one end of a range to the other, evenly spaced in the logarithm.
+/// `count` values from the lower to the upper end of a range, evenly spaced in the logarithm; only
+/// the lower end where the range is a single value.
 std::vector<double> steps(const Span& span, int count) {
     if (span.greatest <= span.least * (1 + 1e-9)) {
         return {span.least};
@@ -24,15 +25,15 @@ std::vector<double> steps(const Span& span, int count) {
     return values;
 }
 
-/// Forecasts of one rival at all points, with their derivatives by the parameters.
+/// Forecasts of one rival model at all points, with their derivatives by the parameters.
 struct Forecasts {
-    std::vector<Forecast> at;
-    std::vector<Eigen::MatrixXd> slopes;  ///< 2 x parameters each
+    std::vector<Forecast> at;             ///< forecast at each point
+    std::vector<Eigen::MatrixXd> slopes;  ///< derivatives at each point, entries x parameters
 };
 
 Forecasts forecasts_of(const Rival& rival, const std::vector<Point>& points) {
     Forecasts result;
-    // A few points at a time, since the covariance of all points with each other is not needed.
+    // One point at a time, since the covariance between points is not needed.
     for (const Point& point : points) {
         const Prediction predicted = predicted_at(rival, {point});
         result.at.push_back({.value = predicted.value,
@@ -53,7 +54,8 @@ double cost_of(const Point& point, int readings) {
     return point.first_cost + point.wait_cost + point.cost * readings;
 }
 
-/// Separation of two rivals by n readings.
+/// Separation of two rivals by n readings: T (`criterion`) and D' S_1^-1 D (`noncentrality`) of
+/// `separating_plans`.
 struct Separation {
     double criterion, noncentrality;
 };

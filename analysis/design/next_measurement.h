@@ -10,63 +10,77 @@
 
 namespace pendular {
 
-/// Conditions that a rig can be set to, on a grid: normal stresses and rates in even steps of their
-/// logarithm, every liquid content and filling, after every wait from `time` [s] on; and then what
-/// can be measured directly.
-/// @throws InputError for a direct measurement that the study's effects do not know
+/// Points at which a rig can measure: a grid of conditions, followed by the rig's direct
+/// measurements. The grid combines normal stresses and rates, evenly spaced in the logarithm, with
+/// every liquid content, every filling and every waiting time after `time` [s].
+/// @throws InputError where a direct measurement names an effect that is unknown, has no parameter
+///         or does not apply to the study, or has a wrong unit
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& study, double time);
 
-/// Rig of a study without [rig]: the range of its readings.
+/// Rig for a study.toml without [rig]: a rig that reaches the range of conditions of the study's
+/// readings.
 Rig rig_of(const std::vector<Reading>& readings);
 
-/// Standard errors of one reading, shear stress and solid fraction, over the values: the root mean
-/// square of those that were made.
+/// Typical standard errors of (shear stress, solid fraction) of one reading, over the values [1]:
+/// the root mean square over `readings`.
 Eigen::Vector2d relative_errors(const std::vector<Reading>& readings);
 
-/// Expected result of measuring at one point.
+/// Expected result of measuring at one point, to find out which of several rival models is right.
 struct Plan {
-    std::size_t point = 0;
-    std::vector<Forecast> forecasts;  ///< forecast of each rival
+    std::size_t point = 0;            ///< index of the point
+    std::vector<Forecast> forecasts;  ///< forecast of each rival model
     Eigen::MatrixXd noise;            ///< covariance of one reading
-    /// Smallest number of readings that separates as many rivals as this point can; 0: it separates
-    /// none.
+    /// Smallest number of readings that separates as many pairs of rivals as this point can; 0: the
+    /// point separates no pair.
     int repeats = 0;
-    /// Pairs of rivals that these readings separate.
+    /// Pairs of rivals, by index, that `repeats` readings separate.
     std::vector<std::pair<std::size_t, std::size_t>> separated;
-    double separation = 0;     ///< criterion below, summed over pairs, at the most readings allowed
-    double noncentrality = 0;  ///< D' S_1^-1 D below, at the most readings allowed
-    double cost = 0;
+    /// Criterion T of `separating_plans`, summed over pairs of rivals, at the largest number of
+    /// readings allowed [1].
+    double separation = 0;
+    /// Noncentrality D' S_1^-1 D of `separating_plans`, summed over pairs of rivals, at the largest
+    /// number of readings allowed [1].
+    double noncentrality = 0;
+    double cost = 0;  ///< cost of `repeats` readings, at least one [dry readings]
 };
 
-/// Plans of all points, the most telling first. With n readings of covariance V/n, rivals i and j,
+/// One plan for each point, sorted: plans that separate more pairs of rivals first, then cheaper
+/// plans, then plans of larger T. With n readings of covariance V/n and rivals i and j,
 ///     T = D' S^-1 D + tr(2 V S^-1)/n,   D = f_i - f_j,
 ///     S = 2 V/n + J_i C_i J_i' + J_j C_j J_j' + 2 C_f,
-/// C_f of the simulation, whose errors both share. They are told apart where D' S_1^-1 D with only
-/// one V/n and C_f in S_1, since one measurement faces both, reaches `telling_noncentrality`, or
-/// `telling_directly`.
-/// First come plans that separate more pairs, then cheaper ones, then those of larger T.
-/// `relative_noise`: standard errors of one reading, over the values.
+/// f: forecasts, J and C: derivatives by the parameters and covariance of the parameters, C_f:
+/// covariance of the simulation, whose errors both rivals share. A pair is separated where
+/// D' S_1^-1 D reaches `telling_noncentrality`, or `telling_directly` for a direct measurement; S_1
+/// has V/n and C_f only once, since both rivals are compared with one measurement.
+/// @param relative_noise standard errors of (shear stress, solid fraction) of one reading, over
+///        their values [1]
+/// @param most_repeats largest number of readings at one point
 /// Source: Buzzi-Ferraris and Forzatti, Chem. Eng. Sci. 38 (1983) 225.
 std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
                                    const std::vector<Point>& points,
                                    const Eigen::Vector2d& relative_noise, int most_repeats);
 
-/// Measurements to make: the point of the first plan alone, or a series where that separates more
-/// pairs apart. Of a rig: repeats at one point, readings in all.
+/// Readings to make next, to separate rival models: the readings of the first plan or, where a
+/// series at several points separates more pairs of rivals, that series. `rig` limits the readings
+/// at one point and in total.
 Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& rivals,
                    const std::vector<Point>& points, const Eigen::Vector2d& relative_noise,
                    const Rig& rig);
 
-/// Expected standard errors of a model's parameters after a number of readings at one point.
+/// Expected standard errors of a model's parameters after further readings at one point.
 struct Sharpening {
-    std::size_t point = 0;
-    Forecast forecast;
+    std::size_t point = 0;            ///< index of the point
+    Forecast forecast;                ///< forecast of the model at the point
     Eigen::VectorXd standard_errors;  ///< expected standard errors of the parameters
-    double gain = 0;  ///< sum over parameters of ln(standard error before/after), per cost
+    double gain = 0;  ///< sum over parameters of ln(standard error before/after), over the cost
 };
 
-/// Sharpening at all points, the largest gain first:
-///     C' = (C^-1 + J' (V/n + C_f)^-1 J)^-1.
+/// Expected precision of the parameters after `repeats` readings at each point, the largest gain
+/// first. The covariance C of the parameters becomes
+///     C' = (C^-1 + J' (V/n + C_f)^-1 J)^-1,
+/// n: number of readings, V: covariance of one reading, C_f: covariance of the simulation.
+/// @param relative_noise standard errors of (shear stress, solid fraction) of one reading, over
+///        their values [1]
 std::vector<Sharpening> sharpening_plans(const Rival& model, const std::vector<Point>& points,
                                          const Eigen::Vector2d& relative_noise, int repeats);
 

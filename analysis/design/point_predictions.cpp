@@ -19,7 +19,7 @@ Prediction predicted_at(const Rival& rival, const std::vector<Point>& points) {
                    .run_noise = {}};
     Prediction predicted;
     if (!conditions.empty()) predicted = rival.model->predict(rival.parameters, conditions);
-    std::vector<Eigen::Index> place;  // of the entries of readings
+    std::vector<Eigen::Index> place;  // index in `all` of each entry of the readings
     Eigen::Index entry = 0;
     for (const Point& point : points) {
         if (point.direct) {

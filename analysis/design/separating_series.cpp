@@ -10,13 +10,13 @@ namespace pendular {
 namespace {
 
 using Pair = std::pair<std::size_t, std::size_t>;
-using Counts = std::map<std::size_t, int>;  ///< readings at each point
+using Counts = std::map<std::size_t, int>;  ///< number of readings at each point, by its index
 
-/// Smallest gain in separation that counts as progress.
+/// Smallest increase of the noncentrality [1] that counts as progress.
 constexpr double least_gain = 1e-3 * telling_noncentrality;
 
-/// Two rivals at all points: their difference, and the covariance of the residuals of a measurement
-/// under each, without its noise.
+/// Difference of two rivals' predictions at all points, with its covariance from errors of
+/// parameters and simulation, without the noise of the readings.
 struct Contrast {
     Pair rivals;
     Eigen::VectorXd difference;
@@ -104,7 +104,7 @@ class SeriesSearch {
     bool told(const Contrast& contrast, const Counts& counts) const {
         return noncentrality(contrast, counts) >= telling_noncentrality;
     }
-    /// Sum of the separations reached, each limited to the required one.
+    /// Sum of the noncentralities of the wanted pairs, each limited to `telling_noncentrality`.
     double progress(const std::vector<const Contrast*>& wanted, const Counts& counts) const {
         double sum = 0;
         for (const Contrast* contrast : wanted) {
@@ -181,9 +181,9 @@ class SeriesSearch {
     const std::vector<Point>& points_;
     int most_repeats_, most_readings_;
     std::vector<Contrast> contrasts_;
-    std::vector<Eigen::Index> first_entry_;  ///< of each point
+    std::vector<Eigen::Index> first_entry_;  ///< index of the first value of each point
     Eigen::Index entries_ = 0;
-    Eigen::VectorXd noise_;  ///< variance of a reading
+    Eigen::VectorXd noise_;  ///< variance of each value in one reading
 };
 
 }  // namespace

@@ -7,25 +7,36 @@
 
 namespace pendular {
 
-/// Readings at one or several points that together separate rivals.
+/// Series of readings at one or several points that together separate rival models.
 struct Series {
+    /// Readings at one point.
     struct Step {
-        std::size_t point = 0;
-        int readings = 0;
+        std::size_t point = 0;  ///< index of the point
+        int readings = 0;       ///< number of readings at the point
     };
-    std::vector<Step> steps;  ///< the longest waits last; empty where these readings are too few
-    std::vector<std::pair<std::size_t, std::size_t>> separated;  ///< pairs of rivals
-    double cost = 0;
+    /// Steps in the order of their waiting times, the longest last; empty where the largest number
+    /// of readings separates no rivals.
+    std::vector<Step> steps;
+    /// Pairs of rivals, by index, that the series separates.
+    std::vector<std::pair<std::size_t, std::size_t>> separated;
+    double cost = 0;  ///< cost of the series [dry readings]
 
+    /// Total number of readings.
     int readings() const;
 };
 
-/// A cheap series that tells as many pairs of rivals apart as it can with so many readings. Rivals
-/// are told apart where D' S^-1 D of all points together, D their differences and
+/// Cheap series of readings that separates as many pairs of rival models as a greedy search finds.
+/// Rivals i and j are separated where D' S^-1 D over all points of the series reaches
+/// `telling_noncentrality`, with D the differences of their predictions and
 ///     S = V/n + J_i C_i J_i' + J_j C_j J_j' + C_f,
-/// reaches `telling_noncentrality`; what points share by errors of the parameters or the simulation
-/// is no news at the second of them. Found one reading at a time, each where it brings pairs that
-/// are not yet told apart on most, over its cost; readings that then are not needed are left out.
+/// V/n: covariance of n readings, C: covariance of the parameters, C_f: covariance of the
+/// simulation. S contains the errors that points share, so that a second point with the same error
+/// adds little. The search adds one reading at a time, where it increases D' S^-1 D of the pairs
+/// not yet separated most for its cost; readings that turn out unnecessary are removed at the end.
+/// @param relative_noise standard errors of (shear stress, solid fraction) of one reading, over
+///        their values [1]
+/// @param most_repeats largest number of readings at one point
+/// @param most_readings largest number of readings in total
 Series separating_series(const std::vector<Rival>& rivals, const std::vector<Point>& points,
                          const Eigen::Vector2d& relative_noise, int most_repeats,
                          int most_readings);

@@ -14,12 +14,13 @@
 namespace pendular {
 namespace {
 
-/// A signature is computed again at the estimated amplitude where this is not small.
+/// Smallest predicted reduction of chi2 for which a candidate's signature is computed again, at the
+/// estimated amplitude.
 constexpr double worth_sharpening = 4;
 constexpr int most_sharpenings = 3;
 /// Power from which on a switch counts as identifiable [1].
 constexpr double hardly_seen = 0.1;
-/// One diagnosis from its fit to its verdict.
+/// Carries out one diagnosis, from the fit to the verdict.
 class Diagnostician {
   public:
     Diagnostician(const ModelSpace& space, const Evidence& evidence,
@@ -107,11 +108,11 @@ void Diagnostician::sharpen(std::size_t k, ScoreTest& test) {
         const double taken_at = signature.taken_at;
         addition(k).retake(signature, test.estimate(0));
         if (signature.taken_at == taken_at) {
-            return;  // at its bound
+            return;  // the amplitude is at its bound
         }
         const double information = test.information;
         test = score_test(*residuals_, signature, false);
-        test.information = information;  // about neutral, where power is asked for
+        test.information = information;  // the power is computed near the neutral value
     }
 }
 
@@ -235,7 +236,8 @@ void Diagnostician::conclude() {
         result_.verdict = Verdict::suspect_measurement;
         return;
     }
-    // What all of them share is missing; without that, they cannot be told apart.
+    // Effects that all fitting models share are missing. Models that share none are
+    // indistinguishable.
     std::set<std::size_t> shared(set.front().chosen.begin(), set.front().chosen.end());
     std::set<std::size_t> any;
     for (const Explanation& each : set) {

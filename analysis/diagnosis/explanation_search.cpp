@@ -12,17 +12,19 @@
 namespace pendular {
 namespace {
 
-/// p value of the single test from which on a candidate is not refitted.
+/// p value of its own test at or above which a candidate or suspect is not refitted.
 constexpr double worth_refitting = 0.05;
-/// A pair is refitted where its second member lowers chi2 by at least this, by the linear estimate.
+/// Smallest reduction of chi2, in the linear estimate, that the second candidate of a pair must add
+/// for a refit.
 constexpr double worth_a_pair = 1;
-/// Difference of chi2 below which other criteria decide between two models.
+/// Amount by which the predicted reduction of chi2 may be below that of a rejected model for a
+/// refit.
 constexpr double all_the_same = 10;
-/// Largest excess of a refit's reduction of chi2 over the linear estimate.
+/// Largest relative excess of a refit's reduction of chi2 over the linear estimate [1].
 constexpr double foretelling_error = 0.2;
-/// Candidates that are refitted together.
+/// Number of candidates that are refitted at a time.
 constexpr std::size_t best_singles = 6;
-/// Refits for which another thread is worth starting.
+/// Number of refits for each of which one more thread is started.
 constexpr std::size_t worth_another_thread = 3;
 
 class Search {
@@ -52,22 +54,22 @@ class Search {
     void search_singles();
     void search_suspects();
     void search_pairs();
-    /// Whether a model with this linear estimate of the reduction of chi2 may do better than those
-    /// that were refitted and rejected.
+    /// Whether a model whose predicted reduction of chi2 is `drop` may have a lower chi2 than the
+    /// models that were refitted and rejected.
     bool may_do_better(double drop) const;
-    /// chi2 that remains with an effect set in the linear approximation: switches on, amplitudes
-    /// within bounds.
+    /// chi2 of the model with an effect set, in the linear approximation, with switches on and
+    /// amplitudes within their bounds.
     double left_by(const EffectSet& chosen) const;
-    /// Amplitude within the candidate's bounds that is nearest to this one.
+    /// Amplitude within the candidate's bounds that is nearest to `amplitude`.
     double within_bounds(std::size_t candidate, double amplitude) const;
-    /// A model to be refitted.
+    /// Model to be refitted: candidates to add, a suspect measurement, and starting values.
     struct Trial {
         EffectSet chosen;
         std::optional<std::size_t> suspect;
         Eigen::VectorXd start;
     };
-    /// Refits and judges the models, in parallel where several instances of the space are
-    /// available.
+    /// Refits the models and tests whether they fit, in parallel where there are enough of them.
+    /// `what` names the work for the progress report.
     void try_all(std::string_view what, const std::vector<Trial>& trials);
     void take(Explanation explanation);
     Eigen::VectorXd start_with(const EffectSet& chosen, const Eigen::MatrixXd& columns) const;
@@ -95,7 +97,7 @@ Eigen::VectorXd Search::start_with(const EffectSet& chosen, const Eigen::MatrixX
             continue;
         }
         const bool one_sided = scanned_.signatures[k].one_sided;
-        const double least = one_sided ? 0.1 : -INFINITY;  // off neutral, where slopes may vanish
+        const double least = one_sided ? 0.1 : -INFINITY;  // slopes may vanish at neutral
         applied(column) = std::max(amplitudes(column), least);
         added.push_back(addition(k).value_at(applied(column++), one_sided));
     }
@@ -110,8 +112,8 @@ Eigen::VectorXd Search::start_with(const EffectSet& chosen, const Eigen::MatrixX
     return start;
 }
 
-/// The refitted and judged model; empty where the required amplitude is impossible for these
-/// readings.
+/// Model refitted with candidates or a suspect measurement and tested; empty where the fit reaches
+/// an amplitude that is impossible for these readings.
 std::optional<Explanation> explained(const Explanations& explanations, const EffectSet& chosen,
                                      std::optional<std::size_t> suspect,
                                      const Eigen::VectorXd& start) {
@@ -142,7 +144,7 @@ void Search::try_all(std::string_view what, const std::vector<Trial>& trials) {
     try {
         work([&](std::size_t k) { say(what, k, trials.size()); });
     } catch (...) {
-        next = trials.size();  // the others end soon, and are waited for
+        next = trials.size();  // the other threads end soon, and are waited for
         throw;
     }
     for (auto& helper : helpers) {
@@ -168,7 +170,7 @@ void Search::search_singles() {
     }
     std::ranges::sort(worth, std::greater<>(),
                       [](const Finding* finding) { return finding->test.predicted_reduction; });
-    // The best first, then those that may do better than the rejected ones.
+    // The best candidates first, then candidates that may do better than the rejected models.
     for (std::size_t from = 0; from < worth.size(); from += best_singles) {
         std::vector<Trial> trials;
         for (std::size_t k = from; k < std::min(from + best_singles, worth.size()); ++k) {
@@ -228,7 +230,8 @@ double Search::left_by(const EffectSet& chosen) const {
             columns.push_back({change.col(c), k, change.cols() == 1});
         }
     }
-    // An amplitude that would leave its bounds is held there, and the others are solved for again.
+    // An amplitude that would leave its bounds is fixed at the bound, and the other amplitudes are
+    // computed again.
     while (!columns.empty()) {
         Eigen::MatrixXd all(left.size(), static_cast<Eigen::Index>(columns.size()));
         for (std::size_t c = 0; c < columns.size(); ++c) {

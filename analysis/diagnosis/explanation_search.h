@@ -8,10 +8,11 @@
 
 namespace pendular {
 
-/// Results of the scan of a fitted model, by candidate.
+/// Score tests of a fitted model for every candidate (effect not in the model) and every suspect
+/// measurement. The lists are in the order of the candidates or of the suspects.
 struct Scanned {
-    const Explanation& base;
-    const WeightedResiduals& residuals;
+    const Explanation& base;             ///< fit of the model without further effects
+    const WeightedResiduals& residuals;  ///< residuals of `base`
     const std::vector<Addition>& additions;
     const std::vector<Signature>& signatures;
     const std::vector<Finding>& findings;
@@ -20,19 +21,22 @@ struct Scanned {
 
 /// Refitted models that may explain the residuals of a model.
 struct Found {
-    std::vector<Explanation> tried;  ///< all
-    std::vector<Explanation>
-        fitting;  ///< models with candidates that fit; pairs where no single candidate fits
-    std::vector<Explanation>
-        fitting_suspects;  ///< models with an error of the measurement that fit
+    std::vector<Explanation> tried;  ///< all refitted models
+    /// Models with further effects that fit: single effects or, where no single effect or suspect
+    /// fits, pairs.
+    std::vector<Explanation> fitting;
+    /// Models with an error of a suspect measurement that fit.
+    std::vector<Explanation> fitting_suspects;
 };
 
-/// Whether a candidate, by its test alone, is worth refitting.
+/// Whether the score test of a candidate is significant enough (p < 0.05 of this test alone) to
+/// refit the model with the candidate.
 bool looks_missing(const Finding& finding);
 
-/// Refits single candidates that look missing and suspects of the measurement, and, where none of
-/// them fits, pairs; side by side where there are further instances of the space. What cannot do
-/// better than what was refused is not refitted.
+/// Refits the model with each candidate that looks missing and with each significant suspect
+/// measurement and, where none of these models fits, with pairs of candidates. Refits run in
+/// parallel on up to `options.threads` threads. A candidate, suspect or pair is skipped where its
+/// predicted reduction of chi2 is clearly below that of a model already rejected.
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,
                           const Scanned& scanned);

@@ -9,7 +9,8 @@
 namespace pendular {
 namespace {
 
-/// A model with a measurement error to be fitted: a factor on each column of a suspect measurement.
+/// Model with an additional error of the measurement: its parameters include an amplitude for each
+/// column of a suspect measurement.
 class WithSuspect : public Model {
   public:
     WithSuspect(const Model& inside, const SuspectMeasurement& suspect)
@@ -50,7 +51,8 @@ class WithSuspect : public Model {
     std::vector<Parameter> parameters_;
 };
 
-/// Converges to far less than a standard error; the tolerance of a study's fit would take minutes.
+/// Effort of a refit, which converges to far less than a standard error in seconds; the tolerance
+/// of a study's fit would take minutes.
 constexpr FitEffort quick{.most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
 
 /// p value below which a model is rejected without converging its fit fully.
@@ -76,7 +78,7 @@ Explanation Explanations::refit(const EffectSet& chosen, std::optional<std::size
                                    evidence_.measured, from, quick)
                              : fit(*model, evidence_.measured, from, quick);
     };
-    // Fitted with the weights of the start, then again with those of the result.
+    // The first fit has the weights of the starting values, the second the weights of its result.
     fit_from(start);
     if (lack_of_fit_p(residuals_of(result)) > hopeless * half_significance()) {
         fit_from(result.fit.parameters);

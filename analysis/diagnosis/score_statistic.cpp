@@ -10,7 +10,8 @@
 namespace pendular {
 namespace {
 
-/// Below this part of its length a projected change is rounding.
+/// Ratio of squared lengths, projected change to change, below which the projected change is
+/// rounding error [1].
 constexpr double rounding = 1e-12;
 
 double upper_tail(double statistic, double freedom) {
@@ -21,7 +22,8 @@ double trace_of_projected(const WeightedResiduals& residuals, const Eigen::Matri
     return residuals.project(residuals.whiten_covariance(covariance)).trace();
 }
 
-/// Statistic of one column, with the errors of the change included.
+/// Sets estimate, errors and statistic of a test of a change with one column, with the errors of
+/// the change included.
 void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const Signature& signature,
                     const Eigen::VectorXd& projected, bool is_switch) {
     const double v = projected.squaredNorm();
@@ -34,7 +36,7 @@ void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const S
             0.0, projected.dot(residuals.whiten_covariance(signature.errors.change) * projected));
     }
     if (test.information <= 0) {
-        return;  // its errors are all there is to see
+        return;  // the change is not larger than its error
     }
     const double estimate = u / test.information;
     const double variance = v + estimate * estimate * noise;
@@ -146,7 +148,7 @@ double FamilyOfTests::p(double smallest) const {
 }
 
 double FamilyOfTests::limit(double probability) const {
-    // By halving: p() falls with its argument.
+    // Bisection: p() decreases with its argument.
     double low = 1e-300, high = 1;
     for (int halving = 0; halving < 60 && high / low > 1.001; ++halving) {
         const double middle = std::sqrt(low * high);

@@ -107,7 +107,7 @@ double Addition::amplitude_at(double value, bool one_sided) const {
 double Addition::value_at(double amplitude, bool one_sided) const {
     const EffectParameter& p = candidate().parameters.front();
     if (one_sided && p.amplitude != nullptr) {
-        // By halving: it grows from neutral to the bound.
+        // Bisection: the amplitude increases from the neutral value to the bound.
         double low = p.neutral, high = direction(p) > 0 ? p.upper : p.lower;
         if (amplitude >= amplitude_at(high, true)) {
             return high;

@@ -8,45 +8,58 @@
 
 namespace pendular {
 
-/// Change of a model's predictions by a candidate: a column for each of its parameters, per
-/// amplitude. An amplitude is 1 where the parameter differs from neutral by the smallest effect of
-/// interest (or the switch is on). In between, the amplitude is proportional to the parameter, or
-/// to the function of it that the candidate declares, such as the square of a deviation.
+/// Change of a model's predictions by one candidate (effect not in the model), per unit of the
+/// candidate's amplitude. The amplitude is 1 where the parameter differs from its neutral value by
+/// the smallest effect of interest, or where a switch is on. It is proportional to the parameter's
+/// distance from neutral, or to the function of the parameter that the candidate declares, such as
+/// the square of a deviation.
 struct Signature {
-    Eigen::MatrixXd change;  ///< change in the units of the readings
-    /// Covariance that comes from model error, if it is included, in the units of the readings.
+    /// Change divided by the amplitude, in the units of the readings, entries x parameters of the
+    /// candidate.
+    Eigen::MatrixXd change;
+    /// Covariances of `change` from errors of the emulator, in the units of the readings; empty
+    /// unless they were requested.
     ModelSpace::ChangeErrors errors;
-    /// The amplitude cannot be negative: at neutral the parameter is at its bound, or the other
-    /// direction does much the same.
+    /// Whether the amplitude cannot be negative: the neutral value is a bound of the parameter, or
+    /// both directions from neutral change the readings alike.
     bool one_sided = false;
-    double taken_at = 1;  ///< amplitude at which the change was seen
+    double taken_at = 1;  ///< amplitude at which the change was computed [1]
 };
 
 /// Predictions of a model with one further candidate, as a function of the candidate's amplitude.
 class Addition {
   public:
-    /// Adds candidate `added` to the model of `chosen` at `parameters`, whose predictions are
-    /// `values`.
+    /// Adds candidate `added` to the model with the candidates `chosen`, which predicts `values` at
+    /// `parameters`.
     Addition(const ModelSpace& space, EffectSet chosen, std::size_t added,
              Eigen::VectorXd parameters, Eigen::VectorXd values);
 
-    /// Signature of the candidate about neutral, at the smallest effect of interest.
+    /// Signature of the candidate, from the step between its neutral value and the smallest effect
+    /// of interest. `with_errors`: whether to compute its covariances.
     Signature signature(bool with_errors) const;
-    /// Computes the signature at another amplitude, other than zero, within the bounds.
+    /// Computes the change of a signature again at another amplitude, limited to the bounds of the
+    /// parameter. The signature stays as it is where that amplitude is zero or impossible for the
+    /// readings.
     void retake(Signature& signature, double amplitude) const;
 
-    /// Value of the parameter at an amplitude, within its bounds.
+    /// Value of the candidate's parameter at an amplitude, limited to its bounds [its unit].
     double value_at(double amplitude, bool one_sided) const;
-    /// Amplitude at a value.
+    /// Amplitude at a value of the candidate's parameter [1].
     double amplitude_at(double value, bool one_sided) const;
 
     const Candidate& candidate() const { return space_.candidates()[added_]; }
 
   private:
+    /// Change of the predictions at these values of the candidate's parameters; not a number where
+    /// the readings are impossible with them.
     Eigen::VectorXd change_at(const Eigen::VectorXd& values) const;
+    /// Neutral values of the candidate's parameters, without switches.
     Eigen::VectorXd neutral() const;
+    /// Whether the opposite direction from neutral is within the bounds and changes the predictions
+    /// by about the negative of `change`.
     bool mirrored(const Eigen::VectorXd& change) const;
-    /// A direction in which there is room for the smallest effect of interest.
+    /// Direction from neutral, 1 or -1, in which the smallest effect of interest is within the
+    /// bounds.
     double direction(const EffectParameter& p) const;
 
     const ModelSpace& space_;

@@ -18,7 +18,8 @@
 namespace pendular {
 namespace {
 
-/// A factor on the shear stresses and one on the solid fractions of some readings.
+/// Suspect measurement of some readings: one wrong factor on their shear stresses, another on their
+/// solid fractions. `values`: measured values of all entries.
 SuspectMeasurement suspect(std::string name, const std::vector<std::size_t>& readings,
                            const Eigen::VectorXd& values) {
     SuspectMeasurement result{std::move(name), Eigen::MatrixXd::Zero(values.size(), 2)};
@@ -31,7 +32,7 @@ SuspectMeasurement suspect(std::string name, const std::vector<std::size_t>& rea
     return result;
 }
 
-/// Entries of each condition, one observable after the other.
+/// Entries of each condition, in separate groups for shear stress and solid fraction.
 std::vector<std::vector<Eigen::Index>> entries_by_condition(const std::vector<Reading>& readings) {
     std::vector<std::vector<Eigen::Index>> result;
     for (const auto& group : replicate_groups(readings)) {
@@ -46,8 +47,8 @@ std::vector<std::vector<Eigen::Index>> entries_by_condition(const std::vector<Re
     return result;
 }
 
-/// Place of each reading in the order in which they were taken, from 1: by time, and where files
-/// tell none, by file and line.
+/// Place of each reading, from 1, in the order in which the readings were taken: by time or, where
+/// files contain no time, by file and line.
 std::vector<double> run_order(const std::vector<Reading>& readings) {
     std::vector<std::size_t> places(readings.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
@@ -106,7 +107,7 @@ EntryKinds entries_of(const std::vector<Reading>& readings,
         kinds.replicated |= reading.replicates > 1;
     }
     for (std::size_t k = 0; k < direct; ++k) {
-        // A group of its own, excluded from the trends with covariates.
+        // Each direct measurement is an observable and a condition of its own, without trends.
         kinds.observable.push_back(kinds.observables.size() + k);
         kinds.conditions.push_back({static_cast<Eigen::Index>(2 * readings.size() + k)});
     }
@@ -123,7 +124,8 @@ std::string condition_text(const Condition& condition) {
 
 namespace {
 
-/// Direct measurements, from this entry on; those of one parameter are suspected together.
+/// Adds direct measurements to the evidence, from index `entry` on, and one suspect measurement for
+/// all direct measurements of a parameter.
 void add_direct(Evidence& evidence, const std::vector<DirectMeasurement>& direct,
                 Eigen::Index entry) {
     const std::size_t known = evidence.errors.freedom.size();
@@ -143,7 +145,7 @@ void add_direct(Evidence& evidence, const std::vector<DirectMeasurement>& direct
     }
 }
 
-/// Errors that readings of one filling share in one observable.
+/// Errors of one observable that all readings of a filling share, as sources of variance.
 SharedErrors filling_errors(const std::vector<Reading>& readings,
                             const ReplicateScatter::Filling& filling, Eigen::Index observable,
                             Eigen::Index entries) {
@@ -169,7 +171,8 @@ SharedErrors filling_errors(const std::vector<Reading>& readings,
     return shared;
 }
 
-/// Errors that readings share and whose size is known, such as those of rounding.
+/// Errors of known size that several readings share, such as rounding errors, as sources of
+/// variance.
 SharedErrors known_shared_errors(const std::vector<Reading>& readings, Eigen::Index entries) {
     std::map<std::size_t, Eigen::VectorXd> loadings;
     for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -188,8 +191,8 @@ SharedErrors known_shared_errors(const std::vector<Reading>& readings, Eigen::In
     return shared;
 }
 
-/// Logarithm of the factor on the errors of an observable that one standard error of the load
-/// exponent makes.
+/// Natural logarithm of the factor by which an observable's error changes, at each entry, where the
+/// exponent of its dependence on normal stress changes by one standard error; 0 at other entries.
 Eigen::VectorXd load_errors(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                             Eigen::Index observable, Eigen::Index entries) {
     Eigen::VectorXd logs = Eigen::VectorXd::Zero(entries);

@@ -8,23 +8,28 @@
 
 namespace pendular {
 
-/// Readings of a study as a diagnosis takes them: with errors as they were estimated, of shear
-/// stress and of solid fraction apart, and as suspects the readings of each condition and those of
-/// each file, whose shear stresses and solid fractions may be off by a factor each. Direct
-/// measurements follow them, with errors as stated; those of a parameter are suspects too.
+/// Returns the readings of a study, followed by its direct measurements, in the form that a
+/// diagnosis uses. Errors of readings are estimated from replicates, separately for shear stress
+/// and solid fraction; errors of direct measurements are stated in the study. Suspect measurements
+/// are the readings of each condition and of each file, with a wrong factor on all shear stresses
+/// and another on all solid fractions, and the direct measurements of each parameter.
 Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                      const std::vector<DirectMeasurement>& direct = {});
 
-/// Quantities that vary between readings, by a tenth at least: smaller differences are the scatter
-/// of set points or, for the height, follow from the solid fraction. `direct` direct measurements,
-/// which have no such quantities, follow.
+/// Quantities that vary by more than 10 % between readings, such as normal stress, inertial number
+/// or time, with a value for each entry. (Smaller differences are scatter of set points or, for the
+/// height, follow from the solid fraction.)
+/// @param direct number of direct measurements after the readings, whose value is not a number
 std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct = 0);
 
-/// Kinds of the entries of readings and direct measurements.
+/// Observable and condition of each entry of the readings and of the direct measurements after
+/// them.
+/// @param parameters calibrated parameters of the model
+/// @param direct number of direct measurements
 EntryKinds entries_of(const std::vector<Reading>& readings,
                       const std::vector<Parameter>& parameters, std::size_t direct = 0);
 
-/// Condition as text: "300 Pa, I 0.003, liquid content 0.03".
+/// Text that describes a condition, as in "300 Pa, I 0.003, liquid content 0.03".
 std::string condition_text(const Condition& condition);
 
 }  // namespace pendular

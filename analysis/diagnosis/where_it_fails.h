@@ -12,20 +12,22 @@ namespace pendular {
 
 /// Readings of one condition or one file that deviate together from the model.
 struct Offending {
-    std::string readings;
-    double p = 1;  ///< probability that the largest deviation arises by chance
+    std::string readings;  ///< text, as in "the readings of dry_1.csv"
+    double p = 1;          ///< p value of the deviation, corrected for the number of such tests
 };
 
-/// Where a model fails on the readings of a study, beyond what its calibrated parameters can
-/// imitate and what errors of the readings and of the simulation explain.
+/// Failures of a model on the readings of a study: deviations that neither a change of the
+/// calibrated parameters nor errors of readings and simulation explain.
 struct WhereItFails {
     Checks checks;
     std::vector<Offending> offending;  ///< deviations with p < 0.05, the smallest p first
 };
 
-/// `prediction` of the model at the calibrated `parameters`, with its slopes and the covariance
-/// that the simulation causes, of the readings and of the direct measurements after them. Limits
-/// are from random errors with this seed.
+/// Finds where a model fails on the readings of a study.
+/// @param prediction prediction of the readings, followed by the direct measurements, at the fitted
+///        parameters, with derivatives and with the covariance from simulation
+/// @param parameters the model's calibrated parameters
+/// @param seed seed of the random errors from which the p values are computed
 WhereItFails where_it_fails(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                             const Prediction& prediction, const std::vector<Parameter>& parameters,
                             const std::vector<DirectMeasurement>& direct = {},

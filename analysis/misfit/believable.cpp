@@ -9,10 +9,11 @@
 namespace pendular {
 namespace {
 
-/// Doubts that are listed one by one; further ones are counted.
+/// Largest number of doubts that become reasons of their own; further doubts are only counted.
 constexpr std::size_t most_doubts = 5;
 
-/// Whether a parameter ended at a bound other than its neutral value.
+/// Whether parameter k ended at a bound of its range. A lower bound of zero does not count, except
+/// for the friction (k = 0), since a parameter of zero is only an effect that is absent.
 bool out_of_range(const Fit& fit, const std::vector<Parameter>& parameters, std::size_t k) {
     const Parameter& p = parameters[k];
     const bool friction = k == 0;
@@ -21,7 +22,7 @@ bool out_of_range(const Fit& fit, const std::vector<Parameter>& parameters, std:
     return fit.at_bound[k] && (friction || !lower || p.lower != 0);
 }
 
-/// Origins that doubts set aside: of each reading, or of the first row of each group.
+/// Number of readings, or groups of rows, that import excluded because of doubts.
 std::size_t readings_set_aside(const Measurements& measurements) {
     std::set<std::pair<std::string, int>> rows;
     for (const Doubt& doubt : measurements.doubts) {

@@ -13,31 +13,34 @@ namespace pendular {
 
 /// Judgement whether a fit can be believed, with the reasons against it.
 struct Belief {
-    /// Reasons against the fit as sentences, the most serious first. Empty: none.
+    /// Reasons against the fit as sentences, the most serious first; empty: no reason.
     std::vector<std::string> reasons;
-    /// Whether the numbers are meaningless: the friction is at the end of its range and the model
-    /// does not describe the readings, or most readings had to be set aside.
+    /// Whether the fitted numbers are meaningless: the friction is at the end of its range and the
+    /// model does not describe the readings, or import set more readings aside than it kept.
     bool meaningless = false;
     /// Index of the reason that chi2 is too large; empty where the model describes the readings.
     std::optional<std::size_t> misfit_reason = {};
 
+    /// Whether there is no reason against the fit.
     bool believable() const { return reasons.empty(); }
 };
 
-/// Probability of chi2 below which a model does not describe the readings, however uncertain their
+/// p value of chi2 below which a model does not describe the readings, however uncertain their
 /// errors are [1].
 constexpr double incredible_p = 1e-6;
 
-/// Judges a fit of parameters by its misfit, by parameters at the end of their range, and by what
-/// was doubted at import.
+/// Judges whether a fit can be believed: by its misfit, by parameters at the end of their range, by
+/// a column in a wrong unit, and by the doubts that import raised about readings.
+/// @param parameters the fit's parameters, friction first
 Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Misfit& misfit,
                  const Measurements& measurements, const std::optional<UnitMistake>& mistake);
 
-/// Number of doubts for which import set readings, or rows of recordings, aside.
+/// Number of doubts (reasons not to believe a reading) for which import excluded readings or rows
+/// of recordings.
 std::size_t doubts_that_set_aside(const Measurements& measurements);
 
-/// Basis of the readings' errors, as in "errors from 22 repeated readings"; for the first line of
-/// an answer.
+/// Text that states where the errors of the readings come from, as in "errors from 22 repeated
+/// readings".
 std::string error_basis(const Measurements& measurements);
 
 }  // namespace pendular

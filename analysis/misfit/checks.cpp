@@ -14,7 +14,7 @@ namespace {
 
 using Statistic = std::function<double(const Eigen::VectorXd&)>;
 
-/// Lengths of the kernel over neighbours, in spreads of a covariate.
+/// Lengths of the Gaussian kernel of the neighbours check, in ranks scaled to -1 to 1.
 constexpr std::array<double, 3> lengths = {0.3, 1, 3};
 
 std::vector<Eigen::Index> order_along(const Eigen::VectorXd& values) {
@@ -25,7 +25,7 @@ std::vector<Eigen::Index> order_along(const Eigen::VectorXd& values) {
     return order;
 }
 
-/// Ranks scaled to -1 to 1, equal for equal values; 0 where there is no value.
+/// Ranks of values, scaled to -1 to 1, equal for equal values; 0 where a value is not a number.
 Eigen::VectorXd ranks(const Eigen::VectorXd& values) {
     const auto n = static_cast<double>(values.size() - values.array().isNaN().count());
     Eigen::VectorXd result(values.size());
@@ -37,8 +37,8 @@ Eigen::VectorXd ranks(const Eigen::VectorXd& values) {
     return result;
 }
 
-/// Largest distance from zero of cumulated scores, where a covariate steps from one value to the
-/// next, over their standard deviation.
+/// Largest absolute value of the cumulated sum of `scores` in the given order, over `deviation`.
+/// Only sums up to the last entry of each value of the covariate `values` count.
 double largest_excursion(const Eigen::VectorXd& scores, const std::vector<Eigen::Index>& order,
                          const Eigen::VectorXd& values, double deviation) {
     double sum = 0, largest = 0;
@@ -72,7 +72,7 @@ class Checking {
     }
 
   private:
-    /// Adds a check of the residuals and of each draw of them.
+    /// Adds a check with its statistics in the random draws, from which its p value follows.
     void add(Check check, const Eigen::VectorXd& drawn) {
         check.p = NullDraws::p(check.statistic, drawn);
         result_.all.push_back(std::move(check));
@@ -86,7 +86,7 @@ class Checking {
         check.statistic = statistic(own_residuals_);
         add(std::move(check), drawn);
     }
-    /// |B' r|^2.
+    /// Adds a check with the statistic |B' r|^2, B the basis.
     void add_squares(Check check, const Eigen::MatrixXd& basis) {
         check.statistic = (basis.transpose() * own_residuals_).squaredNorm();
         add(std::move(check),
@@ -122,7 +122,7 @@ class Checking {
             const Eigen::VectorXd left = residuals_.project(whitened);
             if (!(left.squaredNorm() > 1e-9 * whitened.squaredNorm())) continue;
             const Eigen::VectorXd direction = left.normalized();
-            // Signed, so that it says whether the measured values grow beyond the model's.
+            // The sign is positive where measured values increase more than predicted ones.
             Check check{.kind = Check::Kind::trend,
                         .covariate = covariate.name,
                         .of = kinds_.observables[o],
@@ -145,7 +145,7 @@ class Checking {
                         changes += before != 0 && sign != before;
                         before = sign;
                     }
-                    return -static_cast<double>(changes);  // few of them are what is odd
+                    return -static_cast<double>(changes);  // few changes speak against the model
                 });
         }
     }
@@ -173,7 +173,7 @@ class Checking {
         }
     }
     void together() {
-        // In each draw the least p of any check, from its rank among the draws.
+        // Smallest p value of any check in each draw, from the draw's rank among all draws.
         const auto draws = drawn_residuals_.cols();
         Eigen::VectorXd least = Eigen::VectorXd::Ones(draws);
         double observed = 1;

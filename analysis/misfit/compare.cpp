@@ -14,7 +14,8 @@
 namespace pendular {
 namespace {
 
-/// `total`: the covariance of `misfit`, two entries a reading.
+/// Misfit of each condition. `misfit`: measured minus predicted values, two entries for each
+/// reading; `total`: covariance of `misfit`.
 std::vector<ConditionMisfit> misfit_by_condition(const std::vector<Reading>& readings,
                                                  const std::vector<ReadingMisfit>& misfits,
                                                  const Eigen::VectorXd& misfit,
@@ -37,8 +38,8 @@ std::vector<ConditionMisfit> misfit_by_condition(const std::vector<Reading>& rea
     return groups;
 }
 
-/// Transforms misfits to independent ones of variance 1 that are as close to the normalised misfits
-/// as possible, so that the squares are parts of chi2, none of them negative:
+/// Transforms misfits into uncorrelated misfits of variance 1 that are as close to the normalised
+/// misfits as possible; their squares are non-negative parts of chi2:
 ///     R^(-1/2) V^(-1/2) e,   Sigma = V^(1/2) R V^(1/2),  V diagonal.
 /// Source: Kessy, Lewin and Strimmer, Am. Stat. 72 (2018) 309, ZCA-cor whitening.
 Eigen::VectorXd whitened_alike(const Eigen::VectorXd& misfit, const Eigen::MatrixXd& covariance) {

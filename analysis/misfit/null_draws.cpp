@@ -10,7 +10,8 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// nu/chi2_nu: ratio of a true variance to its estimate; 1 where the variance is known.
+/// Random ratio nu/chi2_nu of a true variance to its estimate with nu degrees of freedom; 1 where
+/// the variance is known.
 double over_believed(double freedom, Random& random) {
     return std::isfinite(freedom) ? freedom / std::chi_squared_distribution<double>(freedom)(random)
                                   : 1.0;
@@ -44,8 +45,8 @@ Eigen::MatrixXd normals(Eigen::Index rows, Random& random) {
     return Eigen::MatrixXd::NullaryExpr(rows, 1, [&] { return normal(random); });
 }
 
-/// Correlates independent errors of the two observables of each reading, as far as the estimated
-/// correlation may be off.
+/// Correlates the independent errors of the two observables of each reading by a random
+/// coefficient, as uncertain as the estimate of their correlation.
 void correlate(const ErrorKnowledge& knowledge, Random& random,
                Eigen::Ref<Eigen::VectorXd> errors) {
     constexpr double fewest = 4;

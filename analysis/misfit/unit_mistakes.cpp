@@ -14,7 +14,8 @@
 namespace pendular {
 namespace {
 
-/// A factor between two units of a column, with a text that names the mistake.
+/// Factor by which a column read in a wrong unit must be multiplied, with a text that names the
+/// mistake.
 struct Factor {
     double value;
     std::string_view meaning;
@@ -48,12 +49,12 @@ std::vector<Factor> with_powers_of_ten(std::vector<Factor> factors, int most) {
     return factors;
 }
 
-/// Effect of a factor on a column of the recording on the readings.
+/// Column of a recording, with the factors to try and their effect on a reading.
 struct Column {
     std::string_view name;
     std::vector<Factor> factors;
     void (*multiply)(Reading& reading, double factor);
-    bool changes_condition;  ///< what the model is asked for
+    bool changes_condition;  ///< whether the condition changes, and so the prediction
 };
 
 void multiply_shear_stress(Reading& reading, double factor) {
@@ -105,7 +106,8 @@ const std::vector<Column>& columns() {
     return all;
 }
 
-/// Ranges of steady shear of grains for which a model can be evaluated, with wide margins.
+/// Whether a reading is within the range of steady shear of grains for which a model can be
+/// evaluated, with wide margins.
 bool possible(const Reading& reading, const Study& study) {
     const Condition& c = reading.condition;
     const double ratio = reading.stress_ratio();
@@ -119,10 +121,10 @@ bool possible(const Reading& reading, const Study& study) {
            (c.dry() || (pressure > 0.3 && c.liquid_content > 0.002 && c.liquid_content < 0.065));
 }
 
-/// Assumed errors of the model far from its runs, of (shear stress, solid fraction) [1].
+/// Assumed relative errors of the model far from its runs, for (shear stress, solid fraction) [1].
 const Eigen::Array2d model_floor(0.005, 0.001);
 
-/// chi2 of readings against a model's predictions, interpolated in friction.
+/// Computes chi2 of readings against a model's predictions, which are interpolated in friction.
 class Misfits {
   public:
     Misfits(const Predictor& model, const Eigen::VectorXd& parameters)
@@ -131,7 +133,7 @@ class Misfits {
         for (const double share : {0.0, 0.08, 0.16, 0.25, 0.4, 0.6, 1.0})
             frictions_.push_back(std::lerp(range.lower(0), range.upper(0), share));
     }
-    /// Predictions at all frictions, a column each.
+    /// Predictions of readings, one column for each friction of a fixed grid.
     Eigen::MatrixXd predictions(const std::vector<Reading>& readings) const {
         std::vector<Condition> conditions;
         for (const Reading& reading : readings)
@@ -144,7 +146,7 @@ class Misfits {
         }
         return all;
     }
-    /// Least chi2 over the friction, one for all readings.
+    /// Smallest chi2 that any friction, common to all readings, gives.
     static double least(const std::vector<Reading>& readings, const Eigen::MatrixXd& predictions) {
         constexpr int parts = 12;
         double best = INFINITY;
@@ -176,14 +178,14 @@ class Misfits {
     std::vector<double> frictions_;
 };
 
-constexpr double mended = 0.3;       ///< share of chi2 that may be left
-constexpr double bad_enough = 2;     ///< chi2 per degree of freedom from which on to look
-constexpr double good_enough = 3.5;  ///< chi2 per degree of freedom that may be left
+constexpr double mended = 0.3;       ///< largest ratio of chi2 with the factor to chi2 without it
+constexpr double bad_enough = 2;     ///< smallest chi2 per degree of freedom that needs a search
+constexpr double good_enough = 3.5;  ///< largest chi2 per degree of freedom with the factor
 
-/// The readings as they would be with one column multiplied.
+/// Readings after one column was multiplied by a factor.
 struct Trial {
-    std::vector<Reading> readings;
-    std::vector<std::size_t> changed;  ///< places of those that differ
+    std::vector<Reading> readings;     ///< all readings
+    std::vector<std::size_t> changed;  ///< indices of the readings that the factor changed
 };
 
 /// Files whose columns may all be in the same wrong unit.
@@ -197,7 +199,8 @@ bool has_column(const Reading& reading, const FileGroup& group, const Column& co
            !(column.name == "liquid content" && reading.condition.dry());
 }
 
-/// Empty if the factor changes no reading or makes one impossible.
+/// Readings after one column of a group of files was multiplied by a factor; empty where the factor
+/// changes no reading or makes a reading impossible.
 std::optional<Trial> multiplied(const std::vector<Reading>& readings, const FileGroup& group,
                                 const Column& column, double factor, const Study& study) {
     Trial trial{.readings = readings, .changed = {}};
@@ -211,7 +214,8 @@ std::optional<Trial> multiplied(const std::vector<Reading>& readings, const File
     return trial;
 }
 
-/// Least chi2 of a trial; only changed conditions are predicted anew.
+/// Smallest chi2 over the friction of multiplied readings. Only readings whose condition changed
+/// are predicted again; `as_read`: predictions before the multiplication.
 double chi2_of(const Trial& trial, const Column& column, const Misfits& misfits,
                const Eigen::MatrixXd& as_read) {
     if (!column.changes_condition) return Misfits::least(trial.readings, as_read);
@@ -227,7 +231,8 @@ double chi2_of(const Trial& trial, const Column& column, const Misfits& misfits,
     return Misfits::least(trial.readings, predictions);
 }
 
-/// All files, those of each entry of the study, and each file; no set of files twice.
+/// Groups of files on which to try a factor: all files, the files of each entry of the study, and
+/// each single file; no group occurs twice.
 std::vector<FileGroup> groups_to_try(const std::vector<Reading>& readings, const Study& study) {
     std::set<std::string> all;
     for (const Reading& reading : readings)
@@ -250,8 +255,8 @@ std::vector<FileGroup> groups_to_try(const std::vector<Reading>& readings, const
     return groups;
 }
 
-/// Whether a factor lowers chi2 more than the best so far, or equally and is the likelier mistake.
-/// @param dof degrees of freedom, by which chi2 varies by chance
+/// Whether a factor reduces chi2 more than the best factor so far, or about equally and is the more
+/// likely mistake. `dof`: degrees of freedom; chi2 is about equal within sqrt(2 dof).
 bool better(double chi2, const Factor& factor, const std::optional<UnitMistake>& best, int dof) {
     if (!best) return true;
     const double alike = std::sqrt(2.0 * dof);

@@ -8,54 +8,61 @@
 
 namespace pendular {
 
-/// Residuals of a fit in units of their errors, and what the calibrated parameters leave of
-/// changes:
+/// Whitened residuals r of a fit, in units of their errors, and the projection P that removes from
+/// a change of the readings what a change of the calibrated parameters theta can imitate:
 ///     r = L^-1 (y - f),   J = L^-1 df/dtheta,   P = I - J (J'J)^-1 J',
-/// L L' = Sigma_measurement + Sigma_simulation. P comes from a QR decomposition and is never
-/// formed; combinations of parameters that the readings do not determine take nothing away.
+/// y: measured values, f: predictions, L L' = Sigma_measurement + Sigma_simulation. P comes from a
+/// QR decomposition and is never formed; combinations of parameters that the readings do not
+/// determine remove nothing.
 class WeightedResiduals {
   public:
+    /// @param prediction prediction at the fitted parameters, with derivatives and covariance
     /// @throws std::logic_error where the covariance is not positive definite
     WeightedResiduals(const Measured& measured, const Prediction& prediction);
 
+    /// Number of entries.
     Eigen::Index size() const { return residuals_.size(); }
+    /// Whitened residuals r.
     const Eigen::VectorXd& residuals() const { return residuals_; }
-    /// Measured values y.
+    /// Measured values y, not whitened, in the units of the readings.
     const Eigen::VectorXd& measured() const { return measured_; }
     double chi2() const { return residuals_.squaredNorm(); }
     /// ln det(Sigma_measurement + Sigma_simulation), in the units of the readings.
     double log_determinant() const;
 
-    /// Whitened changes: L^-1 times columns in the units of the readings.
+    /// Whitens changes: L^-1 times columns in the units of the readings.
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
-    /// L^-T times whitened columns: what their products with whitened changes are with the changes.
+    /// L^-T times whitened columns. The product of the result with a change in the units of the
+    /// readings is that of `columns` with the whitened change.
     Eigen::MatrixXd whiten_basis(const Eigen::MatrixXd& columns) const;
-    /// Symmetric root of the prediction's covariance in whitened units.
+    /// Symmetric square root of the prediction's whitened covariance, L^-1 Sigma_simulation L^-T.
     const Eigen::MatrixXd& prediction_root() const { return prediction_root_; }
-    /// L^-1 C L^-T of a matrix in those units.
+    /// Whitens a covariance: L^-1 C L^-T, with C in the units of the readings.
     Eigen::MatrixXd whiten_covariance(const Eigen::MatrixXd& covariance) const;
-    /// P times whitened columns.
+    /// Projects whitened columns: P times `columns`.
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
-    /// Orthonormal columns that span the means over groups of entries, the calibrated parameters
-    /// projected out: what scatters within the groups is in none of them. Entries of a group are
-    /// alike in proportion to what was measured.
+    /// P times an orthonormal basis of the whitened mean deviations of groups of entries; scatter
+    /// within a group is not in the span of the basis. In a mean deviation, all entries of a group
+    /// deviate in proportion to their measured values.
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
-    /// Change of the calibrated parameters that imitates a whitened change of the prediction.
+    /// Change of the calibrated parameters that imitates a whitened change of the prediction best
+    /// [their units].
     Eigen::VectorXd share_imitated_by(const Eigen::VectorXd& change) const;
-    /// Number of calibrated parameters that the readings determine.
+    /// Number of combinations of the calibrated parameters that the readings determine.
     Eigen::Index determined() const { return basis_.cols(); }
-    /// Whitened derivatives J.
+    /// Whitened derivatives J, entries x parameters.
     const Eigen::MatrixXd& slopes() const { return slopes_; }
 
   private:
     Eigen::VectorXd measured_;
-    Eigen::MatrixXd lower_;  ///< L
+    Eigen::MatrixXd lower_;  ///< Cholesky factor L
     Eigen::MatrixXd prediction_root_;
     Eigen::VectorXd residuals_;
     Eigen::MatrixXd slopes_;
-    Eigen::VectorXd lengths_;  ///< of the columns of J, by which they are divided first
+    Eigen::VectorXd lengths_;  ///< norms of the columns of J
+    /// Decomposition of J with its columns divided by `lengths_`.
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed_;
-    Eigen::MatrixXd basis_;  ///< orthonormal, of the columns of J
+    Eigen::MatrixXd basis_;  ///< orthonormal basis of the columns of J
 };
 
 }  // namespace pendular

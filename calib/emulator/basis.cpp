@@ -7,7 +7,7 @@ namespace pendular {
 namespace {
 
 constexpr double friction_scale = 0.05;
-constexpr double volume_scale = 2e-3;  // in the middle of the pendular range
+constexpr double volume_scale = 2e-3;  // V0/a^3 in the middle of the pendular range
 
 double power(double base, int n) {
     double product = 1;
@@ -17,7 +17,7 @@ double power(double base, int n) {
     return product;
 }
 
-/// d(base^n)/d(base).
+/// Derivative d(base^n)/d(base).
 double derivative(double base, int n) {
     return n == 0 ? 0.0 : n * power(base, n - 1);
 }

@@ -7,49 +7,56 @@
 
 namespace pendular {
 
-/// State of steady shear that the emulator predicts: the quantities that determine it.
+/// State of steady shear at which the emulator predicts, given by the quantities that determine it.
 struct FlowState {
-    double friction = 0;
-    double inertial_number = 0;
-    double inverse_pressure = 0;             ///< 1/P*; 0: dry
-    double bridge_volume = 0;                ///< V0/a^3; of no consequence where dry
-    std::vector<EffectValues> effects = {};  ///< on grains, in the units of a run
+    double friction = 0;          ///< friction coefficient of the contacts [1]
+    double inertial_number = 0;   ///< I [1]; 0: the quasi-static limit
+    double inverse_pressure = 0;  ///< 1/P*, inverse of the reduced pressure [1]; 0: dry
+    double bridge_volume = 0;     ///< V0/a^3 [1]; ignored where dry
+    /// Effects on grains, in the units of a run (grain diameter, grain mass and normal stress are
+    /// 1).
+    std::vector<EffectValues> effects = {};
 
     bool dry() const { return inverse_pressure == 0; }
 };
 
-/// Coordinates in which responses are nearly straight.
+/// Coordinates of a flow state in which observables are nearly linear, all dimensionless.
 struct Coordinates {
-    double x = 0;  ///< ln[(friction + 0.05)/(centre + 0.05)]
-    double q = 0;  ///< I^exponent
-    double u = 0;  ///< 1/P*
-    double v = 0;  ///< ln(V0/a^3/0.002)
+    /// Friction: ln[(friction + 0.05)/(centre + 0.05)]; `emulated::place_of` has 0.02 for 0.05.
+    double x = 0;
+    double q = 0;  ///< inertial number: I^exponent
+    double u = 0;  ///< inverse reduced pressure: 1/P*
+    double v = 0;  ///< bridge volume: ln(V0/a^3/0.002); 0 where dry
 
     bool operator==(const Coordinates&) const = default;
 };
 
-/// Coordinates of a state about a centre in friction. From friction 0 to 0.4 the slopes of stress
-/// ratio and solid fraction in x change by about a factor 2, that of the stress ratio in friction
-/// itself by 9.
+/// Returns the coordinates of a state, with x relative to the friction `centre` and q =
+/// I^`exponent`. From friction 0 to 0.4 the slopes of stress ratio and solid fraction in x change
+/// by about a factor 2; the slope of the stress ratio in friction itself changes by a factor 9.
 Coordinates coordinates(const FlowState& state, double centre, double exponent);
 
-/// x of a friction about a centre, and back.
+/// Coordinate x = ln[(friction + 0.05)/(centre + 0.05)] of a friction.
 double friction_coordinate(double friction, double centre);
+/// Friction at a coordinate x: the inverse of `friction_coordinate`.
 double friction_at(double coordinate, double centre);
-/// dx/d(friction).
+/// Derivative dx/d(friction) of `friction_coordinate` = 1/(friction + 0.05).
 double friction_slope(double friction);
 
-/// Products of powers of the coordinates.
+/// Basis of a polynomial in the coordinates: its terms are products of powers of x, q, u and v.
 class Basis {
   public:
+    /// Exponents of the coordinates in one term.
     struct Powers {
         int x = 0, q = 0, u = 0, v = 0;
     };
     void add(const Powers& term) { terms_.push_back(term); }
     Eigen::Index size() const { return static_cast<Eigen::Index>(terms_.size()); }
 
+    /// Value of each term at a place.
     Eigen::RowVectorXd values(const Coordinates& at) const;
-    /// Derivatives of the values in one coordinate, by its place in `Coordinates`.
+    /// Derivative of each term by one coordinate: 0 for x, 1 for q, 2 for u, 3 for v; -1 gives the
+    /// values.
     Eigen::RowVectorXd slopes(const Coordinates& at, int coordinate) const;
     Eigen::RowVectorXd slopes_in_x(const Coordinates& at) const { return slopes(at, 0); }
     Eigen::RowVectorXd slopes_in_v(const Coordinates& at) const { return slopes(at, 3); }
@@ -58,7 +65,7 @@ class Basis {
     std::vector<Powers> terms_;
 };
 
-/// Number of values that differ from each other by more than `share` of their size.
+/// Number of distinct values; values whose relative difference is at most `share` count once.
 std::size_t distinct(std::vector<double> values, double share);
 
 }  // namespace pendular

@@ -6,9 +6,10 @@
 namespace pendular {
 namespace {
 
-/// Length over which the response may bend, in coordinates of the order of 1.
+/// Correlation length of the response in the scaled coordinates of `ResponsePlace` [1].
 constexpr double length = 1.5;
-/// Variances tried, over the mean square of the response seen.
+/// Variances of plane and process that are tried, relative to the mean square of the observed
+/// response [1].
 constexpr double sizes[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.3, 1, 3, 10};
 
 }  // namespace

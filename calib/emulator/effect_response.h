@@ -6,27 +6,32 @@
 
 namespace pendular {
 
-/// Coordinates at which the response to an effect is asked: friction, sqrt(I), ln(1 + 10/P*), ln V0
-/// and how far the effect goes, each of the order of 1 over the range of the studies.
+/// Coordinates at which the response to an effect is evaluated: the logarithmic coordinate of
+/// friction, sqrt(I), ln(1 + 10/P*), ln V0 and the amplitude of the effect, each scaled to the
+/// order of 1 over the range of the studies.
 using ResponsePlace = Eigen::Vector<double, 5>;
 
-/// Change of an observable by an effect on grains, trained on the differences between runs with the
-/// effect and the emulator's prediction of the same states without it:
+/// Change of an observable by an effect on grains. It is trained on the differences between runs
+/// with the effect and the emulator's predictions of the same states without the effect:
 ///     change = b y(z, b),  b the effect's amplitude,
-/// times 1/P* where it acts through capillary forces,
-/// y a Gaussian process: a plane with coefficients hardly known plus a squared exponential. It
-/// vanishes at neutral and is smooth there. Its two sizes have the greatest likelihood on a grid.
+/// times 1/P* where the effect acts through capillary forces. z is the flow state. y is a Gaussian
+/// process, the sum of a plane in the coordinates and a process of squared exponential covariance.
+/// The change vanishes at the effect's neutral value and is smooth there. The variances of plane
+/// and process are those of greatest likelihood on a grid.
 /// Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), section 2.7.
 class EffectResponse {
   public:
-    /// @param changes n, of the observable, and their n x n covariance
-    /// @param amplitudes n, b of each
+    /// Trains the response on n observed changes.
+    /// @param places coordinates of each change
+    /// @param amplitudes amplitude b of the effect in each change
+    /// @param changes changes of the observable by the effect
+    /// @param covariance n x n covariance of `changes`
     EffectResponse(std::vector<ResponsePlace> places, Eigen::VectorXd amplitudes,
                    const Eigen::VectorXd& changes, const Eigen::MatrixXd& covariance);
 
-    /// Changes at these places and amplitudes.
+    /// Predicted changes of the observable at places `at` with effect amplitudes `b`.
     Eigen::VectorXd mean(const std::vector<ResponsePlace>& at, const Eigen::VectorXd& b) const;
-    /// Covariance of their errors.
+    /// Covariance of the errors of `mean` at the same arguments.
     Eigen::MatrixXd covariance(const std::vector<ResponsePlace>& at,
                                const Eigen::VectorXd& b) const;
 
@@ -37,7 +42,7 @@ class EffectResponse {
 
     std::vector<ResponsePlace> places_;
     Eigen::VectorXd amplitudes_;
-    double plane_ = 1, curved_ = 1;  ///< variances of plane and process
+    double plane_ = 1, curved_ = 1;  ///< variances of the plane and of the other process
     Eigen::LLT<Eigen::MatrixXd> factor_;
     Eigen::VectorXd weights_;
 };

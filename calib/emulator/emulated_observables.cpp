@@ -8,10 +8,11 @@ namespace {
 
 using dem::Observable;
 
-/// Lowest stiffness number for which the correction to rigid grains was measured.
+/// Lowest stiffness number [1] for which the correction to rigid grains was measured.
 constexpr double softest = 300;
 
-/// Greatest ratio of stiffness numbers at which runs still serve as training runs for structure.
+/// Largest ratio between the stiffness number of a run and that of the emulated structure at which
+/// the run still serves as a training run for structure [1].
 constexpr double stiffness_factor = 2;
 
 bool depends_on_stiffness(Observable which) {
@@ -108,7 +109,7 @@ Mean training_value(const dem::RunResult& run, Observable which) {
 }
 
 const std::vector<Observable>& observables() {
-    // All observables except the imposed ones, those that reveal a crystal, and the parts of the
+    // All observables except imposed quantities, quantities that reveal a crystal, and parts of the
     // dissipation.
     static const std::vector<Observable> all = [] {
         using enum Observable;

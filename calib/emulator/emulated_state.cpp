@@ -10,7 +10,7 @@ namespace {
 
 using dem::Observable;
 
-/// The value and its derivatives, with their covariance.
+/// Emulated value of an observable, followed by its derivatives, with the covariance of all.
 struct Jet {
     Eigen::VectorXd value;
     Eigen::MatrixXd covariance;
@@ -32,8 +32,9 @@ Estimate estimate(const Jet& jet, Eigen::Index k) {
     return {jet.value(k), variance > 0 ? std::sqrt(variance) : 0.0};
 }
 
-/// From rigid grains to those of a stiffness number: the part reference/kappa of the shift at the
-/// reference stiffness applies. The errors of the overlap are small beside those of the correction.
+/// Converts the solid fraction of rigid grains to grains of a stiffness number kappa: the part
+/// reference/kappa of the rigidity shift at the reference stiffness number applies. The errors of
+/// the overlap are neglected, since those of the correction are much larger.
 void soften(Jet& fraction, const Jet& overlap, double stiffness_number) {
     const double part = emulated::reference_stiffness / stiffness_number;
     const double rigid = fraction.value(0), shift = dem::rigidity_shift(rigid, overlap.value(0));

@@ -18,7 +18,8 @@ using namespace emulated;
 
 namespace {
 
-/// Usual range of an effect's amplitude in studies, in the units of a run at 1 kPa.
+/// Usual range of an effect's amplitude in studies, in the units of a run (grain diameter, grain
+/// mass and normal stress are 1) at 1 kPa.
 double response_scale(const std::string& name) {
     const Effect& effect = built_in_effect(name);
     const EffectParameter& p = effect.parameters.front();
@@ -31,8 +32,8 @@ double response_scale(const std::string& name) {
     return p.amplitude ? p.amplitude(value) : value - p.neutral;
 }
 
-/// Effective amplitude to which the response is proportional, from the first parameter; 0 at its
-/// neutral value.
+/// Effective amplitude of an effect, to which the response is proportional. It follows from the
+/// effect's first parameter and is 0 at the neutral value.
 double response_amplitude(const EffectValues& values, double friction) {
     const Effect& effect = built_in_effect(values.effect);
     const EffectParameter& p = effect.parameters.front();
@@ -43,7 +44,8 @@ double response_amplitude(const EffectValues& values, double friction) {
     return p.amplitude ? p.amplitude(value) - p.amplitude(p.neutral) : value - p.neutral;
 }
 
-/// Factor to which the response of an observable to an effect is proportional.
+/// Factor to which the response of an observable to an effect is proportional: the effective
+/// amplitude, times 1/P* where the effect acts through capillary forces.
 double response_size(const EffectValues& values, const FlowState& state, Observable which) {
     const bool with_pressure = domain_of(which) == Domain::all_flow &&
                                built_in_effect(values.effect).fades_with_capillarity;
@@ -51,8 +53,8 @@ double response_size(const EffectValues& values, const FlowState& state, Observa
            (with_pressure ? state.inverse_pressure : 1);
 }
 
-/// Amplitude of an effect scaled to the order of 1: over its usual range in studies, or over the
-/// greatest effective amplitude at this friction.
+/// Amplitude of an effect scaled to the order of 1: divided by its usual range in studies, or by
+/// the greatest effective amplitude at this friction.
 double response_degree(const EffectValues& values, double friction) {
     const EffectParameter& p = built_in_effect(values.effect).parameters.front();
     const double most = p.effective_amplitude ? p.effective_amplitude(p.upper, friction)
@@ -60,7 +62,7 @@ double response_degree(const EffectValues& values, double friction) {
     return most > 0 ? response_amplitude(values, friction) / most : 0;
 }
 
-/// Coordinates at which the response to an effect is evaluated, scaled by the range of the studies.
+/// Coordinates at which the response to an effect is evaluated, scaled to the range of the studies.
 ResponsePlace response_place(const FlowState& state, const EffectValues& values) {
     const Coordinates at = place_of(state);
     ResponsePlace place;
@@ -71,13 +73,13 @@ ResponsePlace response_place(const FlowState& state, const EffectValues& values)
 
 }  // namespace
 
-/// Queries that one response answers.
+/// Queries that need the response of one observable to one effect.
 struct Emulator::Affected {
     const EffectResponse* response;
     std::vector<Eigen::Index> queries;
     std::vector<ResponsePlace> places;
     Eigen::VectorXd amplitudes;
-    Eigen::VectorXd sizes;  ///< of the observable's unit
+    Eigen::VectorXd sizes;  ///< scale of the observable at each query (`emulated::Unit::size`)
 };
 
 std::unique_ptr<const EffectResponse> Emulator::learned(const std::string& effect,

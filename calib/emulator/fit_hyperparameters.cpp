@@ -10,9 +10,10 @@
 namespace pendular {
 namespace {
 
-/// Prior of a hyperparameter: median, and standard deviation of its logarithm. Lengths are of the
-/// order of the range, amplitudes a tenth of the quantity; block averages state errors to some 20
-/// %.
+/// Log-normal prior of each hyperparameter: its median and the standard deviation of its logarithm.
+/// Median lengths are of the order of the range of the coordinates, median amplitudes a tenth of
+/// the quantity. The prior of the noise factor allows for standard errors that block averages
+/// estimate to some 20 %.
 struct Broad {
     Hyperparameters median;
     std::array<double, Hyperparameters::count> deviation;
@@ -32,7 +33,8 @@ Broad prior(double unit) {
             .deviation = {2, 0.7, 0.7, 2, 0.7, 0.7, 0.7, 0.7, 0.3, 2}};
 }
 
-/// Cost function in the form that Ceres requires.
+/// `hyperparameter_cost` as the cost function of a Ceres problem, in the logarithms of the
+/// hyperparameters.
 class Cost : public ceres::FirstOrderFunction {
   public:
     Cost(Domain domain, const Observations& known, double unit)

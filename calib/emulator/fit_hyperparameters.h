@@ -5,14 +5,17 @@
 
 namespace pendular {
 
-/// Hyperparameters of greatest likelihood for one quantity, by Ceres with analytic gradients; broad
-/// log-normal priors keep those finite of which the observations say nothing.
+/// Fits the hyperparameters of one quantity: they maximise likelihood times prior, found by Ceres
+/// with analytic gradients. Broad log-normal priors keep hyperparameters finite that the
+/// observations do not determine.
 /// @param unit typical size of the quantity
-/// @throws std::invalid_argument where no place is known
+/// @throws std::invalid_argument where `known` is empty
 Hyperparameters fit_hyperparameters(Domain domain, const Observations& known, double unit);
 
-/// Objective of the fit, -ln(likelihood) - ln(prior) up to a constant, with its derivatives by the
-/// logarithms of the hyperparameters in the order of `Hyperparameters::names`.
+/// Returns the objective of `fit_hyperparameters`, -ln(likelihood) - ln(prior) up to a constant;
+/// infinite where the covariance of the observations is not positive definite.
+/// @param gradient receives the derivatives by the logarithms of the hyperparameters, in the order
+///        of `Hyperparameters::names`; may be null
 double hyperparameter_cost(Domain domain, const Observations& known, double unit,
                            const Hyperparameters& hyperparameters, double* gradient);
 

@@ -72,7 +72,7 @@ Eigen::MatrixXd GaussianProcess::with_known(const std::vector<Requested>& reques
 }
 
 Eigen::VectorXd GaussianProcess::mean(const std::vector<Requested>& requested) const {
-    // Value and derivatives at one place come of the same sums.
+    // The value and the derivatives at one place follow from the same sums.
     struct Place {
         Eigen::Index quantity;
         Coordinates at;
@@ -95,7 +95,7 @@ Eigen::VectorXd GaussianProcess::mean(const std::vector<Requested>& requested) c
                                   {requested[c].quantity, requested[c].functional.at,
                                    kernels_[quantity].sums(sums_over_[quantity], at, derivatives)});
         }
-        // The polynomial by its coefficients: summed over the runs it would lose digits.
+        // The polynomial is evaluated by its coefficients: a sum over the runs would lose digits.
         result(static_cast<Eigen::Index>(c)) =
             at.polynomial.dot(coefficients_[quantity]) +
             place->sums[static_cast<std::size_t>(1 + requested[c].functional.derivative)];

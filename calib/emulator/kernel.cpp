@@ -6,13 +6,14 @@
 namespace pendular {
 namespace {
 
-constexpr int pressure = 2;  // u among the coordinates
+constexpr int pressure = 2;  // index of u among the coordinates
 
-/// Coefficients of the polynomial are known to be no larger than about this many units.
+/// Prior standard deviation of the polynomial's coefficients, in units of the quantity's typical
+/// size [1].
 constexpr double coefficient_scale = 5;
 
-/// Weak capillarity already closes contacts that hardly touched: below this 1/P* the response is
-/// linear in 1/P*, above it in its logarithm.
+/// Scale of 1/P* [1]: below it the response to capillarity is linear in 1/P*, above it in ln(1/P*),
+/// since weak capillarity already closes contacts that hardly touched.
 constexpr double weak_capillarity = 0.1;
 
 double inverse_square(double length) {
@@ -94,7 +95,7 @@ std::vector<Kernel::Prepared> Kernel::prepare(const std::vector<Coordinates>& at
 }
 
 double Kernel::of_part(const Part& part, const Prepared& a, const Prepared& b) {
-    std::array<double, coordinate_count> pull;  // of the exponent, along each coordinate
+    std::array<double, coordinate_count> pull;  // slope of exponent/2 along each coordinate
     double exponent = 0;
     for (std::size_t k = 0; k < coordinate_count; ++k) {
         pull[k] = (a.place[k] - b.place[k]) * part.inverse_squares[k];

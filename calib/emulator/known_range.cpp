@@ -16,17 +16,19 @@ namespace {
 using RunPoint = Eigen::Vector4d;
 using RunPoints = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
-/// Below this 1/P* the response is linear in 1/P*, above it in its logarithm (as in `Kernel`).
+/// Scale of 1/P* [1]: below it the response is linear in 1/P*, above it in ln(1/P*), as in
+/// `Kernel`.
 constexpr double pressure_scale = 0.1;
+/// Bridge volume V0/a^3 at which the coordinate v is 0 [1].
 constexpr double typical_volume = 2e-3;
 
-/// Coordinates of a state, not yet scaled.
+/// Coordinates of a state before they are scaled by the range of the runs.
 RunPoint run_coordinates(const FlowState& state) {
     const Coordinates at = emulated::place_of(state);
     return {at.x, at.q, std::log1p(at.u / pressure_scale), at.v};
 }
 
-/// Weights of the columns, none negative, whose sum comes nearest to `target`: the active-set
+/// Nonnegative weights w of the columns that minimise |columns w - target|, by the active-set
 /// method of Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23.
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& columns,
                                           const Eigen::VectorXd& target) {
@@ -46,7 +48,7 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& columns,
         while (!active.empty()) {
             const Eigen::VectorXd wanted =
                 columns(Eigen::all, active).colPivHouseholderQr().solve(target);
-            // As far towards the unconstrained solution as no weight becomes negative.
+            // Step as far towards the unconstrained solution as keeps all weights nonnegative.
             double part = 1;
             for (std::size_t k = 0; k < active.size(); ++k) {
                 const double now = weights(active[k]), then = wanted(static_cast<Eigen::Index>(k));
@@ -90,7 +92,7 @@ KnownRange::KnownRange(const Emulator& emulator) : emulator_(emulator) {
                 greatest.head(coordinates).cwiseMax(point.head(coordinates));
         }
     };
-    widen(dry, 3);  // which have no bridge volume
+    widen(dry, 3);  // dry runs have no bridge volume
     widen(wet, 4);
     if (wet.empty()) {
         least_(3) = greatest(3) = 0;
@@ -141,7 +143,7 @@ FlowState KnownRange::state_at(const Point& place) const {
     FlowState state;
     state.friction =
         std::max(0.0, (friction_centre + friction_scale) * std::exp(at(0)) - friction_scale);
-    constexpr double rounding = 1e-9;  // of the quasi-static limit
+    constexpr double rounding = 1e-9;  // below it, q counts as the quasi-static limit
     state.inertial_number = at(1) < rounding ? 0 : at(1) * at(1);
     state.inverse_pressure = std::max(0.0, pressure_scale * std::expm1(at(2)));
     state.bridge_volume = typical_volume * std::exp(at(3));
@@ -149,8 +151,8 @@ FlowState KnownRange::state_at(const Point& place) const {
 }
 
 KnownRange::Point KnownRange::nearest_in_hull(const Point& place, const Cloud& cloud) const {
-    // min |sum w_k p_k - place|^2 + stiff^2 (sum w_k - 1)^2 over w >= 0: a point of the hull is met
-    // exactly, and of any other the nearest point up to 1/stiff^2.
+    // min |sum w_k p_k - place|^2 + stiff^2 (sum w_k - 1)^2 over w >= 0: a place inside the hull is
+    // found exactly; for a place outside, the nearest point of the hull is found up to 1/stiff^2.
     constexpr double stiff = 100;
     Eigen::MatrixXd columns(5, cloud.corners.cols());
     columns << cloud.corners, Eigen::RowVectorXd::Constant(cloud.corners.cols(), stiff);

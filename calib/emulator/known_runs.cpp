@@ -11,8 +11,7 @@ namespace pendular {
 std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fidelity,
                                          const std::vector<dem::RunResult>& runs) {
     constexpr double largest_poisson_difference = 0.1;
-    // Samples smaller than requested and smaller than the atlas's are influenced by their own
-    // periodicity.
+    // The periodic boundaries influence samples smaller than the fidelity's and the atlas's.
     constexpr int enough_grains = 1000;
     std::vector<dem::RunResult> result;
     std::ranges::copy_if(runs, std::back_inserter(result), [&](const dem::RunResult& run) {

@@ -9,17 +9,19 @@
 
 namespace pendular {
 
-/// Training runs, with hyperparameters where they are known already.
+/// Training runs of an emulator, with its hyperparameters as far as they are known already.
 struct KnownRuns {
-    std::vector<dem::RunResult>
-        runs;  ///< training runs; empty: the planner simulates a first design
-    EmulatorHyperparameters hyperparameters;  ///< those missing are fitted
-    bool orders_more = true;                  ///< whether runs may be ordered
+    /// Training runs. If empty, the planner starts by simulating an initial set of runs.
+    std::vector<dem::RunResult> runs;
+    EmulatorHyperparameters hyperparameters;  ///< missing hyperparameters are fitted
+    bool orders_more = true;                  ///< whether the planner may request new simulations
 };
 
-/// Runs that can serve a study: of its bridge force, of no effects but those it lists, of as
-/// many grains as the fidelity has or 1000, and of a Poisson ratio within 0.1 of its grains',
-/// which changes the ratio of tangential to normal stiffness by less than a tenth.
+/// Returns those of `runs` that can train an emulator for a study: they are usable
+/// (`emulated::usable`), have the study's bridge force, no effects but those that the study lists,
+/// at least 1000 grains or as many as the fidelity, and a Poisson ratio within 0.1 of the study's
+/// grains. A difference of 0.1 changes the ratio of tangential to normal stiffness by less than a
+/// tenth.
 std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fidelity,
                                          const std::vector<dem::RunResult>& runs);
 

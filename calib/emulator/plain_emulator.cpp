@@ -18,17 +18,19 @@ using namespace emulated;
 
 namespace {
 
-/// Whether a run tells about grains without effects.
+/// Whether a run without effects has a training value of an observable.
 bool teaches(const dem::RunResult& run, Observable which, double structure_stiffness) {
     return run.parameters.effects.empty() && tells(run, which, structure_stiffness);
 }
 
-/// Observable under whose name the process for this observable is stored.
+/// Observable under which the process of this observable is stored: stress ratio and solid fraction
+/// share one process.
 Observable process_for(Observable which) {
     return in_pair(which) ? pair[0] : which;
 }
 
-/// Training observations of an observable's process; of both for the pair.
+/// Training observations for the process of an observable: of this observable alone, or of stress
+/// ratio and solid fraction together.
 Observations observations_of(const std::vector<dem::RunResult>& runs, Observable which,
                              double structure_stiffness) {
     std::vector<Observable> quantities = {which};
@@ -64,7 +66,7 @@ Observations observations_of(const std::vector<dem::RunResult>& runs, Observable
     known.values = Eigen::MatrixXd(
         Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
             values.data(), static_cast<Eigen::Index>(known.at.size()), m));
-    // A run without a stated error, as where nothing varies, is not exact either.
+    // Even a run that states no error, since nothing varied, is not exact.
     constexpr double least_error = 1e-4;
     const Eigen::RowVectorXd sizes = known.values.cwiseAbs().colwise().mean();
     for (auto& noise : known.noise) {
@@ -78,7 +80,7 @@ double unit_of(const Observations& known, Eigen::Index quantity) {
                      static_cast<double>(known.at.size()));
 }
 
-/// A query as a weighted sum of the quantities that a process predicts.
+/// One term of a query that is written as a weighted sum of values that a process predicts.
 struct Term {
     double factor = 1;
     GaussianProcess::Requested requested;
@@ -112,8 +114,8 @@ std::vector<Term> terms_of(const Query& query) {
     }
 }
 
-/// Queries that one process answers: their indices, the values to predict, and the linear map from
-/// these to the queries' answers.
+/// Queries that one process answers: their indices, the values that the process must predict, and
+/// the linear map from these values to the answers.
 struct Share {
     std::vector<Eigen::Index> queries;
     std::vector<GaussianProcess::Requested> requested;

@@ -14,63 +14,70 @@
 namespace pendular {
 
 /// Emulator of grains without effects: for each observable a Gaussian process over friction,
-/// inertial number, reduced pressure and bridge volume, whose noise is the runs' own. The stress
-/// ratio and the solid fraction of one run are correlated, and so are what is said of them.
-/// Observables are those of runs but for two that depend on stiffness in a known way, so that runs
-/// of any stiffness serve: the solid fraction is that of rigid grains and the overlap is that at
-/// the stiffness number `emulated::reference_stiffness`. What else is told of structure is that of
-/// runs of about one stiffness, on which it depends weakly.
+/// inertial number, reduced pressure and bridge volume, trained on runs with the noise that they
+/// state. The noise of stress ratio and solid fraction of one run is correlated, and so are their
+/// predictions. Two observables depend on the stiffness number in a known way, so that runs of any
+/// stiffness number can train them: the solid fraction is predicted for rigid grains, the overlap
+/// for the stiffness number `emulated::reference_stiffness`. Observables of structure depend weakly
+/// on the stiffness number and are trained on runs of about one stiffness number.
 ///
-/// A process is trained when it is first asked for, once for all threads.
+/// Each process is trained when it is first needed, once for all threads.
 class PlainEmulator {
   public:
-    /// Runs that failed, crystallised or were not steady are left out, and those of another damping
-    /// than the standard. Hyperparameters that are missing are fitted, half a second an observable.
+    /// Takes training runs and leaves out those that are not `emulated::usable`: runs that failed,
+    /// crystallised or were not steady, for example. Missing hyperparameters are fitted when they
+    /// are first needed, which takes half a second for each observable.
+    /// @param structure_stiffness stiffness number of the emulated structure [1]
     /// @throws std::invalid_argument where no run is left
     PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
                   double structure_stiffness = emulated::reference_stiffness);
 
-    /// Hyperparameters in use, those fitted so far included.
+    /// Hyperparameters that were given at construction or fitted since.
     EmulatorHyperparameters hyperparameters() const;
 
-    /// An entry for each query, whose effects do not count.
-    /// @throws std::invalid_argument for an observable of bridges where no run was wet, or of a dry
-    ///         state
+    /// Predicted value or derivative for each query, without the effects of its state.
+    /// @throws std::invalid_argument for an observable of which no training run has a value, and
+    ///         for an observable of bridges at a dry state
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
     /// Covariance of the errors of `mean`, a row and a column for each query.
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
-    /// All possible training runs, with and without effects.
+    /// All usable runs; runs with effects train only the responses of `Emulator`.
     const std::vector<dem::RunResult>& runs() const { return runs_; }
 
-    /// Variance of what a run says about what a longer one would: of the error it states and of the
-    /// between-run scatter beyond that.
+    /// Variance of the noise of one observable of a run, in the square of the observable's unit:
+    /// the square of the run's standard error times the fitted noise factor, plus the between-run
+    /// scatter.
     double noise_variance(const dem::RunResult& run, dem::Observable which) const;
     /// Covariance of the noise of stress ratio and solid fraction of one run [1].
     Eigen::Matrix2d noise(const dem::RunResult& run) const;
 
-    /// Stiffness number of the runs that tell of structure, but for a factor 2.
+    /// Stiffness number of the runs that train observables of structure, within a factor 2 [1].
     double structure_stiffness() const { return structure_stiffness_; }
-    /// Whether any of these runs has a value of an observable.
+    /// Whether any run without effects can train an observable; for observables of structure, at
+    /// about `emulated::reference_stiffness`.
     static bool known(const std::vector<dem::RunResult>& runs, dem::Observable which);
-    /// Hyperparameters of greatest likelihood for one observable.
-    /// @throws std::invalid_argument where none does
+    /// Fits the hyperparameters of one observable to runs (`fit_hyperparameters`).
+    /// @throws std::invalid_argument where no run has a training value of the observable
     static Hyperparameters learn(const std::vector<dem::RunResult>& runs, dem::Observable which,
                                  double structure_stiffness = emulated::reference_stiffness);
 
   private:
+    /// Hyperparameters of one observable, fitted at the first call where they are missing.
     Hyperparameters hyperparameters_of(dem::Observable which) const;
+    /// Process that predicts an observable, trained at the first call.
     const GaussianProcess& process_of(dem::Observable which) const;
+    /// Trains the process of an observable.
     std::unique_ptr<const GaussianProcess> trained(dem::Observable which) const;
 
-    /// State that is computed when it is first needed.
+    /// Processes and hyperparameters, each computed when it is first needed.
     struct Learned {
         struct Process {
             std::once_flag once;
             std::unique_ptr<const GaussianProcess> trained;
         };
         std::array<Process, dem::observable_count> processes;
-        std::mutex mutex;  ///< of the hyperparameters
+        std::mutex mutex;  ///< guards `hyperparameters`
         EmulatorHyperparameters hyperparameters;
     };
     std::vector<dem::RunResult> runs_;

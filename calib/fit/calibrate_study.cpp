@@ -18,19 +18,23 @@
 namespace pendular {
 namespace {
 
-/// Lowest stiffness number at which the rigidity shift was measured (dem::rigidity_factor).
+/// Lowest stiffness number [1] at which the rigidity shift was measured (dem::rigidity_factor).
 constexpr double softest_corrected = 300;
 
-/// Wet runs are made until the variance of their noise is at most this share of the readings'
-/// variance [1].
+/// Largest ratio between the variance that the noise of wet runs causes in predictions and the
+/// variance of the wet readings, at which no more wet runs are requested [1].
 constexpr double wet_noise_ratio = 0.4;
+/// Largest number of rounds of wet runs.
 constexpr int most_wet_turns = 4;
 
-/// @throws InputError where no bridge of the reading's liquid content can be simulated
+/// Checks that the bridges of a wet reading can be simulated.
+/// @throws InputError where the reading's reduced pressure or liquid content is outside the range
+///         of simulations
 void check_wet(const Reading& reading, const Study& study, const Fidelity& fidelity) {
     const Condition& condition = reading.condition;
     const double pressure = reduced_pressure(condition.normal_stress, study.grains, *study.liquid);
-    // Bridges of a bead: 4 to 12 whatever friction, pressure and content, offsets of runs included.
+    // A grain has 4 to 12 bridges whatever the friction, pressure and liquid content, also at the
+    // offsets of planned runs.
     for (const double bridges : {4.0, 12.0}) {
         try {
             check_run({.stiffness_number = fidelity.stiffness_number,
@@ -49,7 +53,8 @@ void check_wet(const Reading& reading, const Study& study, const Fidelity& fidel
     }
 }
 
-/// Readings and rows that import set aside as impossible, as a sentence; empty if there are none.
+/// Clause on the readings and rows that `import` set aside as impossible, for messages; empty if
+/// there are none.
 std::string set_aside(const Measurements& measurements) {
     const auto doubt = std::ranges::find_if(measurements.doubts, &Doubt::set_aside);
     return doubt == measurements.doubts.end()
@@ -57,7 +62,7 @@ std::string set_aside(const Measurements& measurements) {
                : "readings were set aside, the first for: " + doubt->what;
 }
 
-/// Advice for a study without any reading.
+/// Reason why a study has no reading, with advice, for messages.
 std::string why_no_reading(const Measurements& measurements) {
     if (std::string aside = set_aside(measurements); !aside.empty()) return aside;
     return measurements.excluded.empty()
@@ -65,7 +70,8 @@ std::string why_no_reading(const Measurements& measurements) {
                : "all were left out, the first one for: " + measurements.excluded.front().reason;
 }
 
-/// @throws InputError where there is nothing to fit
+/// Checks that the calibration has readings to fit.
+/// @throws InputError where it has none, with the reason
 void check_fitted(const Study& study, const Measurements& measurements, const Calibration& c) {
     if (c.fitted > 0) {
         return;
@@ -80,6 +86,7 @@ void check_fitted(const Study& study, const Measurements& measurements, const Ca
                                  study.model.fit_to == "dry" ? "dry " : "", why));
 }
 
+/// Checks that effects on grains can be predicted.
 /// @throws InputError where a study with effects on grains has no known runs
 void check_effects(const std::vector<const Effect*>& effects, const CalibrationRequest& request) {
     const auto grains = std::ranges::find_if(effects, &Effect::of_grains);
@@ -136,8 +143,9 @@ class PlannedModel : public LearningModel {
     std::optional<ModelOfReadings> model_;
 };
 
-/// Wet runs until their noise is small beside the errors of the readings to predict.
-/// @return whether it is
+/// Simulates wet runs until their noise is small compared with the errors of the readings to
+/// predict.
+/// @return whether the noise is small after at most `most_wet_turns` rounds
 bool learn_wet(PlannedModel& model, const Calibration& c) {
     const auto readings = part(c.readings, c.fitted, c.readings.size());
     const Eigen::VectorXd measured = stack(readings).covariance.diagonal();
@@ -154,7 +162,7 @@ bool learn_wet(PlannedModel& model, const Calibration& c) {
     return false;
 }
 
-/// Information of direct measurements on the parameters: J' Sigma^-1 J.
+/// Fisher information of direct measurements on the parameters: J' Sigma^-1 J.
 Eigen::MatrixXd information_of(const std::vector<DirectMeasurement>& direct,
                                const std::vector<Parameter>& parameters) {
     const auto count = static_cast<Eigen::Index>(parameters.size());
@@ -285,8 +293,8 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
     const auto dry = part(c.readings, 0, dry_count(c.readings));
     c.parameters = model.whole().model().parameters();
     if (c.fitted > dry.size() && !dry.empty() && c.parameters.size() == 1) {
-        // Joint fits begin where the dry readings alone lead, so that wet runs are made there;
-        // those of effects need not show in dry readings at all.
+        // A joint fit of friction alone begins at the optimum of the dry readings, so that wet runs
+        // are made there. With effects it does not, as dry readings need not determine them.
         options.start = model.fit_to(dry, request.options, counting).parameters;
     }
     const auto fitted = part(c.readings, 0, c.fitted);

@@ -14,46 +14,57 @@
 
 namespace pendular {
 
+/// Settings of a calibration.
 struct CalibrationRequest {
-    Fidelity fidelity;
-    std::uint64_t seed = 1;
-    bool profile = false;
+    Fidelity fidelity;       ///< size, stiffness, slowest rate and length of new simulations
+    std::uint64_t seed = 1;  ///< seed from which the seeds of simulations follow
+    bool profile = false;    ///< whether to compute the profile interval of the friction
     CalibrationOptions options = {};
     CohesionOptions cohesion = {};
     /// Training runs at the beginning; without any, the planner simulates a first design.
     KnownRuns known = {};
-    /// Callback with the name of the next simulations.
+    /// Callback before a further stage of simulations, with its name, such as "wet readings".
     std::function<void(std::string_view)> stage = {};
 };
 
-/// Fits the study's parameters by simulation, emulated from known and fresh runs: to its dry
-/// readings, whereupon the wet ones are predicted (fit_to = "dry"), or to all (fit_to = "all").
-/// @throws InputError where there is nothing to fit, or a reading is outside what can be simulated
+/// Calibrates a study: fits the parameters of its model to readings. The model is an emulator
+/// trained on known runs and on new runs that are simulated as needed. With fit_to = "dry" the fit
+/// uses the dry readings, and the wet readings are predicted; with fit_to = "all" it uses all
+/// readings.
+/// @throws InputError where there is no reading to fit, a reading cannot be simulated
+///         (`check_range`), or the study lists effects on grains and there are no known runs
+/// @throws std::invalid_argument where no known run can serve as a training run
+/// @throws dem::SimulationError where no run of a first design succeeds
 Calibration calibrate_study(const ResolvedStudy& study, const Measurements& measurements,
                             const CalibrationRequest& request, const Workers& workers,
                             const CalibrationReport& report = {});
 
-/// @throws InputError where a reading is outside what can be simulated
+/// Checks that the conditions of all readings can be simulated.
+/// @throws InputError at the first reading whose stiffness number is below 300, whose inertial
+///         number is above `dem::largest_inertial_number`, or whose liquid bridges cannot be
+///         simulated
 void check_range(const std::vector<Reading>& readings, const Study& study,
                  const Fidelity& fidelity);
 
-/// Number of a study's readings, dry ones first, that its calibration fits.
+/// Number of readings that a study's calibration fits, the first of `readings`, in which dry
+/// readings come first: all where fit_to = "all" or an effect needs a joint fit, else the dry
+/// readings.
 std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings);
 
-/// Predictions of conditions that the calibration did not fit, with its error: the model's
-/// covariance plus J Cov(parameters) J', less what errors of the model that are common to them and
-/// the fitted readings (corrections, shared runs) have already done through the fit. Where no such
-/// errors are shared and the model is linear, the chi2 of fitted and of predicted readings add up
-/// to that of a joint fit.
+/// Predicts readings at conditions that the calibration did not fit. The covariance includes the
+/// error of the fit: it is the model's covariance plus J Cov(parameters) J', corrected for errors
+/// of the model that predictions and fitted readings share (corrections, common runs) and for which
+/// the fit has already compensated. Without shared errors and with a linear model, the chi2 of
+/// fitted and of predicted readings add up to the chi2 of a joint fit.
 Prediction predict_unseen(const Predictor& model, const Calibration& calibration,
                           const std::vector<Condition>& conditions);
 
-/// Predictions of all readings of a calibration; the error of the fit is included for readings that
-/// it did not fit.
+/// Predicts all readings of a calibration. The covariance includes the error of the fit for
+/// readings that were not fitted (`predict_unseen`).
 Prediction predict_readings(const Predictor& model, const Calibration& calibration);
 
-/// Draws the cohesion lines of a calibration anew, through its wet readings and through their
-/// predictions.
+/// Fits the cohesion lines of a calibration again, to its wet readings and to the predictions of
+/// its wet readings, and replaces the lines and their notes.
 void draw_cohesion_lines(Calibration& calibration);
 
 }  // namespace pendular

@@ -19,7 +19,7 @@
 namespace pendular {
 namespace {
 
-/// Below this reduced pressure Badetti et al. (2018) saw the flow localise.
+/// Reduced pressure P* [1] below which Badetti et al. (2018) observed that the flow localises.
 constexpr double uniform_reduced_pressure = 0.5;
 /// Advice on lowering the model's errors where the training runs are too few near the readings.
 std::string remedy(const Calibration& c) {
@@ -27,7 +27,8 @@ std::string remedy(const Calibration& c) {
                             : "a higher fidelity helps";
 }
 
-/// Names the readings whose predictions the known runs do not support.
+/// Note that names the readings whose predictions the known runs do not support; empty if there are
+/// none.
 std::optional<std::string> unsupported_note(const Calibration& c, const RunPlanner& planner) {
     constexpr std::size_t most_named = 5;
     const KnownRange known(planner.simulation()->emulator());
@@ -58,7 +59,8 @@ std::optional<std::string> unsupported_note(const Calibration& c, const RunPlann
             : "'pendular calibrate' without --no-confirm simulates there");
 }
 
-/// Notes where the model's errors exceed those of the fitted readings.
+/// Note on an observable for which the noise of the runs exceeds the errors of the fitted readings;
+/// empty if there is none.
 std::optional<std::string> unsure_note(const Calibration& c) {
     const Measured readings = stack(part(c.readings, 0, c.fitted));
     const auto rms_percent = [&](const Eigen::MatrixXd& covariance, int first) {
@@ -79,8 +81,8 @@ std::optional<std::string> unsure_note(const Calibration& c) {
     return std::nullopt;
 }
 
-/// Note on a parameter that ends at a bound: the effect is not needed where the bound is its
-/// neutral value; elsewhere the fit would go beyond the bound.
+/// Note on a parameter whose fit ended at a bound. A bound at the neutral value means that the
+/// effect is not needed; any other bound means that the best fit lies beyond the range.
 std::string bound_note(const Parameter& parameter, double value, const ResolvedStudy& resolved) {
     const Study& study = resolved;
     const auto dot = parameter.name.rfind('.');

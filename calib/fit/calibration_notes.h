@@ -9,9 +9,11 @@
 
 namespace pendular {
 
-/// Lines that the user of a calibration should read: readings that the runs do not support, errors
-/// that simulation dominates, parameters at a bound or undetermined.
-/// @param wet_known whether the wet runs are sharp beside the wet readings
+/// Notes for the user of a calibration: on readings whose predictions the runs do not support, on
+/// errors dominated by simulation, on parameters at a bound or undetermined, and the planner's
+/// notes.
+/// @param wet_known whether the noise of the wet runs is small compared with the errors of the wet
+///        readings
 std::vector<std::string> notes_on(const Calibration& calibration, const ResolvedStudy& study,
                                   const RunPlanner& planner, bool wet_known);
 

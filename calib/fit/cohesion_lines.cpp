@@ -15,14 +15,15 @@
 namespace pendular {
 namespace {
 
+/// Relative difference up to which two reduced pressures count as equal [1].
 constexpr double reduced_pressure_tolerance = 0.02;
 
-/// Points of a group: stress ratios over 1/P*, with their covariance.
+/// Points of a group of wet readings: stress ratio against 1/P*, with covariance.
 struct Points {
-    Eigen::VectorXd inverse_pressure;  ///< 1/P*
+    Eigen::VectorXd inverse_pressure;  ///< 1/P* [1]
     Eigen::VectorXd stress_ratio;
-    Eigen::MatrixXd covariance;  ///< of the stress ratios
-    Eigen::MatrixXd weighting;   ///< covariance whose inverse weighs the points: the measured one
+    Eigen::MatrixXd covariance;  ///< covariance of the stress ratios
+    Eigen::MatrixXd weighting;   ///< covariance of the readings, whose inverse weights the points
 
     Eigen::Index size() const { return inverse_pressure.size(); }
     double reduced_pressure(Eigen::Index k) const { return 1 / inverse_pressure(k); }
@@ -43,14 +44,14 @@ std::string name_of(const WetGroup& group) {
                              group.inertial_number);
 }
 
-/// Values to which one kind of line is fitted.
+/// Values to which lines of one kind, measured or simulated, are fitted.
 struct Task {
-    std::string source;
-    Measured values;            ///< stacked as those of a model
-    Eigen::MatrixXd weighting;  ///< covariance of the readings
+    std::string source;         ///< "measured" or "simulated"
+    Measured values;            ///< values of all readings with the covariance of their errors
+    Eigen::MatrixXd weighting;  ///< covariance of the readings, whose inverse weights the points
 };
 
-/// Readings of a group as points, by falling P*.
+/// Readings of a group as points, in decreasing P*.
 Points points_of(const WetGroup& group, const std::vector<Reading>& readings, const Task& task,
                  const GrainProperties& grains, const Liquid& liquid) {
     std::vector<Eigen::Index> order(group.members.begin(), group.members.end());
@@ -74,8 +75,8 @@ Points points_of(const WetGroup& group, const std::vector<Reading>& readings, co
     return points;
 }
 
-/// Intercept and reduced cohesion as a model of stress ratios: here the entries of a prediction are
-/// those alone.
+/// Straight line as a model of stress ratios, with the intercept and the reduced cohesion as its
+/// parameters. Its predictions contain only the stress ratio of each point.
 class StraightLine : public Model {
   public:
     explicit StraightLine(const Eigen::VectorXd& inverse_pressure)
@@ -100,7 +101,8 @@ class StraightLine : public Model {
     Eigen::MatrixXd matrix_;
 };
 
-/// Points at or above the limit, and those below it.
+/// Indices of the points at or above the lowest fitted reduced pressure, and of the points below
+/// it.
 struct Split {
     std::vector<Eigen::Index> fitted, below;
 };
@@ -113,8 +115,9 @@ Split split(const Points& points, const CohesionOptions& options) {
     return result;
 }
 
-/// (line - value)/value at the points below, whose errors may depend on those of the points the
-/// line goes through: the line there is [1 1/P*] K y.
+/// Relative deviation (line - value)/value at each point below the limit, with its standard error.
+/// The line is [1 1/P*] K y, with the estimator K of intercept and slope from the fitted stress
+/// ratios y; errors of y and of the points below may be correlated.
 std::vector<Overestimate> overestimates(const Points& all, const Split& which,
                                         const Eigen::MatrixXd& estimator,
                                         const Eigen::Vector2d& line) {
@@ -132,7 +135,8 @@ std::vector<Overestimate> overestimates(const Points& all, const Split& which,
     return result;
 }
 
-/// The line with the errors that the points' own covariance causes: K C K', K = (A'WA)^-1 A'W.
+/// Fits the line. Its errors follow from the covariance C of the points: K C K', with the estimator
+/// K = (A'WA)^-1 A'W.
 CohesionLine line_through(const Points& all, const Split& which) {
     const Points fitted = all.only(which.fitted);
     const StraightLine line(fitted.inverse_pressure);

@@ -15,7 +15,8 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Inverse Cholesky factor of a covariance, applied to residuals and derivatives.
+/// Whitening of residuals and derivatives: multiplication by the inverse Cholesky factor of a
+/// covariance.
 class Whitening {
   public:
     explicit Whitening(const Eigen::MatrixXd& covariance) : llt_(covariance) {
@@ -32,7 +33,7 @@ class Whitening {
     Eigen::LLT<Eigen::MatrixXd> llt_;
 };
 
-/// Range allowed by both the parameter's bounds and the model's support.
+/// Range of the parameters within both their bounds and the model's supported range.
 ParameterBounds allowed(const Model& model) {
     ParameterBounds range = model.bounds();
     for (Eigen::Index k = 0; k < range.lower.size(); ++k) {
@@ -48,7 +49,8 @@ bool contains(const ParameterBounds& range, const Eigen::VectorXd& parameters) {
            (parameters.array() <= range.upper.array()).all();
 }
 
-/// Whitened residuals and their derivatives as Ceres wants them; none outside the range.
+/// Whitened residuals and their derivatives as a cost function of Ceres; it refuses parameters
+/// outside the range.
 class WhitenedResiduals : public ceres::CostFunction {
   public:
     WhitenedResiduals(const Model& model, const Measured& measured, const Whitening& whitening,
@@ -71,7 +73,7 @@ class WhitenedResiduals : public ceres::CostFunction {
             prediction =
                 model_.predict(at, derivatives ? PredictionPart::slopes : PredictionPart::values);
         } catch (const std::domain_error&) {
-            return false;  // an effect so large that nothing real could show the readings
+            return false;  // an effect so large that no true state can show the readings
         }
         if (!prediction.value.allFinite() || !prediction.jacobian.allFinite()) {
             return false;  // an empty matrix is finite
@@ -84,7 +86,7 @@ class WhitenedResiduals : public ceres::CostFunction {
         }
         return true;
     }
-    /// Number of steps that led out of the range.
+    /// Number of evaluations refused because the parameters were outside the range.
     int refused() const { return refused_; }
 
   private:
@@ -95,7 +97,7 @@ class WhitenedResiduals : public ceres::CostFunction {
     mutable int refused_ = 0;
 };
 
-/// Ends a search that keeps running against the end of the range.
+/// Ends a search of Ceres after more than 20 steps that led out of the range.
 class StopAtTheEnd : public ceres::IterationCallback {
   public:
     explicit StopAtTheEnd(const WhitenedResiduals& residuals) : residuals_(residuals) {}
@@ -118,14 +120,15 @@ struct Minimum {
 
 /// Settings of a search for a minimum.
 struct Search {
-    double radius = 1e4;   ///< of the first step, in lengths of the columns of the derivatives
-    bool bounded = false;  ///< Ceres knows of the range from the start
+    /// Initial trust-region radius of Ceres, in units of the columns' lengths of the derivatives.
+    double radius = 1e4;
+    bool bounded = false;  ///< whether Ceres receives the bounds from the start
 };
 
-/// Minimises with Ceres within the range, one parameter held if wanted. Where Ceres knows of bounds
-/// it looks along each step, however long, which leads far astray in curved valleys; so it first
-/// goes without, by steps that are refused where they leave the range, and with them only if some
-/// were.
+/// Minimises chi2 with Ceres within the range, with the parameter `held` constant if given. With
+/// bounds, Ceres searches along each step, however long, which leads far astray in curved valleys.
+/// Therefore the first search has no bounds, and steps that leave the range are refused; a search
+/// with bounds follows only if a step was refused.
 Minimum minimise(const Model& model, const Measured& measured, const Whitening& whitening,
                  const ParameterBounds& range, const Eigen::VectorXd& start,
                  const FitEffort& effort, const Search& search = {},
@@ -148,7 +151,7 @@ Minimum minimise(const Model& model, const Measured& measured, const Whitening& 
     options.gradient_tolerance = 1e-12;
     options.parameter_tolerance = 1e-12;
     if (!effort.elsewhere) {
-        // Evaluations along each step at bounds; the standard of 20 suits cheap models.
+        // Limits the evaluations along each step at bounds; the default of 20 suits cheap models.
         options.max_num_line_search_step_size_iterations = 3;
     }
     ceres::Solver::Summary summary;
@@ -172,10 +175,10 @@ Minimum minimise(const Model& model, const Measured& measured, const Whitening& 
     return minimum;
 }
 
-/// Derivatives whose columns have length 1, as parameters of any units make them comparable.
+/// Derivatives scaled to columns of length 1, so that they do not depend on the parameters' units.
 struct Scaled {
     Eigen::MatrixXd jacobian;
-    Eigen::VectorXd length;  ///< of the columns; 1 for one of zeros
+    Eigen::VectorXd length;  ///< length of each column before scaling; 1 for a column of zeros
 
     explicit Scaled(Eigen::MatrixXd whitened) : jacobian(std::move(whitened)) {
         length = jacobian.colwise().norm();
@@ -184,8 +187,8 @@ struct Scaled {
     }
 };
 
-/// Goes on from where Ceres stopped, since chi2 is too flat there to tell where its minimum is:
-/// steps of Gauss and Newton, as long as they become shorter.
+/// Refines a minimum that Ceres found, near which chi2 is too flat to locate its minimum: takes
+/// Gauss-Newton steps as long as they become shorter.
 void polish(const Model& model, const Measured& measured, const Whitening& whitening,
             const ParameterBounds& range, double settled, Minimum& minimum) {
     Eigen::VectorXd at = minimum.parameters;
@@ -216,9 +219,9 @@ void polish(const Model& model, const Measured& measured, const Whitening& white
     }
 }
 
-/// Covariance of the parameters, (J' J)^-1 of the whitened derivatives by singular values, with
-/// columns of length 1, so that it does not depend on units; what the residuals do not determine
-/// has errors beyond any range.
+/// Covariance of the parameters, (J' J)^-1 of the whitened derivatives, by singular values of the
+/// matrix with columns scaled to length 1, so that it does not depend on units. Combinations of
+/// parameters that the residuals do not determine get errors larger than any range.
 Eigen::MatrixXd parameter_covariance(const Eigen::MatrixXd& whitened_jacobian) {
     const Scaled scaled(whitened_jacobian);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.jacobian, Eigen::ComputeThinV);
@@ -230,7 +233,8 @@ Eigen::MatrixXd parameter_covariance(const Eigen::MatrixXd& whitened_jacobian) {
     return root * root.transpose();
 }
 
-/// Whether each parameter's error, by the scatter of the residuals, is smaller than its range.
+/// Whether the standard error of each parameter, scaled by sqrt(chi2/dof), is smaller than its
+/// range.
 bool determined(const Fit& fit, const ParameterBounds& range) {
     const Eigen::ArrayXd variance = fit.covariance.diagonal();
     return (variance > 0).all() && (variance * fit.chi2 / std::max(fit.dof, 1) <
@@ -238,8 +242,8 @@ bool determined(const Fit& fit, const ParameterBounds& range) {
                                        .all();
 }
 
-/// Share of the parameters' covariance that comes from a part S of the readings' covariance: K S K'
-/// with the estimator K = C J' Sigma^-1.
+/// Part of the parameters' covariance C that comes from a part S of the covariance Sigma of the
+/// readings: K S K' with the estimator K = C J' Sigma^-1.
 Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const Whitening& whitening,
                         const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& part) {
     const Eigen::MatrixXd whitened_jacobian = whitening.apply(jacobian);
@@ -248,7 +252,8 @@ Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const Whitening& whit
     return covariance * whitened_jacobian.transpose() * whitened * whitened_jacobian * covariance;
 }
 
-/// Adds the covariance between readings due to shared errors; the variances are there already.
+/// Adds the covariances between readings due to shared errors; the covariance of each reading
+/// contains these errors already.
 void add_shared_errors(const std::vector<Reading>& readings, Measured& measured) {
     struct Part {
         Eigen::Index entry;
@@ -315,8 +320,8 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
     Fit result;
     result.dof = static_cast<int>(measured.value.size() - from.size());
     result.chi2 = std::numeric_limits<double>::infinity();
-    // A search may end on a plateau without reaching the minimum, so several start at different
-    // points.
+    // A search may end on a plateau without reaching the minimum, so that others with different
+    // settings follow from the same start.
     for (const Search& search : {Search{}, Search{.bounded = true}, Search{.radius = 1}}) {
         Minimum minimum = minimise(model, measured, whitening, range, from, effort, search);
         if (minimum.usable) {
@@ -395,7 +400,8 @@ Eigen::VectorXd start_of(const Model& model) {
 Fit calibrate(LearningModel& learning, const Measured& measured, const CalibrationOptions& options,
               const CalibrationReport& report) {
     Eigen::VectorXd at = options.start.value_or(start_of(learning.model()));
-    // Largest ratio of the variance that the runs' noise causes in a parameter to what is allowed.
+    // Largest ratio, over the parameters, of the variance from the runs' noise to its allowed
+    // value.
     const auto excess_of = [&](const Fit& fit) {
         const double allowed = options.simulation_share / (1 - options.simulation_share);
         double excess = 0;
@@ -416,7 +422,7 @@ Fit calibrate(LearningModel& learning, const Measured& measured, const Calibrati
         learning.improve(at, excess);
         const Model& model = learning.model();
         best = fit(model, measured, at);
-        // Repeated with the weights that belong to the result.
+        // Fit again with the simulation errors at the result.
         best = fit(model, measured, best.parameters);
         if (report) {
             report(round, best);
@@ -425,7 +431,7 @@ Fit calibrate(LearningModel& learning, const Measured& measured, const Calibrati
         const bool done =
             round >= options.fewest_rounds && settled(best) && excess <= 1 && learning.confirmed();
         at = best.parameters;
-        // Parameters that the readings do not determine gain nothing from more simulation.
+        // More simulation does not help to determine parameters that the readings do not determine.
         if (done || (round >= options.fewest_rounds && !best.converged)) {
             return best;
         }

@@ -8,13 +8,14 @@
 
 namespace pendular {
 
-/// Readings of a study in the order of a calibration: dry ones first.
+/// Readings of a study in the order of a calibration: dry readings, then wet readings, each in run
+/// order.
 std::vector<Reading> dry_first(const Measurements& measurements);
 
-/// Number of dry readings.
+/// Number of dry readings among `readings`.
 std::size_t dry_count(const std::vector<Reading>& readings);
 
-/// Readings [from, to).
+/// Returns the readings with indices `from` to `to` - 1.
 std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from, std::size_t to);
 
 }  // namespace pendular

@@ -11,6 +11,7 @@
 namespace pendular {
 namespace {
 
+/// Conditions of the readings of a group whose P* is at or above the limit.
 std::vector<Condition> fitted_conditions(const WetGroup& group, const Calibration& c,
                                          const CohesionOptions& options) {
     std::vector<Condition> conditions;
@@ -23,20 +24,21 @@ std::vector<Condition> fitted_conditions(const WetGroup& group, const Calibratio
     return conditions;
 }
 
-/// Force of a bridge of the liquid that effects make of the study's, over that of the study's own.
+/// Pull-off force F0 of the liquid as effects change it, over F0 of the study's liquid [1].
 double force_ratio(const EffectiveCondition& imposed, const Calibration& c) {
     return imposed.liquid
                ? pull_off_force(c.grains, *imposed.liquid) / pull_off_force(c.grains, *c.liquid)
                : 1;
 }
 
-/// Means of the formulas over readings at some conditions, (Rumpf, generalised).
+/// Means of the two cohesions (Rumpf's, generalised) over readings at some conditions [1].
 class Means {
   public:
     Means(const StudyModel& model, const Calibration& c, std::vector<Condition> conditions)
         : model_(model), c_(c), conditions_(std::move(conditions)) {}
 
-    /// `slopes`, where wanted: derivatives of either by the predictions of the simulation.
+    /// Means at some parameters. `slopes`, if not null, receives the derivatives of each mean by
+    /// the predictions of the simulation, which are equal for both.
     Eigen::Vector2d at(const Eigen::VectorXd& parameters, Eigen::RowVectorXd* slopes = {}) const {
         const EmulatedSimulation& simulation = model_.simulation();
         const std::vector<EffectiveCondition> imposed = model_.imposed(parameters, conditions_);
@@ -60,7 +62,8 @@ class Means {
             mean(1) +=
                 share * closures::generalised_cohesion(dry_ratio, predicted(fraction), z, shear);
             if (slopes) {
-                // A product of three: each slope is the formula with 1 in its place.
+                // The cohesion is a product of three factors: its derivative by a factor is the
+                // formula with 1 in place of this factor.
                 (*slopes)(dry) =
                     share * reduced_cohesion(1, predicted(fraction), z) / condition.normal_stress;
                 (*slopes)(fraction) = share * reduced_cohesion(dry_ratio, 1, z);
@@ -70,7 +73,8 @@ class Means {
         return mean;
     }
 
-    /// Their errors: of the simulation, and of all fitted parameters.
+    /// Standard errors of the means at the fitted parameters, from the simulation and from all
+    /// fitted parameters.
     Eigen::Vector2d errors() const {
         const Eigen::VectorXd& fitted = c_.fit.parameters;
         Eigen::RowVectorXd slopes;
@@ -87,7 +91,7 @@ class Means {
     }
 
   private:
-    /// Derivatives by all parameters; 0 for those that are known exactly.
+    /// Derivatives of the means by all parameters; 0 for parameters that are known exactly.
     Eigen::Matrix2Xd derivatives() const {
         constexpr double share = 0.01;  // of a standard error: far above rounding, nearly a tangent
         Eigen::Matrix2Xd result = Eigen::Matrix2Xd::Zero(2, c_.fit.parameters.size());

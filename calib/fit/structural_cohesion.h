@@ -9,22 +9,24 @@
 
 namespace pendular {
 
-/// Reduced cohesion [1] that the simulated structure of wet beads explains, for readings of one
-/// liquid content and one inertial number.
+/// Reduced cohesion c* = a^2 c/F0 [1] predicted from the simulated structure of wet grains, for
+/// readings of one liquid content and one inertial number.
 struct StructuralCohesion {
     double liquid_content = 0;   ///< Phi_L/Phi_S [1]
     double inertial_number = 0;  ///< I [1]
-    Estimate rumpf;              ///< mu*_0 Phi_S Z*/pi, eq:cohesion3
-    Estimate generalised;        ///< `rumpf` less a^2 s12cap/F0, eq:cohgen
+    Estimate rumpf;              ///< Rumpf's formula: mu*_0 Phi_S Z*/pi [1], eq:cohesion3
+    Estimate generalised;        ///< `rumpf` minus a^2 s12cap/F0 [1], eq:cohgen
 };
 
-/// Averages of both over the wet readings of each of `wet_groups` whose P* is at or above the
-/// limit, at the calibrated parameters: grains and liquid are as the study's effects make them, the
-/// dry stress ratio mu*_0 is that of wet grains without bridges at the same inertial number. The
-/// unit is F0/a^2 with F0 of the study's liquid, as in `cohesion_lines`, whatever liquid was
-/// fitted. Effects on the instrument are left out. Groups without such readings are left out too.
-/// The errors are those of the fitted parameters, the dry stress ratio and the solid fraction;
-/// those of Z* and s12cap are not known and left out. Source: Badetti et al. (2018), fig:cphilphis.
+/// Returns the structural cohesion of each group of wet readings (`wet_groups`) at the calibrated
+/// parameters: averages over the readings whose P* is at or above the limit of `options`. Groups
+/// without such readings are left out. Grains and liquid are as the study's effects change them;
+/// effects on the instrument are left out. The dry stress ratio mu*_0 is that of the wet grains
+/// without bridges at the same inertial number. Cohesions are reduced by F0/a^2 with F0 of the
+/// study's liquid, as in `cohesion_lines`, whatever liquid was fitted. The standard errors include
+/// the errors of the fitted parameters, the dry stress ratio and the solid fraction; the errors of
+/// Z* and s12cap are unknown and left out.
+/// Source: Badetti et al. (2018), fig:cphilphis.
 std::vector<StructuralCohesion> structural_cohesions(const StudyModel& model,
                                                      const Calibration& calibration,
                                                      const CohesionOptions& options = {});

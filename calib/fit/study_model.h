@@ -11,26 +11,31 @@ namespace pendular {
 
 struct Calibration;
 
-/// Model of a study: simulation, base and effects. It is a value; copies share constant parts.
+/// Model of a study, assembled from the emulated simulation, the base and the effects. Copies are
+/// cheap, since they share constant parts.
 class StudyModel {
   public:
+    /// Assembles the model of a study on a simulation.
     StudyModel(const ResolvedStudy& study, std::shared_ptr<const EmulatedSimulation> simulation);
-    /// Model of a finished calibration, assembled again from its runs.
+    /// Assembles the model of a finished calibration again from its runs.
     StudyModel(const ResolvedStudy& study, const Calibration& calibration);
 
     /// Model of the readings as the instrument shows them, with all effects.
     const EffectModel& model() const { return *model_; }
+    /// Returns model() as a shared pointer, which may outlive this object.
     std::shared_ptr<const EffectModel> predictor() const { return model_; }
+    /// Emulated simulation that base and effects use.
     const EmulatedSimulation& simulation() const { return *simulation_; }
-    /// Model on an ideal instrument: with the study's effects on grains and liquid, without those
-    /// on the instrument.
+    /// Model of the readings as an ideal instrument would show them: with all effects of the study
+    /// except effects on the instrument.
     const EffectModel& flow() const { return *flow_; }
-    /// Model at readings, followed by the study's direct measurements.
+    /// Returns the model that predicts these readings, followed by the study's direct measurements.
     ModelOfReadings at(const std::vector<Reading>& readings) const;
-    /// Values of the parameters of flow(), from values of those of model().
+    /// Values of the parameters of flow(), taken from values of the parameters of model().
     Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
-    /// Conditions as the study's effects on grains and liquid make them at these values of the
-    /// parameters of model(), where the instrument shows the truth.
+    /// Conditions as the study's effects on grains and liquid change them, on an ideal instrument,
+    /// which shows the true values.
+    /// @param parameters values of the parameters of model()
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
     /// Effects that the study lists, in its order.

@@ -8,7 +8,8 @@
 namespace pendular {
 
 std::vector<std::string> undetermined(const Fit& fit, const std::vector<Parameter>& parameters) {
-    /// Share of the largest component from which a parameter counts as part of a combination [1].
+    /// Smallest component of a parameter, relative to the largest, that counts as part of a
+    /// combination [1].
     constexpr double smallest_of_interest = 0.01;
     const auto n = static_cast<Eigen::Index>(parameters.size());
     Eigen::VectorXd ranges(n);

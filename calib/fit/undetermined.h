@@ -7,9 +7,9 @@
 
 namespace pendular {
 
-/// A sentence for each combination of parameters that the readings do not determine: along it,
-/// parameters may move by more than the whole of their ranges and the fit stays as good. The
-/// combinations are principal axes of the covariance in units of those ranges.
+/// Returns one sentence, with advice, for each combination of parameters that the readings do not
+/// determine: along the combination, the standard error exceeds the range of the parameters. The
+/// combinations are principal axes of the covariance in units of the parameters' ranges.
 std::vector<std::string> undetermined(const Fit& fit, const std::vector<Parameter>& parameters);
 
 }  // namespace pendular

@@ -7,6 +7,7 @@
 namespace pendular {
 namespace {
 
+/// Relative tolerance of the liquid contents of one group [1].
 constexpr double liquid_content_tolerance = 0.02;
 
 bool alike(const Condition& a, const Condition& b) {
@@ -27,7 +28,7 @@ std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings) {
         if (own.dry()) {
             continue;
         }
-        // Each joins the first group whose first reading it agrees with.
+        // Each reading joins the first group with whose first reading it agrees.
         const auto home = std::ranges::find_if(groups, [&](const WetGroup& group) {
             return alike(readings[group.members.front()].condition, own);
         });

@@ -11,15 +11,15 @@
 
 namespace pendular {
 
-/// The model of a study: the base that it names (for `rumpf` with the terms that closure effects
-/// make of it) on a simulation, and effects on top. Without effects it predicts bit for bit what
-/// the base does.
+/// Assembles the model of a study: the base that the study names, computed from `simulation`, with
+/// effects added. In base `rumpf`, closure effects switch on terms of the closure. Without effects
+/// the model predicts exactly what the base predicts.
 /// @param effects in the order of their parameters; must outlive the model
 std::shared_ptr<const EffectModel> assemble_model(
     const Study& study, std::shared_ptr<const EmulatedSimulation> simulation,
     const std::vector<const Effect*>& effects);
 
-/// Terms of a closure that these effects switch on.
+/// Terms of the closure of base `rumpf` that these effects switch on.
 closures::Terms terms_of(const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

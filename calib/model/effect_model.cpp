@@ -11,10 +11,10 @@
 namespace pendular {
 namespace {
 
-/// Where a fit begins, of the smallest effect of interest: off neutral, where some effects have no
-/// slope.
+/// Starting value of an effect's parameter in a fit: distance from neutral, where some effects have
+/// no slope, over the smallest effect of interest [1].
 constexpr double start_share = 0.3;
-/// Step of the difference quotients, of the smallest effect of interest.
+/// Step of the difference quotients over the smallest effect of interest [1].
 constexpr double step_share = 1e-3;
 
 /// Solid fraction and stress ratio assumed for readings without a height [1].
@@ -32,10 +32,11 @@ double start_of(const Effect& effect, const EffectParameter& p, const Study& stu
 /// True states of the cell at the conditions that the instrument shows.
 struct EffectModel::Truths {
     std::vector<ActiveEffect> effects;
-    std::vector<InstrumentMap> maps;          ///< one a reading; empty where none touches it
-    std::vector<CellState> states;            ///< likewise
-    std::vector<Condition> shown;             ///< as recorded
-    std::vector<EffectiveCondition> imposed;  ///< what the model inside is asked
+    /// Instrument map of each reading; empty where no instrument effect touches the reading.
+    std::vector<InstrumentMap> maps;
+    std::vector<CellState> states;  ///< true state for each reading; default where its map is empty
+    std::vector<Condition> shown;   ///< conditions as recorded
+    std::vector<EffectiveCondition> imposed;  ///< true conditions, passed to the inner model
 };
 
 EffectModel::EffectModel(std::shared_ptr<const FlowPredictor> inside, const Study& study,
@@ -122,7 +123,8 @@ Eigen::VectorXd EffectModel::shown(const Truths& truths, const Eigen::VectorXd& 
 
 Eigen::MatrixXd EffectModel::shown_by_predicted(const Truths& truths,
                                                 const Eigen::VectorXd& predicted) const {
-    // Covariance of each reading from its own two predictions.
+    // Each reading depends on its own two predictions only, so that all readings are varied at
+    // once.
     const Eigen::Index n = predicted.size();
     Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(n, n);
     constexpr double step = 1e-5;
@@ -147,7 +149,7 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
     const auto inside = static_cast<Eigen::Index>(inside_->parameters().size());
     const Eigen::VectorXd own = inside_parameters(parameters);
     const auto values_at = [&](const Eigen::VectorXd& at) {
-        // Only changed conditions are predicted again by the model inside.
+        // The inner model predicts again only at conditions that changed.
         const Truths there = truths_at(at, conditions);
         const Eigen::VectorXd own_there = inside_parameters(at);
         std::vector<EffectiveCondition> changed;
@@ -175,8 +177,8 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
         below(k) = std::max(parameters(k) - step, p.lower);
         return Eigen::VectorXd((values_at(above) - values_at(below)) / (above(k) - below(k)));
     };
-    // The model inside gives its own slopes, except for how effects on grains change with its
-    // parameters.
+    // The inner model returns the slopes by its own parameters. They do not contain how the
+    // response to effects on grains depends on these parameters, which needs difference quotients.
     const bool grains = std::ranges::any_of(effects_, &Effect::of_grains);
     for (Eigen::Index k = 0; grains && k < inside; ++k) {
         result.jacobian.col(k) = quotient(k, step_share * std::max(0.1, parameters(k)));
@@ -232,9 +234,9 @@ ModelSpace::ChangeErrors EffectModel::change_errors(
         };
         return {covariance(here) - covariance(there), Eigen::MatrixXd::Zero(n, n)};
     }
-    // Predictions without the effect, then those of the conditions that it changes.
+    // Conditions without the effect, then those that the effect changes.
     std::vector<EffectiveCondition> requested = there.imposed;
-    std::vector<Eigen::Index> place;  // of a reading's prediction with
+    std::vector<Eigen::Index> place;  // index of each reading's condition with the effect
     for (std::size_t k = 0; k < here.imposed.size(); ++k) {
         const bool same = here.imposed[k] == there.imposed[k];
         place.push_back(static_cast<Eigen::Index>(same ? k : requested.size()));

@@ -10,18 +10,22 @@
 
 namespace pendular {
 
-/// Predictor with effects: its parameters are those of the model inside, then those of the effects,
-/// "EFFECT.PARAMETER". Switches are on.
+/// Predictor that adds effects to an inner model. Its parameters are those of the inner model, then
+/// those of the effects, named "EFFECT.PARAMETER". Effects that are switches are on and have no
+/// parameter.
 ///
-/// A reading's condition is what the instrument shows. The instrument map is inverted there to find
-/// the condition that is truly imposed, effects on grains, liquid and grains change it, the model
-/// inside predicts, and the map turns the prediction into the values shown. Where no effect touches
-/// a reading it is predicted bit for bit as by the model inside. Derivatives by effects are central
-/// differences over a thousandth of the smallest effect of interest: those of smooth functions, not
-/// of noise.
+/// The condition of a reading is the one that the instrument shows. A prediction takes four steps:
+/// the inverted instrument map gives the condition that is truly imposed; effects on grains and
+/// liquid change this condition; the inner model predicts the true flow; the instrument map turns
+/// the prediction into the values shown. A reading that no effect touches is predicted exactly as
+/// by the inner model. Derivatives by effects are central differences with a step of a thousandth
+/// of the smallest effect of interest. Predictions are smooth functions of the parameters, so that
+/// the differences contain no noise.
 class EffectModel : public Predictor {
   public:
-    /// The effects must outlive it. The closure effects among them are the caller's.
+    /// Adds `effects` to the model `inside`. The effects must outlive this model. Closure effects
+    /// only add their parameters: the caller passes a model whose closure they have changed
+    /// already.
     EffectModel(std::shared_ptr<const FlowPredictor> inside, const Study& study,
                 std::vector<const Effect*> effects);
 
@@ -30,35 +34,40 @@ class EffectModel : public Predictor {
                        PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override;
 
-    /// Errors of the change from a model on the same inner model, with fewer effects, to this one.
-    /// An effect on grains is known from runs of its own, whose errors are independent of those of
-    /// the model without it. The change by other effects follows from predictions at neighbouring
-    /// conditions, whose errors are nearly equal.
+    /// Errors of the change of the predictions from `without`, a model with the same inner model
+    /// and fewer effects, to this model. The response to an effect on grains is trained on separate
+    /// runs, whose errors are independent of those of the model without the effect. The change by
+    /// any other effect follows from predictions at neighbouring conditions, whose errors are
+    /// nearly equal.
     ModelSpace::ChangeErrors change_errors(const Eigen::VectorXd& parameters,
                                            const EffectModel& without,
                                            const Eigen::VectorXd& parameters_without,
                                            const std::vector<Condition>& conditions) const;
 
-    /// Effects with their values at these parameters.
+    /// Effects of the model with the values of their parameters at `parameters`.
     std::vector<ActiveEffect> effects_at(const Eigen::VectorXd& parameters) const;
 
-    /// True conditions behind those that the instrument shows: the conditions requested from the
-    /// inner model.
+    /// Returns the true condition behind each condition that the instrument shows, as effects
+    /// change it: the conditions at which the inner model predicts.
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
 
   private:
     struct Truths;
-    /// True states of the cell for readings at these conditions and parameters.
+    /// True states of the cell for readings at shown conditions, at these parameters.
     Truths truths_at(const Eigen::VectorXd& parameters,
                      const std::vector<Condition>& conditions) const;
+    /// Parameters of the inner model, the first of all parameters.
     Eigen::VectorXd inside_parameters(const Eigen::VectorXd& parameters) const {
         return parameters.head(static_cast<Eigen::Index>(inside_->parameters().size()));
     }
-    /// Values that the instrument shows for the true ones.
+    /// Values that the instrument shows where the inner model predicts the true values `predicted`.
     Eigen::VectorXd shown(const Truths& truths, const Eigen::VectorXd& predicted) const;
+    /// Derivatives of the shown values by the predicted true values.
     Eigen::MatrixXd shown_by_predicted(const Truths& truths,
                                        const Eigen::VectorXd& predicted) const;
+    /// Sets the derivatives in the Jacobian of `result` by the effects' parameters and, where an
+    /// effect acts on grains, by the inner model's parameters.
     void add_slopes(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                     const Truths& truths, const Eigen::VectorXd& predicted,
                     Prediction& result) const;
@@ -69,8 +78,8 @@ class EffectModel : public Predictor {
     std::vector<Parameter> parameters_;
 };
 
-/// Whether an effect needs a joint fit of all readings: it touches dry readings, or has an
-/// amplitude that only wet readings determine.
+/// Whether any effect needs a joint fit of dry and wet readings: because it touches dry readings,
+/// or has a parameter to fit that only wet readings determine.
 bool needs_joint_fit(const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

@@ -16,7 +16,8 @@ namespace {
 using dem::Observable;
 using emulated::pairs_at;
 
-/// States kept with their bridge volume: some hundred times the readings of a study.
+/// Maximum number of cached states with their bridge volume: some hundred times the number of
+/// readings of a study.
 constexpr std::size_t most_filled = 20000;
 
 std::size_t hash_of(const FlowState& state, double liquid_content) {
@@ -101,16 +102,18 @@ StructureResponse EmulatedSimulation::capillary_shear_stress(
     const FlowState state = flow_state_at(friction, condition);
     StructureResponse stress =
         at_constant_content(respond(emulator_, {Observable::capillary_shear_stress}, state), state);
-    stress.value /= state.inverse_pressure;  // over s22; wanted over F0/a^2
+    stress.value /= state.inverse_pressure;  // from s12cap/s22 to a^2 s12cap/F0
     stress.by_friction /= state.inverse_pressure;
     stress.by_log_volume /= state.inverse_pressure;
     return stress;
 }
 
 struct EmulatedSimulation::Errors {
-    std::vector<Query> coordinations;  ///< two a wet condition
-    Eigen::MatrixXd by_coordination;   ///< derivatives of all predictions by those
-    Eigen::VectorXd stiffness;         ///< standard error of the correction, common to all
+    /// Two queries for each wet condition: coordination by contacts and by distant bridges.
+    std::vector<Query> coordinations;
+    Eigen::MatrixXd by_coordination;  ///< derivatives of all predictions by the coordinations
+    /// Standard error of the stiffness correction of each prediction, fully correlated between all.
+    Eigen::VectorXd stiffness;
 };
 
 double EmulatedSimulation::stiffness_left(const EffectiveCondition& condition) const {
@@ -121,7 +124,8 @@ Prediction EmulatedSimulation::predict_slopes(const std::vector<FlowState>& stat
                                               const std::vector<EffectiveCondition>& conditions,
                                               Errors* errors) const {
     const auto n = static_cast<Eigen::Index>(conditions.size());
-    // Stress ratio, solid fraction and overlap; by friction; by bridge volume.
+    // Nine queries for each state: stress ratio, solid fraction and overlap, then their derivatives
+    // by friction, then by bridge volume.
     std::vector<Query> queries;
     for (const FlowState& state : states) {
         for (const std::optional<Input> by :
@@ -145,8 +149,8 @@ Prediction EmulatedSimulation::predict_slopes(const std::vector<FlowState>& stat
         const Eigen::Vector3d by_log_volume =
             state.dry() ? Eigen::Vector3d::Zero()
                         : Eigen::Vector3d(state.bridge_volume * said.segment<3>(9 * k + 6));
-        // From rigid grains to those of the study: the part 1 - share of the shift at the reference
-        // stiffness applies.
+        // From rigid grains to the study's grains: the part 1 - share of the rigidity shift at the
+        // reference stiffness number applies.
         const double share = stiffness_left(condition);
         const double shift = dem::rigidity_shift(value(1), value(2));
         const auto with_stiffness = [&](const Eigen::Vector3d& change) {

@@ -13,10 +13,12 @@
 
 namespace pendular {
 
-/// Predictor of dry and wet readings by the emulator; its parameter is the friction.
+/// Predictor of dry and wet readings by the emulator (Gaussian processes trained on runs). Its only
+/// parameter is the friction.
 ///
-/// The solid fraction is that of rigid grains, corrected for the study's stiffness by means of the
-/// overlaps. A liquid content is turned into a bridge volume with the emulated coordination.
+/// The emulated solid fraction of rigid grains is corrected to the study's stiffness by means of
+/// the emulated overlaps. A liquid content is converted into a bridge volume by means of the
+/// emulated coordination number.
 class EmulatedSimulation : public FlowPredictor {
   public:
     EmulatedSimulation(const Study& study, const Fidelity& fidelity, Emulator emulator);
@@ -27,34 +29,42 @@ class EmulatedSimulation : public FlowPredictor {
                             PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override;
 
-    /// State to simulate for a condition: a wet one at the bridge volume that has its liquid
-    /// content.
+    /// Flow state of a condition at a friction of the study's grains. For a wet condition, its
+    /// bridge volume gives the condition's liquid content.
     FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
-    /// Wet state with the bridge volume that gives this liquid content.
+    /// Returns a wet state with the bridge volume that gives a liquid content Phi_L/Phi_S [1].
     FlowState filled(const FlowState& state, double liquid_content) const;
-    /// Z* and a^2 s12cap/F0 at a wet condition; derivatives by friction at constant liquid content.
+    /// Effective coordination number Z* at a wet condition [1]; its derivative by friction is that
+    /// at constant liquid content.
     StructureResponse effective_coordination(double friction,
                                              const EffectiveCondition& condition) const;
+    /// Capillary shear stress a^2 s12cap/F0 at a wet condition [1]; its derivative by friction is
+    /// that at constant liquid content.
     StructureResponse capillary_shear_stress(double friction,
                                              const EffectiveCondition& condition) const;
 
     const Emulator& emulator() const { return emulator_; }
-    /// Friction within the bounds that is nearest to the given one [1].
+    /// Friction within the parameter's range that is nearest to `friction` [1].
     double allowed(double friction) const;
 
   private:
     /// Contributions to the errors of predictions.
     struct Errors;
+    /// Predicts values and derivatives; fills `errors` where it is not null.
     Prediction predict_slopes(const std::vector<FlowState>& states,
                               const std::vector<EffectiveCondition>& conditions,
                               Errors* errors) const;
+    /// Predicts values alone.
     Eigen::VectorXd predict_values(const std::vector<FlowState>& states,
                                    const std::vector<EffectiveCondition>& conditions) const;
+    /// Predicts values, derivatives and covariances.
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
-    /// Share of the stiffness correction of the solid fraction that a reading at this condition
-    /// still needs [1].
+    /// Part of the rigidity shift of the solid fraction at the emulator's reference stiffness
+    /// number that separates it from the study's stiffness at this condition [1].
     double stiffness_left(const EffectiveCondition& condition) const;
+    /// Converts the derivative by friction at constant bridge volume into that at constant liquid
+    /// content.
     StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;
 
     Study study_;
@@ -62,8 +72,8 @@ class EmulatedSimulation : public FlowPredictor {
     Emulator emulator_;
     std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
 
-    /// Cache of the states that `filled` found, which derivatives and covariances need again. Its
-    /// content does not depend on the order of requests.
+    /// State that `filled` found for a liquid content. States are cached, since derivatives and
+    /// covariances need them again; each state is the same whatever the order of requests.
     struct Filled {
         double liquid_content;
         FlowState state;

@@ -5,7 +5,7 @@
 namespace pendular {
 
 void widen(Eigen::MatrixXd& square, Eigen::Index by) {
-    if (square.size() == 0) return;  // not asked for
+    if (square.size() == 0) return;  // not requested
     const Eigen::Index n = square.rows();
     square.conservativeResize(n + by, n + by);
     square.rightCols(by).setZero();

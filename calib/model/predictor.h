@@ -10,28 +10,30 @@
 
 namespace pendular {
 
-/// Predicts what an instrument shows at any conditions, such as the simulation behind the readings
-/// of a study. A predictor never changes, so that any number of threads may use it at once.
+/// Model that predicts the values that an instrument shows at any conditions, while a `Model`
+/// predicts one set of readings. A predictor never changes, so that any number of threads may use
+/// it at once.
 class Predictor {
   public:
     virtual ~Predictor() = default;
 
     virtual const std::vector<Parameter>& parameters() const = 0;
 
-    /// Shear stresses [Pa] and solid fractions [1] at these conditions, as in `Prediction`, at
-    /// `parameters` (in the order of parameters()).
+    /// Predicts shear stress [Pa] and solid fraction [1] at each condition, stacked as `Prediction`
+    /// describes, at `parameters` in the order of parameters().
     virtual Prediction predict(const Eigen::VectorXd& parameters,
                                const std::vector<Condition>& conditions,
                                PredictionPart what = PredictionPart::covariance) const = 0;
 
+    /// Range of parameters that simulation supports.
     virtual ParameterBounds bounds() const = 0;
 
-    /// (stress ratio [1], solid fraction [1]) with their covariance.
+    /// Predicted (stress ratio [1], solid fraction [1]) with the covariance of their errors.
     struct Point {
         Eigen::Vector2d value;
         Eigen::Matrix2d covariance;
     };
-    /// Prediction for one condition, for curves.
+    /// Predicts stress ratio and solid fraction at one condition, such as a point of a curve.
     Point predict_at(const Eigen::VectorXd& parameters, const Condition& condition) const;
 };
 
@@ -40,17 +42,19 @@ class FlowPredictor : public Predictor {
   public:
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                        PredictionPart what = PredictionPart::covariance) const final;
-    /// Prediction of the true flow for grains and liquid as changed by effects.
+    /// Predicts the true flow at conditions, grains and liquid as effects have changed them.
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
                                     PredictionPart what = PredictionPart::covariance) const = 0;
 };
 
-/// Predictions of readings, and after them those of direct measurements by the same parameters.
+/// Returns a prediction of readings extended by predictions of direct measurements at the same
+/// parameters and values; direct measurements have no simulation error.
 Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,
                        const std::vector<Parameter>& parameters, const Eigen::VectorXd& values);
 
-/// A predictor as the model of readings at some conditions and, after them, of direct measurements.
+/// Model made from a predictor: it predicts the readings at given conditions, followed by direct
+/// measurements.
 class ModelOfReadings : public Model {
   public:
     ModelOfReadings(std::shared_ptr<const Predictor> predictor, std::vector<Condition> conditions,

@@ -86,7 +86,7 @@ Prediction RumpfModel::predict_flow(const Eigen::VectorXd& parameters,
         const double dry = simulated.value(twin), fraction = simulated.value(2 * k + 1);
         // mu* is linear in each of mu*_dry, Phi_S and Z*: its slopes are ratios.
         const double wet = closure.rumpf_stress(dry, fraction, condition);
-        const double lost = condition.normal_stress / pressure;  // by a unit of shear stress
+        const double lost = condition.normal_stress / pressure;  // F0/a^2, unit of `shear` [Pa]
         const double by_fraction = (wet - dry) / fraction, by_z = (wet - dry) / z.value;
         map(2 * k, 2 * k) = 0;
         map(2 * k, twin) = wet / dry;

@@ -10,12 +10,13 @@
 
 namespace pendular {
 
-/// Base `rumpf`: the simulated dry law with the cohesion of Rumpf's formula, its solid fraction and
-/// coordination simulated,
+/// Base `rumpf`: the simulated dry law mu*_dry with a cohesion after Rumpf's formula, which uses
+/// simulated solid fractions Phi_S and coordination numbers Z*,
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)]                          (eq:strength3)
-/// or, with the capillary shear stress, that less a^2 s12cap/(F0 P*) (eq:strength2). Dry readings
-/// and all solid fractions are those of the simulation. Without the capillary shear stress it is
-/// too high at small liquid contents. The error of Z*, a few per mille, is not in its covariance.
+/// or, with the capillary shear stress, this mu* minus a^2 s12cap/(F0 P*) (eq:strength2). Dry
+/// readings and all solid fractions are those of the simulation. Without the capillary shear
+/// stress, mu* is too high at small liquid contents. The covariance of predictions leaves out the
+/// error of Z*, a few per mille.
 /// Source: Badetti et al. (2018), eq:strength3 and eq:cohesion3, after Rumpf.
 class RumpfModel : public FlowPredictor {
   public:
@@ -30,11 +31,12 @@ class RumpfModel : public FlowPredictor {
     ParameterBounds bounds() const override { return simulation_->bounds(); }
 
   private:
-    /// Closure applied to a wet condition: its stresses and their derivatives.
+    /// Quantities that the closure needs at a wet condition.
     struct Closure {
-        StructureResponse z, shear;  ///< Z* and a^2 s12cap/F0
-        double pressure = 0;         ///< P*
-        /// Shear stress [Pa] with Rumpf's cohesion alone, of the dry one and the solid fraction.
+        StructureResponse z, shear;  ///< Z* and a^2 s12cap/F0 [1]
+        double pressure = 0;         ///< reduced pressure P* [1]
+        /// Shear stress of wet grains [Pa] with Rumpf's cohesion alone, from the shear stress `dry`
+        /// of dry grains [Pa] and the solid fraction [1].
         double rumpf_stress(double dry, double fraction, const EffectiveCondition& condition) const;
     };
     Closure closure_at(double friction, const EffectiveCondition& condition) const;
@@ -47,8 +49,8 @@ class RumpfModel : public FlowPredictor {
     closures::Terms terms_;
 };
 
-/// Conditions, then a dry twin of each wet one in their order, which gives the dry law at the
-/// friction of the wet grains; effects on grains that need liquid are off there.
+/// Returns the conditions, followed by a dry copy of each wet condition, in order. A dry copy gives
+/// the dry law at the friction of the wet grains, without effects on grains that need liquid.
 std::vector<EffectiveCondition> with_dry_twins(const std::vector<EffectiveCondition>& conditions);
 
 }  // namespace pendular

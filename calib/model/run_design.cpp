@@ -12,14 +12,16 @@
 namespace pendular {
 namespace {
 
+/// Relative difference from which two settings count as different [1].
 constexpr double apart_enough = 0.05;
 
-/// Distance of two settings in the logarithms of pressure and liquid content.
+/// Distance between two settings: the larger difference of ln P* and of ln(liquid content) [1].
 double distance(const WetSetting& a, const WetSetting& b) {
     return std::max(std::abs(std::log(a.inverse_pressure / b.inverse_pressure)),
                     std::abs(std::log(a.liquid_content / b.liquid_content)));
 }
 
+/// Distance of a setting to the nearest of the others; infinite if there are none.
 double distance_to_all(const WetSetting& setting, const std::vector<WetSetting>& others) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& other : others) {
@@ -28,7 +30,8 @@ double distance_to_all(const WetSetting& setting, const std::vector<WetSetting>&
     return nearest;
 }
 
-/// Settings chosen one after the other, each the farthest from those before.
+/// Settings chosen one after the other, each the farthest from those chosen before, until
+/// `most_wet_pairs` are chosen or all others are too close.
 std::vector<WetSetting> farthest_first(const std::vector<WetSetting>& all) {
     std::vector<WetSetting> chosen = {all.front()};
     while (chosen.size() < most_wet_pairs) {

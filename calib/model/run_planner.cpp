@@ -21,31 +21,37 @@ namespace {
 using dem::Observable;
 using emulated::pairs_at;
 
-/// Runs that one round of confirmation orders at least and at most.
+/// Smallest and largest number of runs that one round requests.
 constexpr std::size_t fewest_confirming = 4, most_confirming = 16;
-/// Probability below which new runs disagree with the emulator's predictions for them.
+/// Significance level [1]: below this p-value new runs disagree with the emulator's predictions.
 constexpr double significance = 0.01;
 
-/// Greatest distance of ordered runs from a friction, in ln(friction + 0.05).
+/// Distance in ln(friction + 0.05) between a friction and the frictions of requested runs on either
+/// side of it [1].
 constexpr double spread = 0.2;
-/// Factor by which the variance is to fall where there was no run yet.
+/// Factor by which runs are to reduce the variance at states where there was no run yet; so large
+/// that the maximum number of runs is requested.
 constexpr double unknown = 1e9;
 
-/// Frictions at which the first design begins, where nothing is known; evenly spaced in about their
+/// Frictions of the first dry design, for studies without known runs; spaced about evenly in their
 /// logarithm.
 constexpr double first_frictions[] = {0.02, 0.07, 0.15, 0.3, 0.6};
-/// Readings slower than runs can be are extrapolated from so many times the slowest of those on.
-/// But not from flow so fast that it is dilute.
+/// Where readings are slower than all runs, the first design contains a further, faster inertial
+/// number, from which to extrapolate: the lowest inertial number of the runs times this factor, but
+/// at most `fastest_extrapolated`, above which flow becomes dilute.
 constexpr double extrapolation_factor = 10, fastest_extrapolated = 0.3;
-/// Half-widths in ln(friction + 0.05) and in ln V0 over which the first wet runs are spread: about
-/// the friction of a fit, or over all the range where there is none yet.
+/// Half-widths of the region over which the first wet runs are spread: in ln(friction + 0.05) about
+/// the friction of a fit (`fitted_width`) or, before any fit, over the whole range (`whole_width`);
+/// and in ln V0 (`volume_width`).
 constexpr double fitted_width = 0.4, whole_width = 1.4, volume_width = 0.4;
+/// Smallest number of runs of the first wet design.
 constexpr std::size_t fewest_wet = 8;
 
-/// Errors of stress ratio and solid fraction that count as equally large [1].
+/// Errors of stress ratio and solid fraction that count as equally serious [1].
 const Eigen::Vector2d grave(0.01, 0.002);
 
-/// The noise of a run to come, from the mean of those known.
+/// Expected noise of a future run: covariance of its stress ratio and solid fraction [1], scaled
+/// from the mean noise of the known runs by the number of grains and the strain.
 Eigen::Matrix2d expected_noise(const Emulator& emulator, const Fidelity& fidelity) {
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
     for (const auto& run : emulator.runs()) {
@@ -59,6 +65,7 @@ bool has_grain_effects(const std::vector<EffectiveCondition>& conditions) {
         conditions, [](const EffectiveCondition& c) { return !c.grain_effects.empty(); });
 }
 
+/// Lowest inertial number of the conditions [1].
 double slowest(const std::vector<Condition>& conditions) {
     double least = INFINITY;
     for (const Condition& condition : conditions) {
@@ -67,7 +74,7 @@ double slowest(const std::vector<Condition>& conditions) {
     return least;
 }
 
-/// Whether one run serves two states.
+/// Whether two states of equal friction agree within 5 %, so that one run serves both.
 bool near(const FlowState& a, const FlowState& b) {
     constexpr double same = 0.05;
     const auto alike = [&](double x, double y) {
@@ -100,7 +107,8 @@ RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditi
       slowest_(slowest(conditions)),
       inertial_numbers_(inertial_numbers_for(conditions, fidelity.lowest_inertial_number)),
       wet_settings_(wet_settings_for(conditions, study, fidelity.lowest_inertial_number)) {
-    // Structure depends on stiffness: that of the atlas, or of the planner's own runs.
+    // Structure depends on stiffness: use the stiffness number of the atlas or, without known runs,
+    // that of the planner's own runs.
     double structure_stiffness = emulated::reference_stiffness;
     if (known.runs.empty() && orders_more_) {
         if (extrapolated(conditions, fidelity.lowest_inertial_number)) {
@@ -170,7 +178,8 @@ RunPlanner::Candidates RunPlanner::candidates(double friction,
     const auto states_at = [&](double at) {
         std::vector<FlowState> states;
         if (has_grain_effects(conditions)) {
-            // Their size depends on the reading: one run at its own state.
+            // The amplitude of effects on grains depends on the reading: one run at each reading's
+            // own state.
             for (const EffectiveCondition& condition : conditions) {
                 EffectiveCondition simulated = condition;
                 simulated.inertial_number =
@@ -214,7 +223,7 @@ std::vector<FlowState> RunPlanner::most_informative(const std::vector<FlowState>
     std::vector<FlowState> chosen;
     while (chosen.size() < most_confirming &&
            (chosen.size() < fewest_confirming || variance() > enough)) {
-        // A run at c lowers the covariance by C(., c) [C(c, c) + noise]^-1 C(c, .).
+        // A run at c reduces the covariance by C(., c) [C(c, c) + noise]^-1 C(c, .).
         const auto fall = [&](Eigen::Index c) {
             const auto columns = covariance.middleCols<2>(c);
             const Eigen::Matrix2d inverse = (covariance.block<2, 2>(c, c) + noise).inverse();
@@ -239,7 +248,7 @@ std::vector<FlowState> RunPlanner::most_informative(const std::vector<FlowState>
 
 void RunPlanner::improve(double friction, const std::vector<EffectiveCondition>& conditions,
                          double excess) {
-    confirmed_ = rounds_ > 0;  // unless fresh runs say otherwise
+    confirmed_ = rounds_ > 0;  // unless fresh runs disagree
     const auto wet = [](const EffectiveCondition& c) { return !c.dry(); };
     if (!std::ranges::all_of(conditions, wet)) {
         learn(friction, conditions, false, excess);
@@ -255,7 +264,7 @@ void RunPlanner::improve_wet(double friction, const std::vector<EffectiveConditi
     begin_wet(friction);
     // States outside the known range come first, regardless of the rounds for the dry readings.
     order_beyond(friction, conditions, true);
-    // The first runs only confirm; more are ordered where predictions stay too uncertain.
+    // The first runs only confirm; more are requested where predictions stay too uncertain.
     confirm(friction, conditions, true, began_wet_ ? 1 + turns : 1);
     began_wet_ = true;
 }
@@ -286,9 +295,9 @@ void RunPlanner::order_beyond(double friction, const std::vector<EffectiveCondit
         }
     }
     if (targets.empty() || !orders_more_) {
-        return;  // a calibration names the readings whose predictions runs do not support
+        return;  // the notes of a calibration name the readings that runs do not support
     }
-    // The initial error is that of a prior guess.
+    // Without runs nearby, the initial error is that of the prior.
     order(most_informative(targets, from, unknown), "since " + why + " of the known runs");
 }
 
@@ -327,7 +336,7 @@ std::vector<dem::RunResult> RunPlanner::simulate_states(const std::vector<FlowSt
     std::vector<dem::RunParameters> wanted;
     for (const FlowState& state : states) {
         dem::RunParameters run = run_at(state, study_, fidelity_);
-        // A run that is known already would confirm nothing.
+        // A repetition of a known run would confirm nothing.
         do {
             run.seed = seed_of_run(seed_, ordered_++);
         } while (known.contains(run_description(run)));

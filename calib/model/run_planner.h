@@ -14,74 +14,92 @@
 
 namespace pendular {
 
-/// Runs that were ordered, with the reason.
+/// Simulation runs that the planner requested for one reason.
 struct Order {
-    std::size_t runs = 0;
-    std::string why;
+    std::size_t runs = 0;  ///< number of runs
+    std::string why;       ///< reason, as in "to confirm the optimum"
 };
 
-/// Decides which runs would reduce the errors of a study's predictions most, has them carried out
-/// and makes a better predictor from them, repeatedly. It requests two kinds of runs: those outside
-/// the known range, where an emulator must not extrapolate, and those near the optimum of a fit,
-/// which check the emulator; among the latter it takes those that lower the variance of the
+/// Planner of simulations: it decides repeatedly which runs would reduce the errors of a study's
+/// predictions most, carries them out and trains a better predictor on them. It requests two kinds
+/// of runs: runs outside the known range, where an emulator must not extrapolate, and runs near the
+/// optimum of a fit, which check the emulator and are chosen to reduce the variance of the
 /// predictions most. Without known runs it begins with a design that fills the space of the study's
 /// conditions.
 class RunPlanner {
   public:
-    /// `conditions`: of the study's readings, which the predictions are for. Without known runs the
-    /// first design is carried out at once.
-    /// @throws std::invalid_argument where no known run can teach; dem::SimulationError where no
-    ///         run of the first design does
+    /// Trains a first predictor on the known runs. Without known runs it simulates a first dry
+    /// design at once, if runs may be requested.
+    /// @param conditions conditions of the study's readings, which are to be predicted
+    /// @throws std::invalid_argument where no known run can serve as a training run
+    /// @throws dem::SimulationError where no run of the first design succeeds
     RunPlanner(const Study& study, const std::vector<Condition>& conditions,
                const Fidelity& fidelity, std::uint64_t seed, Workers workers, KnownRuns known);
 
-    /// The predictor from all runs known by now.
+    /// Predictor trained on all runs known so far.
     const std::shared_ptr<const EmulatedSimulation>& simulation() const { return simulation_; }
 
-    /// Sharpens predictions at a friction for some conditions, those truly imposed: the first time
-    /// it orders what lies beyond the known runs, later what confirms. `excess` is the factor by
-    /// which the variance that simulation causes in a fit is too large.
+    /// Improves the predictions at a friction for some truly imposed conditions. The first call
+    /// requests runs at states outside the known range, later calls request runs near the optimum
+    /// that check and improve the emulator.
+    /// @param excess factor by which the variance that simulation causes in a fit is too large
+    /// @throws dem::SimulationError where no run of the first wet design succeeds
     void improve(double friction, const std::vector<EffectiveCondition>& conditions, double excess);
-    /// Improves the wet predictions alone, with `turns` times as many runs for each wet setting.
+    /// Improves the predictions of wet conditions alone. The first call checks the emulator with
+    /// few runs; later calls request enough to reduce the variance of the predictions by a factor
+    /// 1 + `turns`, up to a maximum number of runs.
+    /// @throws dem::SimulationError where no run of the first wet design succeeds
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
-    /// Whether the last new runs agreed with the emulator's predictions for them, at the 1 % level.
+    /// Whether the last new runs agreed with the emulator's predictions for them, at the 1 % level;
+    /// also true where no new runs may be requested.
     bool confirmed() const { return confirmed_ || !orders_more_; }
-    /// Whether new runs may be ordered.
+    /// Whether the planner may request new runs.
     bool orders_more() const { return orders_more_; }
-    /// All orders so far.
+    /// Runs requested so far, by reason.
     const std::vector<Order>& orders() const { return orders_; }
-    /// Lines the user should read, such as runs left out.
+    /// Notes for the user, such as on runs that are not used.
     const std::vector<std::string>& notes() const { return notes_; }
 
   private:
-    /// States of the readings at a friction and, in the same order, on either side of it.
+    /// States at which runs may be requested: at a friction and, in the same order, at a lower and
+    /// a higher friction.
     struct Candidates {
         std::vector<FlowState> at_friction, below, above;
     };
+    /// States of the dry or of the wet conditions at which runs may be requested.
     Candidates candidates(double friction, const std::vector<EffectiveCondition>& conditions,
                           bool wet) const;
+    /// Dry states that fill the space of friction and inertial number.
     std::vector<FlowState> first_dry_design() const;
+    /// Wet states that cover the wet conditions, spread over friction and bridge volume.
     std::vector<FlowState> first_wet_design(double friction) const;
+    /// Simulates the first wet design where no run is wet yet.
     void begin_wet(double friction);
+    /// Requests runs for the dry or the wet conditions, as `improve` does.
     void learn(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                double excess);
+    /// Requests runs for the states that lie outside the range of the known runs.
     void order_beyond(double friction, const std::vector<EffectiveCondition>& conditions, bool wet);
+    /// Requests runs near the optimum and tests whether they agree with the emulator.
     void confirm(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                  double excess);
-    /// States at which a run reduces the variance at the targets most, one after the other, some
-    /// repeatedly, until the variance has fallen by a factor `excess`.
+    /// States among `from` at which runs reduce the variance of the predictions at `targets` most.
+    /// They are chosen one after the other, some repeatedly, until the variance has decreased by a
+    /// factor `excess`.
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
-    /// Carries out runs at these states. @return those that can serve as training runs
+    /// Carries out runs at these states and returns those that can serve as training runs.
     std::vector<dem::RunResult> simulate_states(const std::vector<FlowState>& states,
                                                 const std::string& why);
-    /// Carries runs out at these states and learns from them.
-    /// @return probability of a difference at least as large between these runs and the emulator's
-    /// predictions
+    /// Carries out runs at these states and trains the emulator on them.
+    /// @return probability (p-value) of a difference between these runs and the earlier emulator's
+    ///         predictions at least as large as observed; 0 where no run succeeded
     double order(const std::vector<FlowState>& states, const std::string& why);
+    /// Adds runs to those requested for a reason.
     void add_order(std::size_t runs, const std::string& why);
+    /// Makes the predictor use an emulator.
     void use(Emulator emulator);
 
     Study study_;
@@ -90,15 +108,16 @@ class RunPlanner {
     Workers workers_;
     bool orders_more_;
     std::shared_ptr<const EmulatedSimulation> simulation_;
-    double slowest_;                        ///< inertial number of the readings
-    std::vector<double> inertial_numbers_;  ///< at which dry runs are ordered
-    bool extrapolates_ = false;  ///< whether readings are slower than all runs there will be
+    double slowest_;                        ///< lowest inertial number of the readings [1]
+    std::vector<double> inertial_numbers_;  ///< inertial numbers of the requested dry runs [1]
+    /// Whether readings are slower than all runs, in a calibration that began without known runs.
+    bool extrapolates_ = false;
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;
     std::vector<Order> orders_;
-    /// Number of the next run, which gives it a seed of its own.
+    /// Number of the next run, from which the seed of the run follows.
     std::uint64_t ordered_ = std::uint64_t{1} << 32;
-    int rounds_ = 0;
+    int rounds_ = 0;  ///< number of calls of `improve`
     bool began_wet_ = false;
     bool confirmed_ = false;
 };

@@ -83,7 +83,7 @@ void StudyModels::add_candidate(const Effect& effect) {
             {effect.name, "no known run has it alone; 'pendular campaign' makes such runs", true});
     } else {
         Candidate candidate{effect.name, effect.parameters};
-        // Where the effect is always on, the candidate is another value than the study gives.
+        // An effect that the liquid switches on is neutral at the value that the liquid gives.
         candidate.parameters.front().neutral = effect.unlisted_value(study_.study().liquid);
         offered_.push_back(&effect);
         candidates_.push_back(std::move(candidate));
@@ -106,7 +106,7 @@ ModelSpace::ChangeErrors StudyModels::change_errors(const EffectSet& chosen,
                                                     const Eigen::VectorXd& parameters,
                                                     std::size_t added, double value) const {
     if (offered_[added]->of_closure()) {
-        return {};  // of the terms of a closure, which are known far better than what they add to
+        return {};  // negligible: terms of a closure are known much better than the base
     }
     EffectSet more = chosen;
     more.push_back(added);

@@ -12,50 +12,58 @@
 
 namespace pendular {
 
-/// An effect that is no candidate, with the reason.
+/// Effect that is neither in a study's model nor a candidate for it, with the reason.
 struct LeftAside {
     std::string effect, why;
-    bool without_runs = false;  ///< it applies, but no known run includes it
+    bool without_runs = false;  ///< the effect applies, but no known run has it alone
 };
 
-/// The emulated model of a study, with the effects that the study lists, and every further effect
-/// that applies to it as a candidate. One emulator serves all of them; no runs are ordered.
+/// Models of a study: the emulated model with the effects that the study lists, and as candidates
+/// all further effects that apply to the study. One emulator serves all models; no new runs are
+/// requested.
 class StudyModels : public ModelSpace {
   public:
-    /// @param known runs of plain grains and of grains with any effects on grains
-    /// @throws InputError for a listed effect of which no run tells
+    /// Trains the emulator and finds the candidates.
+    /// @param conditions conditions of the readings that the models predict
+    /// @param known training runs without effects and with effects on grains
+    /// @throws InputError where the study lists or directly measures an effect on grains that no
+    ///         known run has alone
+    /// @throws std::invalid_argument where no known run can serve as a training run
     StudyModels(const ResolvedStudy& study, std::vector<Condition> conditions,
                 const Fidelity& fidelity, KnownRuns known);
 
     const std::vector<Candidate>& candidates() const override { return candidates_; }
     std::shared_ptr<const Model> with(const EffectSet& chosen) const override;
-    /// Model with this effect set for any conditions.
+    /// Returns the model with the candidates `chosen` added, as a predictor for any conditions.
     std::shared_ptr<const EffectModel> predictor(const EffectSet& chosen) const;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;
 
-    /// The study's direct measurements, which its models predict after the readings.
+    /// Direct measurements of the study, which the models predict after the readings.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
 
-    /// Effects that are neither listed nor candidates.
+    /// Effects that are neither listed by the study nor candidates, with the reasons.
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
-    /// Why the known runs do not support the readings' states at this friction, as in "reduced
-    /// pressure 0.3 is below 0.5" (`KnownRange`); each reason once, without effects.
+    /// Reasons why the known runs do not support predictions of the readings at a friction, without
+    /// effects, as in "reduced pressure 0.3 is below 0.5" (`KnownRange`); each reason once.
     std::vector<std::string> why_unsupported(double friction) const;
-    /// Why the known runs do not support one condition; empty where they do.
+    /// Reason why the known runs do not support a prediction at one condition; empty where they do.
     std::string why_unsupported(double friction, const Condition& condition) const;
 
-    /// Study that lists every effect, so that runs with any of them serve as training runs.
+    /// Returns the study with all effects of the catalogue listed, so that `runs_serving` keeps
+    /// runs with any effect.
     static Study with_all_effects(const ResolvedStudy& study);
 
   private:
+    /// Whether an effect can be predicted: it does not act on grains, or a known run has it alone.
     bool has_runs(const Effect& effect) const;
+    /// Adds an effect to the candidates or, with the reason, to `left_aside_`.
     void add_candidate(const Effect& effect);
 
     ResolvedStudy study_;
     std::vector<Condition> conditions_;
-    std::vector<const Effect*> offered_;
+    std::vector<const Effect*> offered_;  ///< effect of each candidate
     std::vector<Candidate> candidates_;
     std::vector<LeftAside> left_aside_;
     std::shared_ptr<const EmulatedSimulation> simulation_;

@@ -8,14 +8,18 @@
 
 namespace pendular {
 
-/// 1/P* of a wet condition [1], with the liquid as changed by effects.
+/// Inverse reduced pressure 1/P* of a wet condition [1], with the liquid as effects have changed
+/// it.
 double inverse_pressure_of(const EffectiveCondition& condition, const Study& study);
 
-/// Run of a study's grains at a state, without a seed; over the fidelity's strain.
+/// Parameters of a run that simulates a study's grains at a flow state, with the size, stiffness
+/// number and strain of the fidelity. The seed is not set.
 dem::RunParameters run_at(const FlowState& state, const Study& study, const Fidelity& fidelity);
 
-/// Share of the rigidity shift of runs of a stiffness number that separates them from the grains of
-/// the study at a condition [1]; from those of the fidelity, where the study names no modulus.
+/// Part of the rigidity shift of the solid fraction (`dem::rigidity_shift`) in runs of stiffness
+/// number `simulated` that separates them from the study's grains at a condition [1]: 1 -
+/// simulated/kappa, with kappa the stiffness number of the grains or, where the study states no
+/// modulus, of the fidelity.
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity);
 

@@ -14,12 +14,14 @@
 namespace pendular {
 namespace {
 
-/// rate a sqrt(rho/s22) over rate sqrt(m/(a s22)), m = rho pi a^3/6.
+/// Ratio of the two definitions of the inertial number, rate a sqrt(rho/s22) over rate sqrt(m/(a
+/// s22)) [1], with m = rho pi a^3/6.
 const double diameter_density_convention = std::sqrt(6 / std::numbers::pi);
 
-/// Factor for an angular velocity whose unit has no angle: 1/s is rad/s by SI, while instruments
-/// that show a speed in 1/min, and all that show a frequency in Hz, mean revolutions. Other
-/// combinations could mean either.
+/// Factor that converts an angular velocity in a unit without an angle to rad/s, besides the factor
+/// of the unit: 2 pi for a rotational speed and for frequencies in Hz, which count revolutions; 1
+/// for 1/s, which is rad/s in SI.
+/// @throws std::invalid_argument for other units, such as 1/min, which may count turns or radians
 double angle_left_out(const Quantity& quantity, const Unit& unit) {
     const bool frequency = unit.spelling().ends_with("Hz");
     if (quantity.name == "rotational_speed" || frequency) return 2 * std::numbers::pi;
@@ -29,7 +31,8 @@ double angle_left_out(const Quantity& quantity, const Unit& unit) {
                     unit.spelling()));
 }
 
-/// Factor besides the unit's own from a column's numbers to the quantity it is read as.
+/// Factor, besides that of the unit, that converts numbers of a column to the quantity that the
+/// column is read as (`read_as`).
 /// @throws std::invalid_argument for a unit of the wrong dimension
 double further_factor(const Quantity& quantity, const Unit& unit) {
     const bool angular = quantity.unit == "rad/s" || quantity.unit == "turn/s";
@@ -41,7 +44,7 @@ double further_factor(const Quantity& quantity, const Unit& unit) {
                                                                : 1;
 }
 
-/// The name a column is read as: both conventions of a quantity are one.
+/// Name of the quantity that a column is read as, since two conventions are converted.
 std::string_view read_as(const Quantity& quantity) {
     if (quantity.name == "inertial_number_diameter_density") return "inertial_number";
     if (quantity.name == "rotational_speed") return "angular_velocity";

@@ -11,58 +11,66 @@
 
 namespace pendular {
 
-/// The columns of a table matched to known quantities, and their cells as numbers in SI units.
+/// Access to the columns of a table by the names of their quantities, with numbers in SI units.
 ///
-/// Header cells read `name [unit]`, `name (unit)` or `name in unit`, in any order; `name_sd [unit]`
-/// holds standard deviations, in the unit of `name` if it has none of its own. Two conventions are
-/// translated: `inertial_number_diameter_density`, rate a sqrt(density/s22), is divided by
-/// sqrt(6/pi) and read as `inertial_number`; `rotational_speed` counts turns where its unit does
-/// not say so, and is read as `angular_velocity`.
+/// Header cells read `name [unit]`, `name (unit)` or `name in unit`; columns may be in any order. A
+/// column `name_sd [unit]` holds standard deviations; without a unit of its own, it has the unit of
+/// `name`. Two conventions are translated: `inertial_number_diameter_density`, rate a
+/// sqrt(density/s22), is divided by sqrt(6/pi) and read as `inertial_number`; `rotational_speed`,
+/// in turns unless the unit says otherwise, is read as `angular_velocity`.
 class Columns {
   public:
-    /// Keeps a reference to the table. A faulty header cell raises an error only when its column is
-    /// requested, so that unused columns may have any header.
+    /// Matches the header cells to quantities and keeps a reference to the table. A faulty header
+    /// cell raises an error only when its column is requested, so that unused columns may have any
+    /// header.
     explicit Columns(const Table& table);
 
-    /// @throws InputError, like all that follow, at the header cell for a unit that is none or of
-    ///         the wrong dimension, and for two columns of one quantity
+    /// Whether the table has a column of this quantity.
+    /// @throws InputError at the header cell, as all functions with a name do, if the column's unit
+    ///         is unknown or has the wrong dimension, or if two columns have this quantity
     bool has(std::string_view name) const { return find(name, false) != nullptr; }
 
-    /// @throws InputError naming the column and those that were found, if it is not there
+    /// Checks that the table has a column of this quantity.
+    /// @throws InputError if the column is missing, listing the header cells of the table
     void require(std::string_view name) const;
-    /// Returns the one of two columns that the table has.
-    /// @throws InputError if none or more than one is
+    /// Name of the one column, out of two alternatives, that the table has.
+    /// @throws InputError if the table has both columns or neither
     std::string_view require_one_of(std::string_view first, std::string_view second) const;
 
-    /// Value of a required column's cell in SI units.
+    /// Value in SI units in a column that the table must have (see `require`).
     /// @throws InputError at the cell if it is not a finite number
     double value(const Row& row, std::string_view name) const;
-    /// Value in SI units; empty where the column is missing or the cell is empty.
+    /// Value in SI units in a column; empty if the column is missing or the cell is empty.
+    /// @throws InputError at the cell if its text is not a finite number
     std::optional<double> value_if_any(const Row& row, std::string_view name) const;
-    /// Standard deviation in SI units; empty where column or cell is.
-    /// @throws InputError at the cell if it is not positive
+    /// Standard deviation in SI units from the column `name_sd`; empty if the column is missing or
+    /// the cell is empty.
+    /// @throws InputError at the cell if its text is not a positive number
     std::optional<double> deviation(const Row& row, std::string_view name) const;
 
-    /// Step to which each row's value was rounded when it was written, in SI units; 0 where the
-    /// column or a cell is not there.
+    /// Step to which the value of each row was rounded when it was written, in SI units; 0 if the
+    /// column is missing or the cell is empty.
     std::vector<double> resolutions(std::string_view name) const;
 
-    /// Where the cell of a quantity stands; the row's beginning if there is no such column.
+    /// Position of a quantity's cell in the file; the row without a column if there is no such
+    /// cell.
     Position at(const Row& row, std::string_view name) const;
 
-    /// Header cells that name no known quantity.
+    /// Indices of the header cells that name no known quantity, from 0.
     const std::vector<std::size_t>& unknown() const { return unknown_; }
-    /// Header cells other than of the names given ("torque", "torque_sd"), as the file has them.
+    /// Texts of the header cells whose columns are not among the used names ("torque",
+    /// "torque_sd").
     std::vector<std::string> others(const std::vector<std::string_view>& used) const;
 
   private:
+    /// Column of a known quantity; si = factor x + offset.
     struct Column {
-        std::string_view name;
-        bool deviation = false;
+        std::string_view name;   ///< name of the quantity
+        bool deviation = false;  ///< whether the column holds standard deviations
         double factor = 1;
         double offset = 0;
-        std::size_t index = 0;
-        std::string wrong = {};  ///< with its unit, if anything
+        std::size_t index = 0;   ///< place of the column in the table, from 0
+        std::string wrong = {};  ///< error message about the column's unit; empty if there is none
     };
 
     void add(std::size_t index);

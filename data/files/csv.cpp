@@ -13,14 +13,14 @@
 namespace pendular {
 namespace {
 
-/// Number of characters in UTF-8 text: bytes that do not continue another.
+/// Number of characters in a UTF-8 text.
 int characters(std::string_view text) {
     return static_cast<int>(
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// libcsv, fed a line at a time: an unclosed quote then ends with its line instead of swallowing
-/// the file, and a byte at a time: the parser reports no positions.
+/// Parser of CSV lines, based on libcsv. It parses line by line, so that an unclosed quote ends
+/// with its line, and byte by byte, to know the positions of cells, which libcsv does not report.
 class LineParser {
   public:
     LineParser(std::string file, char delimiter) : file_(std::move(file)) {
@@ -31,7 +31,8 @@ class LineParser {
     LineParser& operator=(const LineParser&) = delete;
     ~LineParser() { csv_free(&parser_); }
 
-    /// @throws InputError for quotes that do not close or stand within a cell
+    /// Parses a line of this number (from 1) into cells.
+    /// @throws InputError at a quote that does not close or is inside a cell
     Row parse(const std::string& line, int number) {
         texts_.clear();
         Row row{number, {}};
@@ -73,7 +74,7 @@ class LineParser {
     std::vector<std::string> texts_;
 };
 
-/// The delimiter that stands most often in the header outside of quotes and of a unit's brackets.
+/// Most frequent delimiter in a header, outside of quotes and brackets; a comma if there is none.
 char detect_delimiter(std::string_view header) {
     constexpr std::array<char, 3> candidates = {'\t', ';', ','};
     std::array<int, 3> counts = {};
@@ -91,7 +92,7 @@ char detect_delimiter(std::string_view header) {
     return *most == 0 ? ',' : candidates[static_cast<std::size_t>(most - counts.begin())];
 }
 
-/// A line that holds nothing: blank, a comment, or delimiters alone as spreadsheets leave them.
+/// Whether a line is blank, a comment, or delimiters alone, as spreadsheets write empty rows.
 bool passed_over(std::string_view line) {
     const std::string_view text = trimmed(line);
     return text.starts_with('#') || text.find_first_not_of(" \t,;") == std::string_view::npos;

@@ -9,15 +9,15 @@
 
 namespace pendular {
 
-/// Cell of a table without the blanks and quotes around it.
+/// Cell of a table.
 struct Cell {
-    std::string text;
-    int column = 0;  ///< in characters from the start of the line, from 1
+    std::string text;  ///< content without the blanks and quotes around it
+    int column = 0;    ///< position in its line, in characters from 1
 };
 
-/// Line of a table.
+/// Row of a table.
 struct Row {
-    int line = 0;
+    int line = 0;  ///< line of the file, from 1
     std::vector<Cell> cells;
 };
 
@@ -28,19 +28,22 @@ struct Table {
     std::vector<Row> rows;
     char delimiter = ',';
 
+    /// Position of a cell of a row in the file; cells count from 0.
     Position at(const Row& row, std::size_t cell) const {
         return {file, row.line, row.cells[cell].column};
     }
+    /// Position of a header cell in the file; cells count from 0.
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 
-/// Reads a delimited text file. The delimiter is found in the header among comma, semicolon and
-/// tab; blank lines, lines of empty cells and lines that begin with '#' are passed over.
-/// @throws InputError at file:line:column for an empty file, no data rows, rows of another length
-///         than the header, quotes that do not close, and column names that stand twice
+/// Reads a text file of delimited cells. The delimiter is the most frequent of comma, semicolon and
+/// tab in the header. Blank lines, lines of empty cells and lines that begin with '#' are skipped.
+/// @throws InputError at file:line:column if the file is empty or has no rows, a row differs in
+///         length from the header, a quote is misplaced or does not close, a column name occurs
+///         twice, or the header consists of numbers
 Table read_table(const std::filesystem::path& path);
 
-/// Text quoted as one cell of a CSV file; line ends become blanks.
+/// Text as one cell of a CSV file, with quotes where necessary; line ends become blanks.
 std::string csv_cell(std::string_view text);
 
 }  // namespace pendular

@@ -8,7 +8,8 @@
 namespace pendular {
 namespace {
 
-/// Where the bracket that the text's last character closes was opened; npos if none was.
+/// Index of the bracket that opens the pair which the last character of a text closes; npos if the
+/// text does not end with such a pair.
 std::size_t opening_bracket(std::string_view text) {
     if (text.empty() || (text.back() != ']' && text.back() != ')')) return std::string_view::npos;
     int depth = 0;
@@ -20,8 +21,8 @@ std::size_t opening_bracket(std::string_view text) {
     return std::string_view::npos;
 }
 
-/// Length of the mark of a standard deviation at the end of a name, its separator included; 0 if
-/// there is none.
+/// Length of a mark of standard deviations such as "_sd" at the end of a name, with its separator;
+/// 0 if there is none.
 std::size_t deviation_mark(std::string_view name) {
     std::string lower(name);
     std::transform(lower.begin(), lower.end(), lower.begin(),

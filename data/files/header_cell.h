@@ -5,14 +5,14 @@
 
 namespace pendular {
 
-/// Content of a header cell such as "Torque_sd [mN m]": name and unit.
+/// Parts of a header cell such as "Torque_sd [mN m]".
 struct HeaderCell {
-    std::string name;        ///< "Torque", without the mark of a standard deviation
+    std::string name;        ///< "Torque"; a mark of standard deviations such as "_sd" is removed
     std::string unit;        ///< "mN m"; empty if none is given
     bool deviation = false;  ///< whether the column holds standard deviations
 };
 
-/// Takes apart `name [unit]`, `name (unit)`, `name in unit` or a bare `name`.
+/// Splits a header cell `name [unit]`, `name (unit)`, `name in unit` or `name` into its parts.
 HeaderCell parse_header_cell(std::string_view text);
 
 }  // namespace pendular

@@ -7,17 +7,18 @@
 
 namespace pendular {
 
-/// Version of all JSON that the program writes; it changes only where a reader of earlier files
-/// would misunderstand newer ones. docs/reference has a schema of each kind.
+/// Version of all JSON formats that the program writes. It changes only when programs that read the
+/// earlier version would misread the new version. docs/reference has the schemas.
 constexpr int json_format = 1;
 
-/// An object as the text of a file, `"format"` before its keys. A number that is not finite becomes
-/// null, which the schemas allow where that can be.
+/// JSON text of an object for a file, with the key "format" before the object's keys. A number that
+/// is not finite is written as null.
 std::string json_text(const nlohmann::ordered_json& object, int indent = 2);
 
-/// Refuses a file of a format that this version does not understand. Files without a format predate
-/// formats and pass.
-/// @throws InputError naming the file and what to do, which is `advice`
+/// Checks that this version of the program can read a JSON file. Files without a key "format" are
+/// accepted.
+/// @throws InputError if the file's format is not `json_format`, naming the file and ending with
+///         `advice`, which says what to do
 void check_json_format(const nlohmann::ordered_json& object, const std::filesystem::path& file,
                        std::string_view advice);
 

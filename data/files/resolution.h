@@ -5,19 +5,19 @@
 
 namespace pendular {
 
-/// Resolution of a column of numbers, as digits.
+/// Largest number of digits in a column of numbers.
 struct Digits {
-    int significant = 0;  ///< most significant digits of any number, zeros at its end not counted
-    int decimals = 0;     ///< most digits after the decimal point of any number
+    int significant = 0;  ///< most significant digits of a number, without trailing zeros
+    int decimals = 0;     ///< most digits after the decimal point, without trailing zeros
 };
 
-/// The digits of a column's cells, as they were written. Cells that are no numbers count for
-/// nothing.
+/// Largest numbers of digits in the cells of a column, from their texts. Cells without digits are
+/// ignored.
 Digits digits_of(const std::vector<std::string_view>& cells);
 
-/// Step between neighbouring numbers of a given size in a column with these digits, in its unit:
-/// the coarser of the last decimal and the last significant digit. Rounding to it makes an error of
-/// up to half a step, of variance step^2/12.
+/// Step to which a value was rounded in a column with these digits, in the column's unit: the
+/// coarser of the last decimal and the last significant digit. Returns 0 for a value of 0 and for a
+/// column without digits. Rounding to this step makes an error of variance step^2/12.
 double resolution_of(double value, const Digits& digits);
 
 }  // namespace pendular

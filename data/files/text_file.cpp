@@ -28,7 +28,8 @@ std::string read_bytes(const std::filesystem::path& path) {
     return bytes.str();
 }
 
-/// Encoding by byte-order mark, or by the zero bytes every other ASCII character has in UTF-16.
+/// Name of the encoding of a text, from its byte-order mark or from the zero bytes of ASCII
+/// characters in UTF-16; UTF-8 if neither is found.
 const char* encoding_of(std::string_view bytes) {
     if (bytes.starts_with("\xEF\xBB\xBF")) return "UTF-8";
     if (bytes.starts_with("\xFF\xFE")) return "UTF-16LE";
@@ -38,14 +39,13 @@ const char* encoding_of(std::string_view bytes) {
     return "UTF-8";
 }
 
-/// The text as UTF-8 with ill-formed input reported, not replaced; false if it is not in
-/// `encoding`.
+/// Converts a text to UTF-8. Returns false if the bytes are not well-formed in `encoding`.
 bool convert(std::string_view bytes, const char* encoding, std::string& utf8) {
     UErrorCode error = U_ZERO_ERROR;
     UConverter* const from = ucnv_open(encoding, &error);
     UConverter* const to = ucnv_open("UTF-8", &error);
     ucnv_setToUCallBack(from, UCNV_TO_U_CALLBACK_STOP, nullptr, nullptr, nullptr, &error);
-    utf8.assign(3 * bytes.size() + 16, '\0');  // no encoding read here more than triples
+    utf8.assign(3 * bytes.size() + 16, '\0');  // at most three times the length
     char* target = utf8.data();
     const char* source = bytes.data();
     ucnv_convertEx(to, from, &target, utf8.data() + utf8.size(), &source, source + bytes.size(),
@@ -101,7 +101,8 @@ void write_into(const std::filesystem::path& path, const std::string& content) {
     if (!stream) cannot_write(path, std::strerror(errno));
 }
 
-/// Waits until the disk has a file or the entries of a folder.
+/// Waits until a file, or the list of entries of a folder, is on the disk.
+/// @throws std::runtime_error if the system reports an error
 void flush_to_disk(const std::filesystem::path& path) {
     const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
@@ -117,10 +118,10 @@ void write_whole(const std::filesystem::path& path, const std::string& content, 
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
     if (error) cannot_write(path, error.message());
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
-        write_into(path, content);  // a device or a pipe has no whole to keep
+        write_into(path, content);  // devices and pipes cannot be replaced
         return;
     }
-    // A symbolic link stays as it is: the file it points to is replaced.
+    // The file that a symbolic link points to is replaced, not the link.
     const std::filesystem::path target = std::filesystem::weakly_canonical(path);
     const std::filesystem::path temporary = fmt::format("{}.{}.part", target.string(), getpid());
     try {
@@ -141,7 +142,8 @@ void write_whole(const std::filesystem::path& path, const std::string& content, 
 
 namespace {
 
-/// Moves files into a folder that is there already, and may be somebody's working directory.
+/// Moves all files of a folder to another, existing folder, and removes the first folder. The
+/// existing folder is kept, since it may be the working directory of a process.
 void move_files(const std::filesystem::path& from, const std::filesystem::path& to) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(from))

@@ -8,10 +8,12 @@
 
 namespace pendular {
 
-/// Position in a file at which a node or key begins; columns count characters, not bytes.
+/// Position of a TOML node or key in a file, from the parser's position. Columns count characters,
+/// not bytes.
 Position position_in(const std::string& file, const toml::source_position& where);
 
-/// @throws InputError at the place of a syntax error
+/// Parses a text in TOML; `file` names its file in error messages.
+/// @throws InputError at the position of a syntax error
 toml::table parse_toml(const std::string& file, const std::string& text);
 
 }  // namespace pendular

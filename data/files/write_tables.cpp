@@ -13,7 +13,7 @@
 namespace pendular {
 namespace {
 
-/// The shortest text that reads back as the same number; empty for what is not known.
+/// Shortest text that reads back as the same number; empty for 0, which marks unknown values.
 std::string known(double value) {
     return value == 0 ? "" : fmt::format("{}", value);
 }

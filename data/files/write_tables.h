@@ -6,15 +6,15 @@
 
 namespace pendular {
 
-/// Writes readings as CSV in SI units, in the form [[readings]] takes, with the file (relative to
-/// the folder written to), line, step, duration and replicates of each. Read back, they are the
-/// same readings: the scatter between replicates is then within each one's error and is not added
-/// again.
-/// @throws std::runtime_error if it cannot be written, a full disk for example
+/// Writes readings to a CSV file in SI units, in the format that [[readings]] of study.toml takes.
+/// Each row also has the source file (relative to the written file's folder), line, step, duration
+/// and number of replicates. Reading the file again gives the same readings: their errors contain
+/// the scatter between replicates, which is not added again.
+/// @throws std::runtime_error if the file cannot be written, on a full disk for example
 void write_readings(const std::filesystem::path& path, const Measurements& measurements);
 
-/// Writes what was left out as CSV: file, first line, last line, reason.
-/// @throws std::runtime_error if it cannot be written
+/// Writes the rows that make no reading to a CSV file: source file, first line, last line, reason.
+/// @throws std::runtime_error if the file cannot be written
 void write_excluded(const std::filesystem::path& path, const Measurements& measurements);
 
 }  // namespace pendular

@@ -7,17 +7,17 @@
 
 namespace pendular {
 
-/// Number of single-character edits (insert, delete, replace, swap neighbours) between two words,
-/// regardless of case.
+/// Number of single-character edits (insertions, deletions, replacements, swaps of neighbours) that
+/// turn one word into another, regardless of case.
 /// Source: Damerau-Levenshtein distance, optimal string alignment.
 int edit_distance(std::string_view first, std::string_view second);
 
-/// Known name that a misspelt word most likely means: the nearest one, if no more than a third of
-/// the word has to change; else empty.
+/// Known name with the fewest edits from a misspelt word; empty if even this name needs edits of
+/// more than a third of the word.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> known);
 
-/// The end of an error about an unknown word: "did you mean 'diameter'?", or, where nothing is
-/// near, "known are 'density', 'diameter'".
+/// Hint to end an error message about an unknown word: "did you mean 'diameter'?" or, if no known
+/// name is near, "known are 'density', 'diameter'".
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 
 }  // namespace pendular

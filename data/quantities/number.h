@@ -9,14 +9,15 @@ namespace pendular {
 /// Text without blanks at either end.
 std::string_view trimmed(std::string_view text);
 
-/// Finite number that the whole text spells, decimal point '.', whatever the locale; else empty.
+/// Finite number that the whole text spells, blanks around it aside; else empty. The decimal sign
+/// is '.' in every locale.
 std::optional<double> parse_number(std::string_view text);
 
-/// The number with three significant digits and, from 0.001 to a million, without an exponent:
-/// "1000", "0.0123", "2e+07".
+/// Text of a number with three significant digits; an exponent is used only below 0.0001 and from a
+/// million on: "1000", "0.0123", "2e+07".
 std::string short_text(double number);
 
-/// Whether the text would be a number if its one ',' were a '.': "1,25".
+/// Whether the text is a number with a decimal comma, such as "1,25".
 bool has_decimal_comma(std::string_view text);
 
 }  // namespace pendular

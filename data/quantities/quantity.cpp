@@ -78,8 +78,9 @@ const std::vector<Quantity>& table() {
     return all;
 }
 
-/// A name without case and separators, so that "Normal force", "normal_force" and "NormalForce"
-/// are one. Bytes of other alphabets stay, and so does a single letter: T is a torque, t a time.
+/// Name in lower case without separators, so that "Normal force", "normal_force" and "NormalForce"
+/// are equal. Letters other than ASCII do not change, nor do names of one letter: T is a torque, t
+/// a time.
 std::string compact(std::string_view name) {
     if (name.size() == 1) return std::string(name);
     std::string result;

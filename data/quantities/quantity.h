@@ -6,24 +6,24 @@
 
 namespace pendular {
 
-/// Quantity that the program reads, computes or shows. JSON keys, CSV headers, axis labels and the
-/// manual use its name, symbol, unit and meaning.
+/// Quantity that the program reads, computes or shows. The name, symbol, unit and meaning are used
+/// in JSON keys, CSV headers, axis labels and the manual.
 struct Quantity {
     std::string_view name;                    ///< JSON key and CSV header
-    std::string_view symbol;                  ///< on axes
-    std::string_view unit;                    ///< SI; "1": dimensionless
-    std::string_view meaning;                 ///< one line
-    std::vector<std::string_view> also = {};  ///< other names in the headers of tables
+    std::string_view symbol;                  ///< label of an axis
+    std::string_view unit;                    ///< SI unit; "1": dimensionless; "": a text
+    std::string_view meaning;                 ///< explanation in one line
+    std::vector<std::string_view> also = {};  ///< other accepted names in headers of tables
 };
 
-/// All quantities, each name once.
+/// All quantities; each name occurs once.
 std::span<const Quantity> quantities();
 
-/// The quantity of that name; aborts if there is none, since names in the program are constants.
+/// Quantity with this name. Aborts if there is none, which is an error of the program.
 const Quantity& quantity(std::string_view name);
 
-/// Quantity that a table's header names, regardless of case and separators: "Normal force", "F_N",
-/// "normalForce"; null if none.
+/// Quantity that a header cell of a table names, regardless of case and separators: "Normal force",
+/// "F_N" and "normalForce" are one quantity. Null if the name is unknown.
 const Quantity* find_quantity(std::string_view spelling);
 
 }  // namespace pendular

@@ -17,13 +17,14 @@
 namespace pendular {
 namespace {
 
-/// UDUNITS keeps global state, and ut_parse writes to it: one caller at a time.
+/// Mutex to hold in every call of UDUNITS, which has global state.
 std::mutex& udunits_mutex() {
     static std::mutex mutex;
     return mutex;
 }
 
-/// The unit system, read once. Call with the mutex held.
+/// Unit system of UDUNITS, read in the first call. To be called with `udunits_mutex` held.
+/// @throws std::runtime_error if the unit database is not installed
 ut_system* unit_system() {
     static ut_system* const system = [] {
         ut_set_error_message_handler(ut_ignore);
@@ -34,13 +35,14 @@ ut_system* unit_system() {
     return system;
 }
 
-/// Characters instruments write, and what UDUNITS reads. The two micro signs differ in Unicode.
+/// Characters that instruments write, with the text that UDUNITS reads. The two micro signs differ
+/// in Unicode.
 constexpr std::pair<std::string_view, std::string_view> characters[] = {
     {"·", "."},  {"⋅", "."},     {"×", "."},   {"•", "."},   {"*", "."},      {"−", "-"},
     {"⁻", "^-"}, {"¹", "1"},     {"²", "2"},   {"³", "3"},   {"⁴", "4"},      {"µ", "u"},
     {"μ", "u"},  {"°C", "degC"}, {"°", "deg"}, {"½", "0.5"}, {"\u00a0", " "}, {"\u202f", " "}};
 
-/// Words UDUNITS does not know or takes for something else.
+/// Spellings of units that UDUNITS does not know or misreads, with the spelling that UDUNITS reads.
 const std::map<std::string, std::string, std::less<>> words = {
     {"deg", "arc_degree"}, {"rev", "turn"},       {"revs", "turn"},    {"tr", "turn"},
     {"RPM", "rpm"},        {"rps", "turn/s"},     {"U", "turn"},       {"gf", "gram_force"},
@@ -48,7 +50,7 @@ const std::map<std::string, std::string, std::less<>> words = {
     {"percent", "%"},      {"Pas", "Pa.s"},       {"mPas", "mPa.s"},   {"cc", "cm3"},
     {"ccm", "cm3"},        {"radians", "radian"}, {"kgfcm", "kgf.cm"}, {"gfcm", "gram_force.cm"}};
 
-/// Spellings that are valid units but surely mean another unit, with the meant one.
+/// Spellings in the wrong case that UDUNITS reads as another unit, with the unit that is meant.
 const std::map<std::string, std::string, std::less<>> case_traps = {
     {"pa", "Pa"},   {"kpa", "kPa"}, {"mpa", "MPa' or 'mPa"},
     {"Mpa", "MPa"}, {"MPA", "MPa"}, {"hpa", "hPa"},
@@ -63,7 +65,8 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
         text.replace(at, from.size(), to);
 }
 
-/// "mNm" -> "mN.m": a force and a length written together, which UDUNITS cannot split.
+/// Unit of a torque with a point between force and length, which UDUNITS needs: "mN.m" for "mNm".
+/// Other words are returned unchanged.
 std::string split_torque(const std::string& word) {
     for (const std::string_view length : {"mm", "cm", "m"}) {
         if (!word.ends_with(length)) continue;
@@ -77,7 +80,9 @@ std::string split_torque(const std::string& word) {
     return word;
 }
 
-/// One word of a unit as UDUNITS spells it.
+/// Spelling of one word of a unit that UDUNITS reads. `spelling` is the whole unit, for the
+/// message.
+/// @throws std::invalid_argument if the case of the word makes it another unit than the likely one
 std::string normalised_word(const std::string& word, std::string_view spelling) {
     if (const auto trap = case_traps.find(word); trap != case_traps.end())
         throw std::invalid_argument(
@@ -108,10 +113,10 @@ std::string normalised(std::string_view spelling) {
     return result;
 }
 
-/// SI base units of a unit, taken apart by UDUNITS' visitor.
+/// Dimension of a unit, found by the visitor of UDUNITS.
 struct Parts {
-    std::string dimension;
-    const ut_unit* base = nullptr;  ///< the unit without factor and offset
+    std::string dimension;          ///< product of SI base units, "kg m^2 s^-2" for example
+    const ut_unit* base = nullptr;  ///< unit without factor and offset
 };
 
 ut_status visit_basic(const ut_unit* unit, void* parts) {
@@ -156,7 +161,7 @@ std::invalid_argument not_a_unit(std::string_view spelling) {
         "'{}' is not a unit; write one like 'Pa', 'mN m', 'rad/s', '1/s' or 'kg/m^3'", spelling));
 }
 
-/// Whether a text names no unit but only a factor: "2" would silently scale what it stands behind.
+/// Whether a text is a number other than 1, which UDUNITS would accept as a unit.
 bool bare_factor(const std::string& text) {
     return parse_number(text).has_value() && text != "1";
 }
@@ -193,7 +198,7 @@ std::string wrong_dimension(const Unit& unit, const Unit& expected) {
     const auto shown = [](const Unit& u) { return u.dimension().empty() ? "1" : u.dimension(); };
     std::string message = fmt::format("'{}' measures {}, not {} as '{}' does", unit.spelling(),
                                       shown(unit), shown(expected), expected.spelling());
-    // Grams and kilograms written for their weights, the usual slip with balances and springs.
+    // Grams and kilograms written for gram-force and kilogram-force are a frequent mistake.
     std::string as_force = unit.spelling();
     const std::size_t gram = as_force.find('g');
     if (gram == std::string::npos) return message;
@@ -201,14 +206,14 @@ std::string wrong_dimension(const Unit& unit, const Unit& expected) {
     try {
         if (Unit(as_force).same_dimension(expected))
             message += fmt::format("; did you mean '{}'?", as_force);
-    } catch (const std::invalid_argument&) {  // not that slip
+    } catch (const std::invalid_argument&) {  // not this mistake
     }
     return message;
 }
 
 namespace {
 
-/// A number and the unit behind it, each trimmed.
+/// Texts of a number and of the unit after it, without blanks around them.
 struct NumberAndUnit {
     std::string_view number, unit;
 };
@@ -245,7 +250,7 @@ double quantity_in_si(std::string_view text, const Unit& expected) {
 std::vector<double> quantities_in_si(std::string_view list, const Unit& expected) {
     std::vector<double> values;
     std::string unit;
-    // From the back, since a unit holds for the numbers before it.
+    // Backwards, since a unit also applies to the numbers before it.
     for (bool more = true; more;) {
         const std::size_t comma = list.rfind(',');
         more = comma != std::string_view::npos;

@@ -6,22 +6,24 @@
 
 namespace pendular {
 
-/// Unit with its conversion to SI units: si = factor x + offset.
+/// Unit of measurement with its conversion to SI units: si = factor x + offset.
 class Unit {
   public:
     /// Reads a unit in any common spelling: "mN m", "mNm", "N·m", "kPa", "1/s", "deg", "rpm", "%".
     /// "", "-" and "1" are dimensionless.
-    /// @throws std::invalid_argument naming the unit when it is not one, or when its case makes it
-    ///         another one ("pa" would be a pico-are)
+    /// @throws std::invalid_argument naming the text if it is no unit, or if its case makes it a
+    ///         different unit from the likely one ("pa" would be a pico-are)
     explicit Unit(std::string_view spelling);
 
-    /// Value in SI units.
+    /// Converts a value in this unit to SI units.
     double to_si(double value) const { return factor_ * value + offset_; }
-    /// Whether two units have the same dimension, such as mN m and kgf cm. "1" is dimensionless;
-    /// the radian counts as a dimension, so that degrees are not taken for a stress ratio.
+    /// Whether two units have the same dimension, such as mN m and kgf cm. The radian counts as a
+    /// dimension, so that an angle is never read as a stress ratio.
     bool same_dimension(const Unit& other) const { return dimension_ == other.dimension_; }
+    /// Text that the unit was read from, without blanks around it.
     const std::string& spelling() const { return spelling_; }
-    /// Formula in SI base units, such as "kg m^2 s^-2"; empty if dimensionless.
+    /// Product of SI base units with the same dimension, such as "kg m^2 s^-2"; empty if
+    /// dimensionless.
     const std::string& dimension() const { return dimension_; }
 
   private:
@@ -31,21 +33,24 @@ class Unit {
     double offset_ = 0;
 };
 
-/// Why a unit cannot measure what `expected` measures, and what may have been meant:
-/// "'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?"
+/// Error message for a unit with another dimension than the expected unit, with a suggestion if
+/// grams were written for gram-force:
+///     'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
-/// SI unit of the same dimension, in its common spelling: "N m" for "mNm", "1/s" for "rpm".
+/// SI unit with the dimension of a unit, in its common spelling: "N m" for "mNm", "Pa" for "kPa".
 std::string si_spelling(const Unit& unit);
 
-/// Value in SI units of a number with its unit, such as "500 um", that measures what `expected`
-/// does. The unit may be left out where `expected` is dimensionless.
-/// @throws std::invalid_argument saying what is wrong and what to do
+/// Value in SI units of a text such as "500 um". The unit may be left out if the expected unit is
+/// dimensionless.
+/// @throws std::invalid_argument if the text is no number with a unit, or the unit has another
+///         dimension than the expected unit; the message says what to write
 double quantity_in_si(std::string_view text, const Unit& expected);
 
-/// Values in SI units of a list such as "0.3, 1, 3 kPa": a number without a unit has that of the
-/// next one that has any.
-/// @throws std::invalid_argument saying what is wrong and what to do
+/// Values in SI units of a comma-separated list such as "0.3, 1, 3 kPa". A number without a unit
+/// has the unit of the next number that has one.
+/// @throws std::invalid_argument if an item is no number with a unit, or its unit has another
+///         dimension than the expected unit; the message says what to write
 std::vector<double> quantities_in_si(std::string_view list, const Unit& expected);
 
 }  // namespace pendular

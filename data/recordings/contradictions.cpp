@@ -17,11 +17,11 @@ constexpr double row_tolerance = 0.05, factor_tolerance = 0.02;
 
 /// Two columns of one recording that hold the same quantity, in SI units.
 struct ColumnPair {
-    std::string stated, measured;  ///< "shear stress", "torque"
-    std::string quantity;
-    const std::vector<double>& values;  ///< of the stated one; not a number where a cell is empty
-    std::vector<double> computed;       ///< from the measured one
-    double tolerance;                   ///< that the resolution of both leaves
+    std::string stated, measured;       ///< words for the columns: "shear stress", "torque"
+    std::string quantity;               ///< name of the stated quantity, "shear_stress"
+    const std::vector<double>& values;  ///< values of the stated column; NaN where a cell is empty
+    std::vector<double> computed;       ///< values computed from the measured column
+    double tolerance;                   ///< difference that the resolution of both columns allows
 };
 
 std::vector<double> scaled(const std::vector<double>& values, double factor) {
@@ -39,7 +39,7 @@ ColumnPair pair_of(const char* stated, const char* measured, const char* quantit
                          [](double v) { return std::isfinite(v); });
     const double resolved = least_step(known) + factor * least_step(measured_values);
     return {stated, measured, quantity, values, scaled(measured_values, factor),
-            // Columns of few levels resolve little: the resolution is at most half of the median.
+            // Columns with few distinct values resolve little: at most half of the median.
             std::min(resolved, 0.5 * std::abs(median(known)))};
 }
 
@@ -63,13 +63,13 @@ std::vector<ColumnPair> pairs_of(const Recording& recording, const AnnularCell& 
     return pairs;
 }
 
-/// Whether the values of a row are far enough from zero to be compared.
+/// Whether the two values of a row are known and far enough from zero to be compared.
 bool comparable(const ColumnPair& pair, std::size_t i) {
     const double stated = std::abs(pair.values[i]), computed = std::abs(pair.computed[i]);
     return std::isfinite(stated) && std::max(stated, computed) > 5 * pair.tolerance && computed > 0;
 }
 
-/// Rows whose stated value is not the computed one times a factor.
+/// Indices of the rows whose stated value differs from the computed value times a factor.
 std::vector<std::size_t> rows_off(const ColumnPair& pair, double factor) {
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < pair.values.size(); ++i) {
@@ -81,7 +81,7 @@ std::vector<std::size_t> rows_off(const ColumnPair& pair, double factor) {
     return rows;
 }
 
-/// Likely cause of a constant factor between two columns, as text.
+/// Text with the likely cause of a constant factor between a stated and a computed column.
 std::string cause_of(const ColumnPair& pair, double factor) {
     const auto is = [&](double other) { return std::abs(factor / other - 1) < factor_tolerance; };
     if (pair.quantity == "shear_stress" && (is(2) || is(0.5)))
@@ -96,7 +96,8 @@ std::string cause_of(const ColumnPair& pair, double factor) {
            "formula";
 }
 
-/// Judges one pair of columns.
+/// Compares one pair of columns, and adds doubts and notes to `result`. With `aside`, adds
+/// contradicting rows to `rows` and sets `file` to the reason if the whole file is doubtful.
 void judge(const ColumnPair& pair, const Recording& recording, bool aside, Measurements& result,
            std::set<std::size_t>& rows, std::optional<std::string>& file) {
     std::vector<double> ratios;
@@ -141,7 +142,7 @@ void judge(const ColumnPair& pair, const Recording& recording, bool aside, Measu
     if (aside) rows.insert(off.begin(), off.end());
 }
 
-/// Lists rows as ranges of neighbours.
+/// Adds rows to `result.excluded`, neighbouring rows as one range.
 void exclude_rows(const Recording& recording, const std::set<std::size_t>& rows,
                   Measurements& result) {
     for (auto at = rows.begin(); at != rows.end();) {

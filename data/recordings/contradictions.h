@@ -11,27 +11,29 @@
 
 namespace pendular {
 
-/// Contradictions between the columns of one recording.
+/// Contradictions between columns of one recording that hold the same quantity.
 struct Contradictions {
-    std::set<int> lines;              ///< lines of the rows that contradict the rest of the file
-    std::optional<std::string> file;  ///< why none of the file can be relied on
+    std::set<int> lines;  ///< lines of the rows whose columns contradict each other
+    /// Reason to set aside the whole file; empty if there is none.
+    std::optional<std::string> file;
 };
 
-/// Compares shear stress with torque, normal stress with normal force and shear rate with angular
-/// velocity, where a recording holds both, through the factors of the cell. A row contradicts
-/// itself where they differ by more than 5 % and by more than the resolution of the columns. A
-/// factor of more than 2 % that all rows share means that the instrument used another cell or
-/// formula: the whole file is doubted. Shear rates are exempt up to a factor of two, since
-/// instruments refer them to different radii.
+/// Removes the rows of a recording whose columns contradict each other, and returns the
+/// contradictions found. Doubts (reasons not to believe values) and notes are added to `result`. If
+/// `choice` keeps implausible values, no row is removed.
 ///
-/// Doubts and notes go to `result`; contradicting rows are taken out of the recording, unless
-/// `choice` keeps implausible values.
+/// Compared are the columns shear stress with torque, normal stress with normal force and shear
+/// rate with angular velocity, converted with the cell. A row contradicts itself if the two values
+/// differ by more than 5 % and by more than the resolution of the columns. A median ratio that
+/// differs from 1 by more than 2 % means that the instrument used another cell or formula, so the
+/// whole file is doubtful. For shear rates, a ratio between 0.5 and 2 only makes a note, since
+/// instruments define the shear rate at different radii.
 Contradictions take_out_contradictions(Recording& recording, const AnnularCell& cell,
                                        const ImportSettings& choice, Measurements& result);
 
-/// Sets aside the readings that contradictions make unusable: all of a recording that is doubted as
-/// a whole, else those that lost more than 1 in 100 of their rows, since the remaining rows are no
-/// fair sample.
+/// Moves the readings that contradictions make unusable to `part.excluded`: all readings if the
+/// whole file is doubtful, else the readings that lost more than 1 in 100 of their rows, since the
+/// remaining rows are a biased sample.
 void set_aside_contradicted(const Contradictions& contradictions, Measurements& part);
 
 }  // namespace pendular

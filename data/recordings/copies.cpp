@@ -15,13 +15,14 @@
 namespace pendular {
 namespace {
 
-/// Distinct torques that a run of copied rows must have.
+/// Smallest number of distinct torques in a run of copied rows.
 constexpr std::size_t fewest_torques = 5;
-/// Rows from which the offset in time of a copy is found.
+/// Approximate number of rows from which the offset in time of a copy is estimated.
 constexpr std::size_t sampled_rows = 64;
 
-/// How far two columns may differ where one is a copy of the other, perhaps rounded. A column that
-/// never changes shows no resolution: one in a hundred.
+/// Largest difference between two columns, in their unit, if one is a copy of the other, perhaps
+/// rounded: half the resolution of the coarser column; 1 % of the largest value if a column is
+/// constant.
 double copy_tolerance(const std::vector<double>& a, const std::vector<double>& b) {
     const double step_a = least_step(a), step_b = least_step(b);
     const auto size = [](double x, double y) { return std::max(std::abs(x), std::abs(y)); };
@@ -34,7 +35,7 @@ double copy_tolerance(const std::vector<double>& a, const std::vector<double>& b
     return 0.5 * std::max(step_a, step_b) * (1 + 1e-6) + 1e-9 * largest;
 }
 
-/// Usual time between rows [s].
+/// Median time between neighbouring rows with different times [s].
 double usual_spacing(const std::vector<double>& time) {
     std::vector<double> spacings;
     for (std::size_t i = 1; i < time.size(); ++i)
@@ -42,7 +43,7 @@ double usual_spacing(const std::vector<double>& time) {
     return median(std::move(spacings));
 }
 
-/// Rows between restarts of time.
+/// Splits rows where the time restarts.
 std::vector<Step> stretches_of_time(const std::vector<double>& time) {
     std::vector<Step> stretches;
     std::size_t begin = 0;
@@ -54,7 +55,7 @@ std::vector<Step> stretches_of_time(const std::vector<double>& time) {
     return stretches;
 }
 
-/// Middle of the interval of a given width that holds most of the numbers.
+/// Median of the values in the interval of a given width that contains the most values.
 double densest(std::vector<double> values, double width) {
     std::ranges::sort(values);
     std::size_t best = 0, most = 0;
@@ -68,7 +69,7 @@ double densest(std::vector<double> values, double width) {
     return values[best + most / 2];
 }
 
-/// Row numbers in the order of their values.
+/// Indices of the values in ascending order of the values.
 std::vector<std::size_t> ordered(const std::vector<double>& values) {
     std::vector<std::size_t> order(values.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -219,7 +220,7 @@ bool nearly(double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
 }
 
-/// More digits than a table that was typed has.
+/// Whether a value has more than six significant digits, more than tables written by hand have.
 bool many_digits(double value) {
     return !nearly(value, std::stod(fmt::format("{:.6g}", value)));
 }
@@ -244,7 +245,7 @@ bool repeats(const Reading& a, const Reading& b) {
 
 void count_readings_once(Measurements& measurements) {
     std::vector<Reading> kept;
-    std::map<std::pair<std::string, std::string>, int> copies;  // by the files of both
+    std::map<std::pair<std::string, std::string>, int> copies;  // by original and copy
     for (const Reading& reading : measurements.readings) {
         const auto earlier = std::ranges::find_if(
             kept, [&](const Reading& other) { return repeats(other, reading); });

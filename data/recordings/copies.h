@@ -10,24 +10,24 @@
 
 namespace pendular {
 
-/// The rows of the recordings read so far, so that a copy of them does not count as another
-/// measurement.
+/// Rows of all recordings read so far, to detect copies, so that no measurement counts twice.
 ///
-/// A row is a copy where torque, normal force and gap agree with a row of an earlier recording, or
-/// of an earlier stretch of time of its own, within half the resolution of the coarser column and
-/// the times differ by one constant. Copies come in runs of at least `shortest_step` rows with
-/// five values of torque or more: single rows of replicates agree by chance. So renamed, linked,
-/// reformatted, rounded, thinned out, cut and shifted copies are found, and replicates are not,
-/// whose times may be the same.
+/// A row is a copy if torque, normal force and gap agree with an earlier row within half the
+/// resolution of the coarser column, and if the times of all copied rows differ from the earlier
+/// times by one constant. The earlier row may be in another recording or, before a restart of time,
+/// in the same recording. Copies must form runs of at least `shortest_step` rows with at least five
+/// different torques, since single rows of replicates agree by chance. This finds copies that were
+/// renamed, linked, reformatted, rounded, thinned out, cut or shifted in time; replicates are not
+/// taken for copies.
 class KnownRows {
   public:
-    /// Takes the copies out of a recording and lists them in `result` with what they repeat. Raises
-    /// a doubt where the study states another liquid content or bead volume for the copy than for
-    /// the original.
+    /// Removes copied rows from a recording and lists them in `result.excluded`, naming the
+    /// original rows. Adds a doubt to `result` if the study states another liquid content or volume
+    /// of grains for the copy than for the original.
     void take_out_copies(Recording& recording, const Source& source, Measurements& result);
 
   private:
-    /// Rows between restarts of time.
+    /// Rows of a recording between two restarts of its time column.
     struct Stretch {
         std::string file;
         std::vector<int> line;
@@ -36,7 +36,7 @@ class KnownRows {
 
         std::size_t size() const { return time.size(); }
     };
-    /// For each row of the later stretch, the row of the earlier one that it repeats, if any.
+    /// For each row of a later stretch, the row of an earlier stretch that it copies, if any.
     using Matches = std::vector<std::optional<std::size_t>>;
 
     static Stretch stretch(const Recording& recording, const Step& rows, const Source& source);
@@ -50,8 +50,9 @@ class KnownRows {
     std::vector<Stretch> known_;
 };
 
-/// Moves readings to `excluded` that repeat an earlier one: all values and errors equal, or, from
-/// two files, all values equal to more digits than chance allows.
+/// Moves readings that repeat an earlier reading to `measurements.excluded`. A reading is a
+/// repetition if its values, time and errors equal those of the earlier reading, or if it is from
+/// another file and its values are equal and have more than six digits, which excludes chance.
 void count_readings_once(Measurements& measurements);
 
 }  // namespace pendular

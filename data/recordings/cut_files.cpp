@@ -21,7 +21,7 @@ Steps steps_of(const std::filesystem::path& file, const std::vector<Reading>& re
     return steps;
 }
 
-/// Whether a file has the first steps of a longer one and no other.
+/// Whether the steps of a file are the first steps of a longer file.
 bool begins(const Steps& file, const Steps& longer) {
     return !file.empty() && file.size() < longer.size() &&
            std::ranges::equal(file, longer | std::views::take(file.size()),
@@ -30,7 +30,8 @@ bool begins(const Steps& file, const Steps& longer) {
                               });
 }
 
-/// Whether something was left out of a file after its last step.
+/// Whether rows after the last step of a file were excluded, so that the file was not cut off
+/// there.
 bool goes_on(const Steps& file, const Measurements& measurements) {
     const Position& last = file.back()->origin;
     return std::ranges::any_of(measurements.excluded, [&](const Excluded& rows) {

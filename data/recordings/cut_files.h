@@ -8,8 +8,8 @@
 
 namespace pendular {
 
-/// Notes on recordings that end before their replicates do: files of one entry of the study whose
-/// steps are the first ones of a longer file, without excluded rows after the last step.
+/// Notes on recordings that were probably cut off: the steps of such a file are the first steps of
+/// a longer file of the same entry of study.toml, and no rows after its last step were excluded.
 std::vector<std::string> notes_on_cut_files(const Study& study, const Measurements& measurements);
 
 }  // namespace pendular

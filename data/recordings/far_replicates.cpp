@@ -11,13 +11,14 @@
 namespace pendular {
 namespace {
 
-/// Fillings of one laboratory do not differ by more than this, relative to (stress ratio, solid
-/// fraction): a wrong column, unit or mass does.
+/// Largest plausible standard deviation between fillings, relative to (stress ratio, solid
+/// fraction) [1]. Larger differences come from a wrong column, unit or mass.
 const Eigen::Vector2d largest_filling_difference(0.05, 0.03);
-/// Differences to be noted: as a share of the largest, and over the scatter of the files' own
-/// steps.
+/// Smallest differences between files that make a note: as a share of `largest_filling_difference`,
+/// and over the scatter of steps within the files [1].
 constexpr double noted_share = 0.5, noted_ratio = 3;
-/// Probability per study of a false report that a condition scatters too much.
+/// Probability, for all conditions of a cluster together, of a false report that the replicates of
+/// a condition scatter too much.
 constexpr double far_by_chance = 1e-3;
 constexpr double fewest_to_judge_conditions = 4;
 
@@ -38,11 +39,11 @@ Values without_file(const Values& values, std::size_t file) {
     return rest;
 }
 
-/// Compares the scatter of the replicates of one condition with that of all others by an F test.
+/// Condition whose replicates scatter most, compared with the replicates of all other conditions.
 struct FarCondition {
     std::size_t condition = 0;
-    double variance = 0;  ///< of one of its values, relative [1]
-    double p = 1;         ///< that any of the conditions is so far off by chance
+    double variance = 0;  ///< relative variance of one value at this condition [1]
+    double p = 1;         ///< probability that any condition scatters so much by chance (F test)
 };
 
 FarCondition farthest(const Values& values) {
@@ -65,13 +66,13 @@ FarCondition farthest(const Values& values) {
     return result;
 }
 
-/// RMS of the differences between files [1].
+/// Standard deviation between files, relative to the values [1].
 double filling_difference(const ScatterSums& sums) {
     return sums.steps > 0 ? std::sqrt(sums.between / sums.steps) : 0;
 }
 
-/// Files that may be the wrong ones: with three files or more, the one without which the others
-/// agree best, if they then agree; else all.
+/// Files of a cluster that may be wrong. If the cluster has at least three files and all but one
+/// agree, this is the one file without which the others agree best; else all files.
 std::vector<std::size_t> far_files(const ReplicateCluster& cluster, Eigen::Index o) {
     std::vector<std::size_t> far = cluster.files;
     double least = largest_filling_difference(o);
@@ -97,7 +98,7 @@ Doubt doubt_about(Eigen::Index observable, std::string what) {
             .set_aside = false};
 }
 
-/// "a.csv, b.csv"
+/// Names of files in one text: "a.csv, b.csv".
 std::string names_of(const ReplicateTable& table, const std::vector<std::size_t>& files) {
     std::vector<std::string> names;
     for (const std::size_t file : files)
@@ -105,7 +106,7 @@ std::string names_of(const ReplicateTable& table, const std::vector<std::size_t>
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Notes files that differ from one another far more than steps within them, if they do.
+/// Adds a note if the files of a cluster differ far more than the steps within each file.
 void note_unlike_files(const ReplicateTable& table, const ReplicateCluster& cluster, Eigen::Index o,
                        FarReplicates& result) {
     const ScatterSums sums = analyse_scatter(cluster.values[static_cast<std::size_t>(o)], 0);

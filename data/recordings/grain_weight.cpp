@@ -12,10 +12,10 @@
 namespace pendular {
 namespace {
 
-constexpr double heavy = 0.1;          // of the normal stress
-constexpr std::size_t most_named = 3;  // files
+constexpr double heavy = 0.1;          // smallest weight to report, over the normal stress
+constexpr std::size_t most_named = 3;  // largest number of files to name
 
-/// "a.csv, b.csv, c.csv and 3 more".
+/// Names of the first files and the number of the others: "a.csv, b.csv, c.csv and 3 more".
 std::string named(const std::set<std::string>& files) {
     std::string text;
     std::size_t count = 0;

@@ -28,7 +28,7 @@ void append(Measurements& to, const Measurements& from) {
     append(to.notes, from.notes);
 }
 
-/// State that the files of a study share, in run order.
+/// State that is passed from each file of a study to the next file.
 struct FilesBefore {
     RunClock clock;
     KnownRows rows;
@@ -57,9 +57,9 @@ Measurements read_file(const std::filesystem::path& file, const Source& source, 
     return result;
 }
 
-/// Range of liquid contents over which separate bridges describe the liquid.
-/// Source: Badetti et al. (2018), section 3.1: the bridges between three touching beads merge at
-/// V0 = 0.008 a^3, which is a content of 0.063; theirs begin at 0.003.
+/// Range of liquid contents [1] in which the liquid forms separate bridges.
+/// Source: Badetti et al. (2018), section 3.1: the bridges between three touching grains merge at
+/// V0 = 0.008 a^3, a liquid content of 0.063; the smallest liquid content in the paper is 0.003.
 constexpr double driest_pendular = 0.002, wettest_pendular = 0.065;
 
 }  // namespace

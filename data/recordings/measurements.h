@@ -5,9 +5,11 @@
 
 namespace pendular {
 
-/// Turns every source of the study into readings, in run order. Readings that cannot be right are
-/// set aside in `excluded`, unless the study keeps them, and are listed in `doubts` in any case.
-/// @throws InputError at file:line:column for a malformed file
+/// Reads all files of a study and converts them to readings, in the order of study.toml. Readings
+/// that are physically impossible make a doubt and, unless the study keeps them, are moved to
+/// `excluded`.
+/// @throws InputError at file:line:column if a file cannot be read, is malformed or has invalid
+///         values
 Measurements read_measurements(const Study& study);
 
 }  // namespace pendular

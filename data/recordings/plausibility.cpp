@@ -25,18 +25,18 @@ double greatest_stress_ratio(double reduced_pressure) {
 
 namespace {
 
-/// One value of a reading that is impossible, with the limit that it violates.
+/// Impossible value in a reading, with the limit that it violates.
 struct Impossible {
-    std::string_view quantity;
-    std::string words;  ///< "solid fraction"
+    std::string_view quantity;  ///< name of the quantity, "solid_fraction"
+    std::string words;          ///< words for the quantity, "solid fraction"
     double value = 0;
-    bool below = false;  ///< else above
+    bool below = false;  ///< whether the value is below the lower limit; else above the upper limit
     std::string limit;   ///< "above 0.74, the densest packing of equal spheres"
-    std::string check;   ///< what to check, and which power of ten would mend it
+    std::string check;  ///< advice what to check, with a factor of ten that would explain the value
 };
 
-/// A quantity with the range in which it can be right. It grows with `numerator` and falls with
-/// `denominator`, what was measured.
+/// Value of a quantity with the range of possible values. `numerator` and `denominator` are words
+/// for the measured quantities with which the value increases and decreases.
 struct PlausibleRange {
     std::string_view quantity;
     std::string words;
@@ -45,11 +45,12 @@ struct PlausibleRange {
     std::string why_not_less, why_not_more;
     std::string check;
     std::string numerator, denominator;
-    double usual_least, usual_greatest;  ///< of most flows: a power of ten that leads here is told
+    /// Range of the quantity in most flows; a power of ten that leads into this range is reported.
+    double usual_least, usual_greatest;
 };
 
-/// "a bead mass 10 times smaller or a gap 10 times larger would give 0.6"; empty where no power of
-/// ten leads to a usual value.
+/// Text with the power of ten that leads to a usual value: "a bead mass 10 times smaller or a gap
+/// 10 times larger would give 0.6"; empty if no power of ten does.
 std::string power_of_ten(const PlausibleRange& range) {
     for (int power = 1; power <= 9; ++power) {
         for (const int sign : {-1, 1}) {
@@ -92,14 +93,15 @@ void check_content_range(double content, std::vector<Impossible>& found) {
              : "liquid_content, the volume of liquid over that of beads"});
 }
 
-/// P* of a wet reading; infinite for a dry one.
+/// Reduced pressure P* [1] of a wet reading; infinite for a dry reading.
 double pressure_of(const Reading& reading, const Study& study) {
     if (reading.condition.dry() || !study.liquid) return std::numeric_limits<double>::infinity();
     return reduced_pressure(reading.condition.normal_stress, study.grains, *study.liquid);
 }
 
-/// A fifth of the lowest reduced pressure and ten times the highest inertial number that were
-/// simulated, here or by Badetti et al. (2018).
+/// Smallest plausible reduced pressure [1], a fifth of the lowest simulated one, and largest
+/// plausible inertial number [1], ten times the highest simulated one, here or by Badetti et al.
+/// (2018).
 constexpr double least_reduced_pressure = 0.1, greatest_inertial_number = 1;
 
 PlausibleRange solid_fraction_range(double value) {
@@ -153,7 +155,7 @@ std::string reason_of(const Impossible& each) {
                        each.check);
 }
 
-/// Readings that violate the same limit.
+/// Readings that violate the same limit, reported as one doubt.
 struct ImpossibleGroup {
     Impossible first;
     double least, greatest;
@@ -161,7 +163,7 @@ struct ImpossibleGroup {
     std::set<std::string> files;
 };
 
-/// "dry_1.csv:12 (8 readings in 2 files)"
+/// Position and number of the readings of a group: "dry_1.csv:12 (8 readings in 2 files)".
 std::string where_doubted(const ImpossibleGroup& group) {
     const std::string first = to_string(group.origins.front());
     if (group.origins.size() == 1) return first;
@@ -215,12 +217,12 @@ void doubt_impossible_readings(Measurements& measurements, const Study& study) {
 
 namespace {
 
-/// Reason to doubt a column that never changes; empty where there is none.
+/// Column of a recording that has the same value in every row.
 struct StuckColumn {
-    std::string_view quantity;
-    std::string what;  ///< "the torque is 0.03 N m"
-    std::string check;
-    bool usable;  ///< whether readings can do without its errors
+    std::string_view quantity;  ///< name of the quantity, "torque"
+    std::string what;           ///< "the torque is 0.03 N m"
+    std::string check;          ///< what the user should check
+    bool usable;                ///< whether readings are kept although the column is constant
 };
 
 std::vector<StuckColumn> stuck_columns(const Recording& recording) {

@@ -14,8 +14,8 @@
 namespace pendular {
 namespace {
 
-/// Columns a table of readings may have; those after `error_assumed` say where a reading comes from
-/// and are not needed.
+/// Known columns of a table of readings. The columns from `sampled_seconds` on describe the origin
+/// of a reading and are never required.
 const std::vector<std::string_view> reading_columns = {"normal_stress",
                                                        "normal_stress_sd",
                                                        "shear_stress",
@@ -38,13 +38,13 @@ const std::vector<std::string_view> reading_columns = {"normal_stress",
                                                        "file",
                                                        "line"};
 
-/// A table of readings with what its rows are read by.
+/// A table of readings with all that is needed to convert its rows.
 struct Points {
     const Table& table;
     const Columns& columns;
     const Source& source;
     const Study& study;
-    std::string_view stress;  ///< "shear_stress" or "stress_ratio"
+    std::string_view stress;  ///< name of the stress column: "shear_stress" or "stress_ratio"
 };
 
 void refuse_misspelt(const Table& table, const Columns& columns) {
@@ -78,7 +78,9 @@ double liquid_content(const Points& points, const Row& row) {
     return value;
 }
 
-/// Fills shear rate and inertial number from the one or two of them that are given.
+/// Sets the shear rate [1/s] and inertial number [1] of a reading from the columns that the row
+/// has.
+/// @throws InputError if both are missing, a value is invalid, or the two contradict each other
 void set_rate(const Points& points, const Row& row, Reading& reading) {
     const auto rate = points.columns.value_if_any(row, "shear_rate");
     const auto number = points.columns.value_if_any(row, "inertial_number");
@@ -134,8 +136,8 @@ void set_correlation(const Points& points, const Row& row, Reading& reading) {
         correlation * std::sqrt(reading.covariance(0, 0) * reading.covariance(1, 1));
 }
 
-/// Volume of the beads that a row, else the study's entry, else its cell names; none of them:
-/// empty.
+/// Solid volume of the grains in the cell [m^3] from the row, else from the entry of study.toml,
+/// else from [cell]; empty if none of these has it.
 std::optional<double> bead_volume(const Points& points, const Row& row) {
     if (points.columns.value_if_any(row, "bead_volume"))
         return positive(points, row, "bead_volume");
@@ -144,7 +146,7 @@ std::optional<double> bead_volume(const Points& points, const Row& row) {
     return of_cell > 0 ? std::optional(of_cell) : std::nullopt;
 }
 
-/// Sets time, height and bead volume of a reading, as far as they are known.
+/// Sets time [s], height [m] and volume of grains [m^3] of a reading, as far as they are known.
 void set_cell(const Points& points, const Row& row, Reading& reading) {
     Condition& condition = reading.condition;
     condition.time = points.columns.value_if_any(row, "time").value_or(0);
@@ -176,7 +178,7 @@ Reading reading_of(const Points& points, const Row& row) {
     return reading;
 }
 
-/// Rounding of the numbers in the table is an error of the readings.
+/// Sets the rounding step of each reading from the digits of the numbers in the table.
 void set_resolutions(const Points& points, std::vector<Reading>& readings) {
     const auto stress = points.columns.resolutions(points.stress);
     const auto fraction = points.columns.resolutions("solid_fraction");
@@ -187,7 +189,8 @@ void set_resolutions(const Points& points, std::vector<Reading>& readings) {
     }
 }
 
-/// Where a liquid content is needed and where it must not stand twice.
+/// Checks that the liquid content is given in the table or in the entry of study.toml, not in both.
+/// @throws InputError if it is given in both, or in neither although the study has a liquid
 void check_liquid_content(const Table& table, const Columns& columns, const Source& source,
                           const Study& study) {
     if (source.liquid_content && columns.has("liquid_content"))

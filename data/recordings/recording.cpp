@@ -17,7 +17,8 @@ const std::vector<std::string_view> recording_columns = {
 const std::vector<std::string_view> needed_columns = {"time", "torque", "normal_force", "height",
                                                       "angular_velocity"};
 
-/// Time may start again with a new interval, never within one.
+/// Checks that time does not go back, except where a new interval begins.
+/// @throws InputError at the first time that goes back within an interval
 void check_time(const Recording& recording, const Table& table, const Columns& columns) {
     for (std::size_t i = 1; i < recording.size(); ++i) {
         if (recording.time[i] >= recording.time[i - 1]) continue;
@@ -41,8 +42,8 @@ void check_row(const Row& row, const Columns& columns) {
         throw InputError(columns.at(row, "interval"), "an interval must be a whole number");
 }
 
-/// A redundant column: empty where the file has none that can be read, since nothing depends on it,
-/// and NaN where a cell is no number.
+/// Values in SI units of an optional column that repeats a measured quantity; empty if the file has
+/// no readable column of this name, NaN where a cell is not a number.
 std::vector<double> repeated_column(const Table& table, const Columns& columns,
                                     std::string_view name) {
     std::vector<double> values;

@@ -8,48 +8,51 @@
 
 namespace pendular {
 
-/// A raw time series of an annular cell, in SI units; all vectors are of one length.
+/// Raw time series of an annular cell, one element per row of the file.
 struct Recording {
-    std::string file;
-    std::vector<int> line;  ///< of the file, from 1
-    std::vector<double> time;
-    std::vector<double> torque;
-    std::vector<double> normal_force;
-    std::vector<double> height;
-    std::vector<double> angular_velocity;
-    // Redundant columns: empty where the file lacks the column, NaN where a cell is empty.
-    std::vector<double> shear_stress = {};
-    std::vector<double> normal_stress = {};
-    std::vector<double> shear_rate = {};
-    std::vector<double> interval;             ///< empty where the file has no such column
-    std::vector<std::string> unused_columns;  ///< header cells that were not read
+    std::string file;                      ///< path of the file
+    std::vector<int> line;                 ///< line of each row in the file, from 1
+    std::vector<double> time;              ///< [s]
+    std::vector<double> torque;            ///< torque on the lid [N m]
+    std::vector<double> normal_force;      ///< normal force on the lid [N], compression positive
+    std::vector<double> height;            ///< gap, the height of the sample [m]
+    std::vector<double> angular_velocity;  ///< angular velocity of the lid [rad/s]
+    // Redundant columns: empty if the file lacks the column, NaN where a cell is empty or no
+    // number.
+    std::vector<double> shear_stress = {};   ///< [Pa]
+    std::vector<double> normal_stress = {};  ///< [Pa]
+    std::vector<double> shear_rate = {};     ///< [1/s]
+    /// Number of the step of constant set points [1]; empty if the file lacks the column.
+    std::vector<double> interval;
+    std::vector<std::string> unused_columns;  ///< header cells of columns that were not read
 
     std::size_t size() const { return time.size(); }
 };
 
-/// Rows [begin, end) of a recording at constant set points.
+/// Rows [begin, end) of a recording, taken at constant set points.
 struct Step {
     std::size_t begin = 0;
     std::size_t end = 0;
 };
 
-/// Reads a plain recording: a table with columns time, torque, normal force, gap, angular velocity
-/// and, optionally, interval and the stresses and shear rate that an instrument computed, in any
-/// common spelling, order and unit.
-/// @throws InputError at file:line:column for what read_table and Columns refuse, a gap that is not
-///         positive, and a time that goes back other than where a new interval begins
+/// Reads a recording from a table with the columns time, torque, normal force, gap and angular
+/// velocity in any common spelling, order and unit. Optional columns are the interval (number of
+/// the step) and the shear stress, normal stress and shear rate that the instrument computed.
+/// @throws InputError at file:line:column if a required column is missing, a unit or number is
+///         invalid, a gap is not positive, an interval is not a whole number, time goes back within
+///         an interval, or `read_table` fails
 Recording read_recording(const std::filesystem::path& path);
 
-/// Splits a recording where its interval changes; without intervals, where its angular velocity or
-/// normal force comes to a level that differs by more than 5 %, and by more than its noise, from
-/// the level before, both kept for at least `shortest_step` rows. What lies between two such levels
-/// belongs to the later one, as its transient.
+/// Splits a recording into steps of constant set points. Steps begin where the column interval
+/// changes; without this column, where the angular velocity or the normal force reaches a new
+/// level. Levels last at least `shortest_step` rows and differ by more than 5 % and more than the
+/// noise. Rows between two levels belong to the later step, as its transient.
 std::vector<Step> split_steps(const Recording& recording);
 
-/// Takes out the rows that are marked.
+/// Removes the marked rows from all columns of a recording.
 void erase_rows(Recording& recording, const std::vector<bool>& marked);
 
-/// Rows a step must have to be averaged.
+/// Smallest number of rows of a step that can be averaged.
 constexpr std::size_t shortest_step = 20;
 
 }  // namespace pendular

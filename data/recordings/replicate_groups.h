@@ -7,11 +7,12 @@
 
 namespace pendular {
 
-/// Whether two readings are replicates: same liquid content, normal stress and inertial number
-/// within 2 %.
+/// Whether two readings are replicates: equal liquid content, and normal stress, inertial number
+/// and volume of grains in the cell equal within 2 %.
 bool are_replicates(const Reading& a, const Reading& b);
 
-/// Readings of the same condition as places among `readings`, in their order.
+/// Groups of readings that replicate each other, as indices into `readings`. A reading without
+/// replicates is a group of its own. Groups are sorted by their first index.
 std::vector<std::vector<std::size_t>> replicate_groups(const std::vector<Reading>& readings);
 
 }  // namespace pendular

@@ -24,7 +24,8 @@ void number_files(const std::vector<Reading>& readings, ReplicateTable& table) {
     }
 }
 
-/// Root of each file in a forest that joins files with a common condition.
+/// For each file, the index of a file that represents its cluster: files with a common condition
+/// are joined by union-find.
 std::vector<std::size_t> connected_files(const ReplicateTable& table) {
     std::vector<std::size_t> root(table.files.size());
     std::iota(root.begin(), root.end(), std::size_t{0});

@@ -17,19 +17,21 @@ namespace pendular {
 namespace {
 
 constexpr double assumed_error = 0.02;
-/// Relative variances below this are the rounding of computers, not errors.
+/// Relative variances [1] below this are rounding errors of the arithmetic; the error is unknown.
 constexpr double no_error = 1e-12;
-/// From a factor of two on, a note recommends more replicates.
+/// Smallest widening of standard errors [1] for which a note recommends more replicates.
 constexpr double worth_a_note = 2;
 
-/// Prior: fillings usually share errors of half the scatter of a step, with the weight of one
-/// measured difference between fillings.
+/// Prior of the error of a filling: half the scatter of a step [1], with the weight of one measured
+/// difference between fillings (degrees of freedom).
 constexpr double usual_filling = 0.5, usual_freedom = 1;
-/// Filling errors are reported where the probability that files differ so by chance is below this.
+/// Filling errors count as significant if files differ so much by chance with a probability below
+/// this.
 constexpr double hint_of_fillings = 0.03;
 
-/// Factor on a standard error estimated with so many degrees of freedom, so that twice the product
-/// covers as often as twice a known standard error does: Student's quantile over the normal one.
+/// Factor [1] on a standard error that was estimated with these degrees of freedom, so that two
+/// widened standard errors cover 95 %, as two known standard errors do: Student's quantile over the
+/// normal quantile.
 double widening(double freedom) {
     const double level = boost::math::cdf(boost::math::normal(), 2.0);
     return boost::math::quantile(boost::math::students_t(freedom), level) / 2;
@@ -61,7 +63,7 @@ class Pooling {
     void by_replicates() {
         weigh_rounding(table_, readings_);
         apart_ = set_far_replicates_apart(table_, readings_);
-        weigh_rounding(table_, readings_);  // by the scatter without those apart
+        weigh_rounding(table_, readings_);  // again, without far replicates
         all_.doubts.insert(all_.doubts.end(), apart_.doubts.begin(), apart_.doubts.end());
         all_.notes.insert(all_.notes.end(), apart_.notes.begin(), apart_.notes.end());
         find_load_exponents();
@@ -70,7 +72,7 @@ class Pooling {
         apply();
     }
     void by_statement(const StatedScatter& stated) {
-        estimate_steps();  // groups only; their sizes are those stated
+        estimate_steps();  // makes the groups; their scatter is replaced
         for (auto& group : all_.scatter.groups) {
             group.excess = stated.step.cwiseAbs2().asDiagonal();
             group.mean_square = stated.step.cwiseAbs2();
@@ -105,7 +107,7 @@ class Pooling {
                                all_.scatter.filling[o].freedom_between > 0 ||
                                    apart_.unlike.contains({cluster, observable}));
     }
-    /// Whether scatter was estimated or stated anywhere in the study.
+    /// Whether the scatter of an observable was estimated or stated for any group of the study.
     bool known(Eigen::Index observable) const {
         return std::ranges::any_of(
             all_.scatter.groups, [&](const auto& group) { return group.freedom(observable) > 0; });
@@ -115,12 +117,13 @@ class Pooling {
     std::vector<Reading>& readings_;
     ReplicateTable table_;
     FarReplicates apart_;
-    std::vector<Eigen::Vector2d> stated_;  ///< variances given with the readings, rounding included
+    /// Variances given with each reading, rounding included; 0 if none was given.
+    std::vector<Eigen::Vector2d> stated_;
 };
 
 void Pooling::find_load_exponents() {
-    // Both observables depend on load for the same reason, so they are judged together: chance
-    // makes their joint evidence as large in at most 5 of 100 studies.
+    // The scatter of both observables depends on load for the same reason, so the two are tested
+    // together, at a significance of 5 %: quantile of chi2 with two degrees of freedom.
     constexpr double enough = 5.99;
     std::array<LoadExponent, 2> found;
     for (const Eigen::Index o : {0, 1}) {
@@ -144,7 +147,8 @@ bool files_differ(const ReplicateScatter::Filling& filling) {
            hint_of_fillings;
 }
 
-/// A few fillings hardly determine their scatter: the prior counts like this many more.
+/// Adds the prior of the filling error to the mean square between files and to its degrees of
+/// freedom, since a few fillings hardly determine their scatter.
 void temper(ReplicateScatter::Filling& filling) {
     const double usual = filling.within * (1 + filling.steps * usual_filling * usual_filling);
     filling.between = (filling.freedom_between * filling.between + usual_freedom * usual) /
@@ -176,8 +180,9 @@ void Pooling::estimate_fillings() {
             // fillings justify.
             filling.variance = widened(filling.freedom_between) *
                                std::max(0.0, (filling.between - filling.within) / filling.steps);
-            // Filling errors that are not significant are treated as known: tests that allowed for
-            // every size that a few fillings do not exclude would detect next to nothing.
+            // The variance of filling errors that are not significant is treated as known: tests
+            // that allowed for every size that a few fillings do not exclude would have hardly any
+            // power.
             if (!seen) filling.freedom_between = INFINITY;
         }
         all_.scatter.filling[static_cast<std::size_t>(o)] = filling;
@@ -237,7 +242,8 @@ void Pooling::estimate_correlation() {
     }
 }
 
-/// Adds errors of (stress ratio, solid fraction), relative to them, to a reading.
+/// Adds a covariance relative to the values of (stress ratio, solid fraction) [1] to a reading:
+/// `wide` to its covariance, the difference from `estimated` to `widened_by`.
 void add_scatter(Reading& reading, const Eigen::Matrix2d& estimated, const Eigen::Matrix2d& wide) {
     const Eigen::Matrix2d scale = reading.value.asDiagonal();
     reading.covariance += scale * wide * scale;
@@ -254,16 +260,16 @@ void Pooling::add_steps(std::size_t k) {
     for (const Eigen::Index o : {0, 1}) {
         shape(o) = std::pow(load, -scatter.load_exponent(o));
         widening(o) = std::sqrt(widened(group.freedom(o)));
-        // Only replicates show that runs differ by no more than the errors within them, so their
-        // degrees of freedom count in that case too. Stated errors that explain the scatter are
-        // known.
+        // For recordings without excess scatter, the error still rests on the replicates that show
+        // this, so it has their degrees of freedom. Errors given with a reading are known if they
+        // explain the scatter.
         const bool estimated =
             group.excess(o, o) > 0 || (reading.within_run_only && group.freedom(o) > 0);
         reading.scatter_freedom(o) = estimated ? group.freedom(o) : INFINITY;
     }
     Eigen::Matrix2d step = shape.asDiagonal() * group.excess * shape.asDiagonal();
-    // The error of a reading is at least the scatter of replicates at its load, however little it
-    // varies within its run.
+    // The error of a recording's reading is at least the scatter between replicates at its load,
+    // even if its scatter within the run is smaller.
     for (const Eigen::Index o : {0, 1}) {
         const double least = group.mean_square(o) * shape(o) * shape(o);
         const double more = least - relative_variance(reading, o) - step(o, o);

@@ -5,20 +5,20 @@
 
 namespace pendular {
 
-/// Median of numbers, in their own unit; 0 for none.
+/// Median of values, in the unit of the values; 0 if there are none.
 double median(std::vector<double> values);
 
-/// Spread of numbers about their median, in their own unit: 1.4826 times the median distance from
-/// it, the standard deviation of normally distributed ones.
+/// Robust estimate of the standard deviation, in the unit of the values: 1.4826 times the median
+/// absolute deviation from the median.
 double robust_deviation(std::span<const double> values);
 
-/// Noise of a series from sample to sample, in its own unit, blind to slow changes: the robust
-/// deviation of its differences over sqrt(2).
+/// Standard deviation of the noise from sample to sample, in the unit of the series, regardless of
+/// slow changes: robust deviation of the differences between neighbours over sqrt(2).
 double sample_noise(std::span<const double> series);
 
-/// Least step between distinct values, in their own unit: the resolution they were recorded with.
-/// Differences that are rounding of the arithmetic (1e-9 of the largest value) count as none; 0
-/// where all values are equal.
+/// Resolution with which values were recorded, in the unit of the values: smallest difference
+/// between distinct values; 0 if all values are equal. Differences below 1e-9 of the largest value
+/// are ignored as rounding errors of the arithmetic.
 double least_step(std::vector<double> values);
 
 }  // namespace pendular

@@ -21,7 +21,7 @@ double rounding_variance(const Reading& reading, Eigen::Index o) {
     return reading.resolution(o) * reading.resolution(o) / 12;
 }
 
-/// Sets `rounding` of all values of an observable for a step scatter of this relative variance.
+/// Sets `rounding` of all values of an observable, for a given relative variance of a step [1].
 void set_rounding(ReplicateTable& table, Eigen::Index o, double step_variance,
                   const std::vector<Reading>& readings) {
     for (ReplicateCluster& cluster : table.clusters) {
@@ -36,7 +36,7 @@ void set_rounding(ReplicateTable& table, Eigen::Index o, double step_variance,
     }
 }
 
-/// Mean square of the deviations over their variances for the `rounding` that is set.
+/// Mean of the squared deviations over their variances [1], with the `rounding` in the table.
 double normalised_mean_square(const ReplicateTable& table, Eigen::Index o, double step_variance) {
     double sum = 0, freedom = 0;
     for (const ReplicateCluster& cluster : table.clusters) {
@@ -84,7 +84,7 @@ void add_rounding(const ReplicateTable& table, const std::vector<Eigen::Vector2d
                     std::sqrt(reading.estimated_covariance()(o, o)) / reading.resolution(o);
                 reading.covariance(o, o) += variance;
                 if (table.groups[g].size() < 2) continue;
-                // Identifiers that follow those of the files' errors.
+                // Numbers of sources follow those of the filling errors.
                 SharedError error{
                     .source = 2 * (table.files.size() + g) + static_cast<std::size_t>(o),
                     .known = true};

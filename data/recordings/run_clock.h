@@ -2,12 +2,13 @@
 
 namespace pendular {
 
-/// Clock that continues across recordings, each of which has its own time column. Times that
-/// increase are used as recorded; where they restart, the new recording follows the last one
-/// without a pause.
+/// Clock that converts the time columns of successive recordings to the time since the first
+/// recording began [s]. Times that keep increasing are used as recorded. If the times restart, the
+/// recording is taken to follow the previous recording without a pause.
 class RunClock {
   public:
-    /// Offset for the times of the next stretch, given its first and last time [s].
+    /// Offset to add to the times of the next rows [s], from their first and last recorded
+    /// time [s]. To be called once for each step, in the order of measurement.
     double shift(double first, double last) {
         if (first < last_) shift_ += last_;
         last_ = last;

@@ -14,11 +14,11 @@ namespace {
 constexpr double exponent_prior = 0.5, largest_exponent = 2;
 constexpr double fewest_for_exponent = 10;
 
-/// Sets are taken to scatter differently where the probability of such a difference by chance is
-/// below this.
+/// Sets count as scattering differently if the probability of such a difference by chance is below
+/// this.
 constexpr double unlike = 0.02;
-/// A set that scatters unlike the others keeps its own estimate from this many degrees of freedom
-/// on: shrinking it would bias its errors.
+/// Smallest degrees of freedom with which a set, if the sets scatter differently, keeps its own
+/// mean square: shrinking it would bias its errors.
 constexpr double enough_alone = 5;
 
 double load_variance(const ReplicatedValue& value, double exponent) {
@@ -29,7 +29,7 @@ double shape(const ReplicatedValue& value, double exponent) {
     return std::sqrt(load_variance(value, exponent) + value.rounding);
 }
 
-/// Takes the mean of its condition out of each column, weighted as least squares does.
+/// Subtracts the mean of each condition from the columns, weighted as in least squares.
 Eigen::MatrixXd without_conditions(const std::vector<ReplicatedValue>& values, double exponent,
                                    Eigen::MatrixXd columns) {
     std::map<std::size_t, std::vector<Eigen::Index>> members;
@@ -112,7 +112,7 @@ LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets
         freedom += analyse_scatter(values, 0).freedom_within;
     }
     if (freedom < fewest_for_exponent) return {};
-    // -2 log of the likelihood, each set's variance at its best, and of the prior.
+    // -2 log(likelihood times prior), with the variance of each set at its maximum likelihood.
     const auto badness = [&](double exponent) {
         double sum = std::pow(exponent / exponent_prior, 2);
         for (const auto& values : sets) {
@@ -143,7 +143,7 @@ LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets
 
 namespace {
 
-/// x > 0 with trigamma(x) = y, by Newton's method on 1/trigamma, which is nearly linear.
+/// Returns x > 0 with trigamma(x) = y, by Newton's method on 1/trigamma, which is nearly linear.
 double inverse_trigamma(double y) {
     using boost::math::trigamma;
     double x = 0.5 + 1 / y;
@@ -161,7 +161,8 @@ double inverse_trigamma(double y) {
 
 namespace {
 
-/// Probability of such different mean squares where all are of one variance: Bartlett's test.
+/// Probability that mean squares differ so much by chance if all sets have one variance: Bartlett's
+/// test.
 double scatter_alike_p(const std::vector<MeanSquare>& own, const MeanSquare& pooled) {
     double statistic = 0, inverse = 0, sets = 0, freedom = 0;
     for (const MeanSquare& each : own) {

@@ -9,7 +9,7 @@
 namespace pendular {
 namespace {
 
-constexpr std::ptrdiff_t reach = 5;  // samples on either side
+constexpr std::ptrdiff_t reach = 5;  // samples on each side of the median
 constexpr double noises = 20, least_share = 0.05, most_samples = 0.05;
 constexpr std::size_t longest = 3;  // samples
 
@@ -20,7 +20,7 @@ double local_median(std::span<const double> series, std::size_t at) {
     return median({series.begin() + first, series.begin() + last});
 }
 
-/// Places that follow each other in runs of at most `longest`.
+/// Indices that belong to runs of at most `longest` successive indices.
 std::vector<std::size_t> short_runs(const std::vector<std::size_t>& places) {
     std::vector<std::size_t> result;
     for (std::size_t begin = 0; begin < places.size();) {
@@ -41,7 +41,7 @@ std::vector<std::size_t> short_runs(const std::vector<std::size_t>& places) {
 std::vector<std::size_t> spikes(std::span<const double> series) {
     const double noise = sample_noise(series);
     std::vector<std::size_t> far;
-    // Samples at the ends have too few others on one side to tell a spike from a rise.
+    // Samples at the ends have too few neighbours on one side to tell a spike from a rise.
     for (std::size_t k = reach; k + reach < series.size(); ++k) {
         const double usual = local_median(series, k);
         if (std::abs(series[k] - usual) > std::max(noises * noise, least_share * std::abs(usual)))

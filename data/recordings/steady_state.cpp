@@ -14,36 +14,38 @@
 namespace pendular {
 namespace {
 
-/// Quantities that all steps of one recording share.
+/// Cell, grains and settings that all steps of one recording share.
 struct Setting {
     const Recording& recording;
     const AnnularCell& cell;
     const GrainProperties& grains;
     double liquid_content;
-    double least_strain;       ///< of a steady part [1]
+    double least_strain;       ///< smallest strain of a steady part [1]
     double torque_resolution;  ///< [N m]
     double height_resolution;  ///< [m]
-    double time_shift =
-        0;  ///< of the step at hand, to the time since the first recording began [s]
+    /// Offset from the recorded times of the current step to the time since the first recording of
+    /// the study began [s].
+    double time_shift = 0;
 };
 
-/// Means over the steady part of a step.
+/// Means over the steady part of a step, in SI units.
 struct Means {
     Mean torque, normal_force, height, angular_velocity;
-    Eigen::Matrix2d covariance;  ///< of (torque at the mean normal force, height)
-    bool coarse = false;         ///< whether a resolution limits the covariance
+    /// Covariance of the means of (torque [N m] at the mean normal force, height [m]).
+    Eigen::Matrix2d covariance;
+    bool coarse = false;  ///< whether the resolution of a column limits the covariance
 };
 
-/// Least standard error of the mean of values that take one, two or three levels a resolution
-/// apart: sqrt(1/12) of it, since rounding hides where between two levels they lie. Values that go
-/// over more levels dither, and their mean is finer than that.
+/// Smallest standard error of the mean of rounded values, in the unit of the values:
+/// resolution/sqrt(12) for values on at most three rounding levels, since the values between the
+/// levels are unknown; 0 for values on more levels, whose mean is more precise.
 double error_from_resolution(const std::vector<double>& values, double resolution) {
     const auto [least, most] = std::ranges::minmax(values);
     const bool dithers = most - least > 2.5 * resolution;
     return dithers ? 0 : resolution / std::sqrt(12.0);
 }
 
-/// Raises the variances of the means to what the columns resolve.
+/// Raises the variances of mean torque and height to the limit that the columns' resolution sets.
 void limit_by_resolution(Means& means, const StepSeries& steady, const Setting& setting) {
     const Eigen::Array2d least = {error_from_resolution(steady.torque, setting.torque_resolution),
                                   error_from_resolution(steady.height, setting.height_resolution)};
@@ -69,7 +71,7 @@ Means means_of(const StepSeries& steady) {
     return means;
 }
 
-/// Why the means of a step make no reading; empty if they do.
+/// Reason why the means of a step make no reading; empty if they make a reading.
 std::string unusable(const Means& means) {
     if (means.normal_force.value <= 0)
         return fmt::format(
@@ -106,7 +108,8 @@ Reading reading_of(const Means& means, const StepSeries& steady, int number,
     return reading;
 }
 
-/// Why a strain is too short for steady shear.
+/// Reason to exclude a step or its steady part (`what`) whose strain [1] is too small for steady
+/// shear.
 std::string short_strain(const char* what, double strain, const StepSeries& series,
                          const Setting& setting) {
     return fmt::format(
@@ -116,8 +119,8 @@ std::string short_strain(const char* what, double strain, const StepSeries& seri
         what, strain, setting.least_strain, looks_like(series));
 }
 
-/// Adds the reading of one step, or the excluded rows with the reason; its number to `coarse` where
-/// the resolution of a column limits its error.
+/// Adds the reading of one step to `result`, or the step with the reason to `result.excluded`. Adds
+/// the number of the step to `coarse` if the resolution of a column limits the reading's error.
 void reduce_step(const StepSeries& series, int number, const Setting& setting,
                  std::vector<int>& coarse, Measurements& result) {
     const auto exclude = [&](std::size_t end, const std::string& reason) {
@@ -152,7 +155,7 @@ void reduce_step(const StepSeries& series, int number, const Setting& setting,
     result.readings.push_back(reading_of(means, steady, number, setting));
 }
 
-/// Lists rows of a step whose torque, force or gap was replaced.
+/// Adds rows with spikes in torque, normal force or gap to `result.excluded`.
 void exclude_spikes(const StepSeries& series, const std::vector<std::size_t>& rows,
                     const std::string& file, Measurements& result) {
     for (const std::size_t k : rows) {
@@ -162,7 +165,7 @@ void exclude_spikes(const StepSeries& series, const std::vector<std::size_t>& ro
     }
 }
 
-/// Adds a note on some steps of a file, if there are any.
+/// Adds a note on these steps of a file, if there are any.
 void note_steps(const std::vector<int>& steps, const std::string& file, const std::string& what,
                 Measurements& result) {
     if (steps.empty()) return;

@@ -8,35 +8,36 @@
 
 namespace pendular {
 
-/// Turns each step of a recording into a reading of its steady part; beads of `liquid_content` [1].
+/// Converts each step of a recording to a reading, the mean over the steady part of the step.
 ///
-/// The transient, up to where torque and gap are both steady, and steps that cannot be used are
-/// listed in `excluded`. A wholly negative torque is flipped and noted; so are
-/// columns that were not read, and uneven sampling: such a step is first
-/// interpolated linearly to even spacing, since both the transient and the autocorrelation are
-/// those of evenly spaced samples.
+/// Spikes (`take_out_spikes`) are replaced first. Unevenly sampled steps are interpolated linearly
+/// to even spacing, since the transient and the autocorrelation are computed from evenly spaced
+/// samples. The transient, until torque and gap are both steady, and unusable steps are listed in
+/// `excluded`. Notes report spikes, negative torques whose sign was flipped, interpolation, errors
+/// that the resolution of a column limits, and columns that were not read.
 ///
-/// The covariance is that of the means within the run, autocorrelation respected, correlation of
-/// torque and gap included. The error of the mean normal force is in it: the shear stress is
-/// compared with a model at the mean normal stress shown, so what counts is the scatter of
-/// T - (T/F) F_N, not of T alone. Forces that fluctuate and take the torque along cancel, forces
-/// that only read wrong add up. (T/F is the slope of a cohesionless material; with cohesion it is
-/// smaller, and this error a little too large.)
+/// The covariance is that of the means within the run, with autocorrelation and with the
+/// correlation of torque and gap. It includes the error of the mean normal force: since a model
+/// predicts the shear stress at the measured mean normal stress, the variance is that of the mean
+/// of T - (T/F) F_N, not of T. Fluctuations of the force that the torque follows cancel out; errors
+/// of the force alone add up. (T/F is the slope of a cohesionless material; with cohesion the slope
+/// is smaller, and this error a little too large.)
 ///
-/// Single rows that jump far off their neighbours and back (`spikes`) are left out first.
+/// A step whose steady part covers less strain than `choice.least_strain` is excluded, with a
+/// description of the step (`looks_like`): grains lose their initial arrangement only over strains
+/// of order 1, so the step may not be in steady shear even if torque and gap are constant.
 ///
-/// A step whose steady part covers less than the least strain of `choice` is no steady shear, even
-/// if it looks constant: grains lose their initial arrangement only over strains of order 1. It is
-/// excluded, with a description of what it looks like instead.
-///
-/// The time of a reading is the mean time of the steady part, on the clock that continues from the
-/// recordings before this one.
-/// @throws InputError where the torque has both signs within a step
+/// The time of a reading is the mean time of the steady part, by `clock`.
+/// @param liquid_content volume of liquid over volume of grains [1]
+/// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content, RunClock& clock,
                               const ImportSettings& choice = {});
 
-/// Reduces the first recording of a study.
+/// Converts each step of the first recording of a study to a reading, with the default settings of
+/// import.
+/// @param liquid_content volume of liquid over volume of grains [1]
+/// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content);
 

@@ -17,8 +17,9 @@ std::vector<double> part(const std::vector<double>& values, std::size_t begin, s
             values.begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
-/// Whether samples are evenly spaced but for jitter and the rounding of times. Times too coarse to
-/// tell (most neighbours equal) are taken to be.
+/// Whether times are evenly spaced: each spacing is 0.5 to 1.5 times the median spacing, to allow
+/// for jitter and rounding. True also if most neighbouring times are equal, being recorded too
+/// coarsely.
 bool evenly_spaced(const std::vector<double>& time) {
     std::vector<double> spacings;
     for (std::size_t i = 1; i < time.size(); ++i)
@@ -28,12 +29,11 @@ bool evenly_spaced(const std::vector<double>& time) {
     return usual == 0 || (*least >= 0.5 * usual && *most <= 1.5 * usual);
 }
 
-/// Index of the last row at or before each of as many evenly spaced times, and how far beyond it
-/// each lies, as a fraction of the way to the next row.
+/// Evenly spaced times, as many as there are rows, with their places among the rows.
 struct Grid {
-    std::vector<double> time;
-    std::vector<std::size_t> row;
-    std::vector<double> fraction;
+    std::vector<double> time;      ///< [s]
+    std::vector<std::size_t> row;  ///< index of the last row at or before each time
+    std::vector<double> fraction;  ///< part of the way from this row to the next row [1]
 };
 
 Grid even_grid(const std::vector<double>& time) {
@@ -76,9 +76,11 @@ void space_evenly(StepSeries& series) {
     series.interpolated = true;
 }
 
-/// Whether the values of one sign are more than noise around zero: one of them far outside it, or
-/// not just a few that are clear of zero as a group or, where they change slowly, clear of the
-/// noise.
+/// Whether the values of one sign are more than noise around zero: at least one value is far
+/// outside of the noise; or there are more than a few values, and their median is far from zero,
+/// compared with their spread or with the noise from sample to sample of the series.
+/// @param magnitudes absolute values of the values of this sign
+/// @param series all values, of both signs
 bool significant(const std::vector<double>& magnitudes, std::span<const double> series) {
     const double far = 5 * robust_deviation(series);
     if (std::ranges::any_of(magnitudes, [&](double value) { return value > far; })) return true;
@@ -87,8 +89,9 @@ bool significant(const std::vector<double>& magnitudes, std::span<const double> 
     return typical > 3 * robust_deviation(magnitudes) || typical > 5 * sample_noise(series);
 }
 
-/// Flips a negative torque and refuses one of both signs. While the lid rests the torque may relax
-/// through zero.
+/// Changes the sign of a negative torque. Does nothing while the lid rests, when the torque may
+/// relax through zero.
+/// @throws InputError if the torque has both signs by more than noise
 void check_torque_sign(StepSeries& series, const Recording& recording, const Step& step) {
     if (!turns(mean_of_correlated(series.angular_velocity))) return;
     std::vector<double> positive, negative;
@@ -111,7 +114,7 @@ void check_torque_sign(StepSeries& series, const Recording& recording, const Ste
             torque = -torque;
 }
 
-/// Whether a series changes by less than 0.1 % between its last two quarters.
+/// Whether the means of the last two quarters of a series differ by less than 0.1 %.
 bool nearly_constant(std::span<const double> series) {
     const std::size_t quarter = series.size() / 4;
     const Mean before = mean_of_correlated(series.last(2 * quarter).first(quarter));

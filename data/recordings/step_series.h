@@ -9,35 +9,36 @@
 
 namespace pendular {
 
-/// One step of a recording as evenly spaced series, in SI units.
+/// One step of a recording as series that are evenly spaced in time.
 struct StepSeries {
-    std::vector<double> time;
-    std::vector<double> torque;
-    std::vector<double> normal_force;
-    std::vector<double> height;
-    std::vector<double> angular_velocity;
-    std::vector<int> line;      ///< of the file, of the row at or before each sample
-    bool interpolated = false;  ///< whether the rows were not evenly spaced
-    bool flipped = false;       ///< whether the torque was negative
+    std::vector<double> time;              ///< [s]
+    std::vector<double> torque;            ///< [N m]
+    std::vector<double> normal_force;      ///< [N]
+    std::vector<double> height;            ///< gap [m]
+    std::vector<double> angular_velocity;  ///< [rad/s]
+    std::vector<int> line;                 ///< line of the row at or before each sample in the file
+    bool interpolated = false;             ///< whether unevenly spaced rows were interpolated
+    bool flipped = false;                  ///< whether the sign of a negative torque was changed
 
     std::size_t size() const { return time.size(); }
-    /// Series of the samples from `begin` on.
+    /// Series without the samples before index `begin`.
     StepSeries from(std::size_t begin) const;
 };
 
-/// Converts the rows of a step to a series. Times are interpolated linearly to even spacing where a
-/// spacing is less than half or more than one and a half times the usual one. A wholly negative
-/// torque is flipped.
-/// @throws InputError at the first row whose torque has the rarer sign, if both signs are more than
-///         noise around zero while the lid turns
+/// Converts the rows of a step to evenly spaced series. All columns are interpolated linearly if a
+/// spacing in time is less than 0.5 or more than 1.5 times the median spacing. The sign of a
+/// negative torque is changed.
+/// @throws InputError at the first row whose torque has the rarer sign, if the lid turns and the
+///         torque has both signs by more than noise around zero
 StepSeries step_series(const Recording& recording, const Step& step);
 
-/// Whether the lid turns: its mean angular velocity [rad/s] is not zero within 3 standard errors.
+/// Whether the lid turns: its mean angular velocity [rad/s] differs from 0 by more than 3 standard
+/// errors.
 bool turns(const Mean& angular_velocity);
 
-/// Number of leading samples to leave out until torque and gap are both steady, the later of the
-/// two. A series that changes by less than 0.1 % over the last half of a step is steady there.
-/// Empty with the reason in `why` where one never becomes steady.
+/// Number of leading samples before torque and gap are both steady; empty, with the reason in
+/// `why`, if one of them never becomes steady. The last half of a series counts as steady if its
+/// last two quarters differ by less than 0.1 %.
 std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& why);
 
 }  // namespace pendular

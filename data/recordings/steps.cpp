@@ -8,7 +8,7 @@
 namespace pendular {
 namespace {
 
-/// Relative change from which on a set point counts as changed [1].
+/// Smallest relative change of a set point that begins a new step [1].
 constexpr double tolerance = 0.05;
 
 using Series = std::span<const double>;
@@ -17,7 +17,8 @@ double level(Series series) {
     return median({series.begin(), series.end()});
 }
 
-/// Levels of a series around a possible boundary, and the noise they are known through.
+/// Levels (medians) of a series before and after a possible boundary, and the noise around them, in
+/// the unit of the series.
 struct Sides {
     double before = 0;
     double after = 0;
@@ -29,19 +30,21 @@ Sides sides(Series before, Series after) {
             std::max(robust_deviation(before), robust_deviation(after))};
 }
 
-/// Whether two levels differ by more than the tolerance and than 3.5 times their noise. The
-/// difference of two medians of 20 has a standard deviation of 0.4 noises. A ramp rises by 20 rows
-/// from one window to the next and deviates by 7.4 within them: it does not count, nor does a slow
-/// wave. `scale` keeps the noise of a lid at rest from looking like steps.
+/// Whether two levels differ by more than 5 % and by more than 3.5 times the noise. For constant
+/// levels, the difference of two medians of 20 rows has a standard deviation of 0.4 times the
+/// noise. A ramp is no step: between windows it rises by 20 times the change per row, with a noise
+/// of 7.4 times this change; nor is a slow wave.
+/// @param scale smallest reference of the 5 %, in the unit of the series, so that the noise of a
+///        lid at rest makes no steps
 bool differ(const Sides& s, double scale) {
     const double reference = std::max({std::abs(s.before), std::abs(s.after), scale});
     return std::abs(s.after - s.before) > std::max(tolerance * reference, 3.5 * s.noise);
 }
 
-/// Where in [begin, end) a series passes from one level to the other: the split with the smallest
-/// sum of distances from them.
+/// Index in [begin, end) at which a series passes from the level before to the level after: the
+/// split with the smallest sum of distances from the two levels.
 std::size_t best_split(Series series, std::size_t begin, std::size_t end, const Sides& s) {
-    double cost = 0;  // of splitting at `begin`, up to a constant
+    double cost = 0;  // of the split at i + 1, less that at `begin`
     double lowest = 0;
     std::size_t best = begin;
     for (std::size_t i = begin; i < end; ++i) {
@@ -54,8 +57,8 @@ std::size_t best_split(Series series, std::size_t begin, std::size_t end, const 
     return best;
 }
 
-/// Drops pairs of boundaries around a passage too short to be a level, after which the series is
-/// back where it was.
+/// Removes pairs of boundaries around a short excursion, after which the series returns to its
+/// level.
 std::vector<std::size_t> without_excursions(std::vector<std::size_t> boundaries, Series series,
                                             double scale) {
     for (std::size_t i = 0; i + 1 < boundaries.size();) {
@@ -72,8 +75,8 @@ std::vector<std::size_t> without_excursions(std::vector<std::size_t> boundaries,
     return boundaries;
 }
 
-/// Boundaries at which one signal jumps, by comparing the rows before with the rows after each
-/// possible place.
+/// Indices of the rows at which a series jumps to another level, found by comparing the
+/// `shortest_step` rows before and after each row.
 std::vector<std::size_t> jumps(Series series) {
     constexpr std::size_t window = shortest_step;
     std::vector<std::size_t> result;
@@ -86,7 +89,7 @@ std::vector<std::size_t> jumps(Series series) {
     const std::size_t last = series.size() - window;
     for (std::size_t i = window; i <= last; ++i) {
         if (!jumps_at(i)) continue;
-        std::size_t end = i;  // of the run of places the jump is seen from
+        std::size_t end = i;  // last of the successive rows that show this jump
         while (end < last && jumps_at(end + 1))
             ++end;
         const Sides s = sides(series.subspan(i - window, window), series.subspan(end, window));
@@ -106,7 +109,7 @@ std::vector<Step> between(std::vector<std::size_t> boundaries, std::size_t size)
     return steps;
 }
 
-/// Joins a stretch that is too short to be a level to the step that follows it.
+/// Joins each step with fewer than `shortest_step` rows to the step after it.
 std::vector<Step> without_passages(const std::vector<Step>& steps) {
     std::vector<Step> result;
     std::size_t begin = 0;

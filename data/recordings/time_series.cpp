@@ -16,14 +16,14 @@ double plain_mean(std::span<const double> samples) {
     return sum / static_cast<double>(samples.size());
 }
 
-/// Lagged products of two series about their means, each computed when first asked for: windows
-/// are short, so most lags never are.
+/// Lagged covariances C(t) of two series. Each lag is computed when it is first needed, since
+/// windows are short and most lags are never used.
 class Covariances {
   public:
     Covariances(std::span<const double> first, std::span<const double> second)
         : first_(centred(first)), second_(centred(second)) {}
 
-    /// C(lag) averaged over both directions of the lag.
+    /// C(lag), averaged over both directions of the lag.
     double operator()(std::size_t lag) {
         while (known_.size() <= lag)
             known_.push_back(at(known_.size()));
@@ -58,15 +58,17 @@ class Covariances {
     std::vector<double> first_, second_, known_;
 };
 
-/// 2 tau and the window it was summed over.
+/// Integrated autocorrelation time with the window that it was summed over.
 struct Correlation {
-    double samples = 1;
-    std::size_t window = 0;
+    double samples = 1;      ///< 2 tau, in samples
+    std::size_t window = 0;  ///< largest lag W, in samples
 };
 
-/// Wolff's Gamma method: the window W at which the statistical error exp(-W/tau)-tau/sqrt(W n)
-/// changes sign, tau = S / ln((2 tau_int + 1)/(2 tau_int - 1)), S = 1.5; then the two
-/// corrections for the bias of an estimated mean, eqs. (32) and (49).
+/// Integrated autocorrelation time 2 tau of n samples by Wolff's Gamma method. The window is the
+/// smallest W with
+///     exp(-W/tau) < tau/sqrt(W n),   tau = S / ln((2 tau_int + 1)/(2 tau_int - 1)),   S = 1.5.
+/// Two corrections for the bias of the estimated mean follow, eqs. (32) and (49).
+/// Source: Wolff, Comput. Phys. Commun. 156 (2004) 143.
 Correlation windowed_correlation(Covariances& covariance, std::size_t n) {
     constexpr double s = 1.5;
     const double count = static_cast<double>(n);
@@ -75,7 +77,7 @@ Correlation windowed_correlation(Covariances& covariance, std::size_t n) {
     while (window < n / 2) {
         ++window;
         tau_int += covariance(window) / covariance(0);
-        if (tau_int <= 0.5) break;  // no positive correlation: the window closes at once
+        if (tau_int <= 0.5) break;  // no positive correlation
         const double tau = s / std::log((2 * tau_int + 1) / (2 * tau_int - 1));
         const double w = static_cast<double>(window);
         if (std::exp(-w / tau) < tau / std::sqrt(w * count)) break;
@@ -90,12 +92,12 @@ Correlation windowed_correlation(Covariances& covariance, std::size_t n) {
 /// An autoregression x_t = sum_j a_j x_(t-j) + innovation, grown order by order (Levinson-Durbin).
 struct Autoregression {
     std::vector<double> coefficients;
-    double innovation = 0;  ///< its variance
+    double innovation = 0;  ///< variance of the innovation
 
     double order() const { return static_cast<double>(coefficients.size()); }
 
-    /// One order more. `biased` gives lagged covariances divided by n throughout, which keeps the
-    /// recursion stable.
+    /// Increases the order by one. `biased` returns the covariance at a lag, divided by n at all
+    /// lags, which keeps the recursion stable.
     template <typename Lagged>
     void grow(const Lagged& biased) {
         const std::size_t next_order = coefficients.size() + 1;
@@ -110,8 +112,9 @@ struct Autoregression {
         innovation *= 1 - reflection * reflection;
     }
 
-    /// n times the variance of the mean of n samples. The sum a of the coefficients comes out low
-    /// by (1 + 3 a)/n (Marriott and Pope 1954, for order 1) and is kept below 1 - 2/n.
+    /// Spectral density at frequency zero: n times the variance of the mean of n samples. The sum a
+    /// of the coefficients is corrected for its bias -(1 + 3 a)/n (Marriott and Pope 1954, for
+    /// order 1) and kept below 1 - 2/n.
     double spectrum_at_zero(double count) const {
         double sum = 0;
         for (const double a : coefficients)
@@ -121,7 +124,8 @@ struct Autoregression {
     }
 };
 
-/// 2 tau from the autoregression that fits best by the Bayesian criterion, at most order 10.
+/// Integrated autocorrelation time 2 tau of n samples, from the autoregression up to order 10 that
+/// fits best by the Bayesian information criterion.
 double autoregressive_correlation(Covariances& covariance, std::size_t n) {
     const double count = static_cast<double>(n);
     const std::size_t highest = std::min<std::size_t>(10, n / 10);
@@ -133,7 +137,7 @@ double autoregressive_correlation(Covariances& covariance, std::size_t n) {
     double spectrum = model.spectrum_at_zero(count);
     while (model.coefficients.size() < highest) {
         model.grow(biased);
-        if (model.innovation <= 0) break;  // a deterministic series: nothing left to explain
+        if (model.innovation <= 0) break;  // deterministic series
         const double criterion =
             count * std::log(model.innovation) + std::log(count) * model.order();
         if (criterion >= best) continue;
@@ -143,7 +147,7 @@ double autoregressive_correlation(Covariances& covariance, std::size_t n) {
     return spectrum / covariance(0);
 }
 
-/// Samples less the straight line that fits them best.
+/// Samples less their variation along the best straight line; the mean stays.
 std::vector<double> without_line(std::span<const double> samples) {
     const double centre = static_cast<double>(samples.size() - 1) / 2;
     const double mean = plain_mean(samples);
@@ -159,20 +163,22 @@ std::vector<double> without_line(std::span<const double> samples) {
     return result;
 }
 
-/// Whether the scatter about the mean is no more than rounding.
+/// Whether a variance about a mean is no more than rounding errors of the arithmetic.
 bool constant(double variance, double mean) {
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * std::abs(mean);
     return variance <= rounding * rounding;
 }
 
-/// Whether the halves of a series differ by more than 4 standard errors. The errors are those of
-/// the scatter about a line: a drift would otherwise pass for noise of long correlation and hide.
+/// Whether the halves of a series differ by more than 4 standard errors. The errors are computed
+/// from the scatter about the best line, since a drift would otherwise count as noise of long
+/// correlation.
 bool still_drifts(std::span<const double> samples) {
     const std::size_t half = samples.size() / 2;
     const double difference =
         std::abs(plain_mean(samples.first(half)) - plain_mean(samples.last(half)));
     if (constant(difference * difference, samples.front())) return false;
-    // A half has twice the variance of the whole, the difference of two halves four times.
+    // The mean of a half has twice the variance of the whole mean, the difference of two halves
+    // four times.
     const double error = 2 * mean_of_correlated(without_line(samples)).standard_error;
     return difference > 4 * error;
 }
@@ -190,8 +196,8 @@ Mean mean_of_correlated(std::span<const double> samples) {
 
     const double two_tau = std::max(windowed_correlation(covariance, n).samples,
                                     autoregressive_correlation(covariance, n));
-    // The error is itself estimated, from about n/(2 tau) independent samples: widened so that
-    // squared standardised errors average one, as those of Student's t would not.
+    // The error is an estimate from about n/(2 tau) independent samples. It is widened so that the
+    // mean square of deviations over errors is 1, while it exceeds 1 for Student's t.
     const double independent = count / two_tau;
     const double widened = 1 + 2 / std::max(independent - 1, 1.0);
     return {mean, std::sqrt(two_tau * covariance(0) / count * widened), two_tau};
@@ -208,7 +214,7 @@ double covariance_of_means(std::span<const double> first, std::span<const double
     std::size_t window = std::max(windowed_correlation(own_first, first.size()).window,
                                   windowed_correlation(own_second, first.size()).window);
     double product = own_first.summed(window) * own_second.summed(window);
-    if (own_first.summed(window) <= 0 || product <= 0) {  // anticorrelated series: lag 0 alone
+    if (own_first.summed(window) <= 0 || product <= 0) {  // anticorrelated: lag 0 alone
         window = 0;
         product = own_first(0) * own_second(0);
     }
@@ -217,8 +223,8 @@ double covariance_of_means(std::span<const double> first, std::span<const double
 }
 
 std::optional<std::size_t> end_of_transient(std::span<const double> samples) {
-    // Batches of five, fewer in short series: with less than about forty batches the minimum falls
-    // on the border by chance too often.
+    // Batches of five samples, fewer in short series: with fewer than about 40 batches the minimum
+    // is too often at the border by chance.
     const std::size_t batch = std::clamp<std::size_t>(samples.size() / 40, 1, 5);
     std::vector<double> means;
     for (std::size_t i = 0; i + batch <= samples.size(); i += batch)

@@ -9,7 +9,8 @@
 namespace pendular {
 namespace {
 
-/// Means of as many equal parts of a series, the rest of the division left out.
+/// Means of successive parts of a series, each of size/parts samples; samples that fill no part are
+/// left out.
 std::vector<double> part_means(const std::vector<double>& series, std::size_t parts) {
     const std::size_t size = std::max<std::size_t>(1, series.size() / parts);
     std::vector<double> means;
@@ -18,7 +19,7 @@ std::vector<double> part_means(const std::vector<double>& series, std::size_t pa
     return means;
 }
 
-/// Relative change from the first to the last quarter.
+/// Relative change of the mean from the first to the last quarter of a series [1].
 double relative_change(const std::vector<double>& series) {
     const std::vector<double> quarters = part_means(series, 4);
     return quarters.front() == 0 ? 0 : quarters.back() / quarters.front() - 1;

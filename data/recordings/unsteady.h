@@ -7,13 +7,14 @@
 
 namespace pendular {
 
-/// Strain of a series [1]: mean shear rate times the time from its first to its last sample.
+/// Shear strain over a series [1]: mean shear rate times the time from the first to the last
+/// sample.
 double strain_of(const StepSeries& series, const AnnularCell& cell);
 
-/// Describes a step that is too short for steady shear: loading or unloading (the normal force
-/// changes by more than a fifth), consolidation (the gap shrinks by more than 1 %), shear to
-/// failure (the torque peaks and drops), preshear (it levels off), or shear that was stopped while
-/// it rose.
+/// Describes in a few words a step that is too short for steady shear: loading or unloading (the
+/// normal force changes by more than 20 %), consolidation (the gap shrinks by more than 1 %), shear
+/// to failure (the torque peaks and drops), shear that was stopped while the torque rose, or
+/// preshear (the torque levels off).
 std::string looks_like(const StepSeries& series);
 
 }  // namespace pendular

@@ -33,14 +33,15 @@ bool is_letter(char c) {
     return is_lower(c) || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-/// Lower-case words joined by hyphens, as the built-in effects are called.
+/// Whether a name consists of lower-case words joined by hyphens, as the names of built-in effects
+/// do.
 bool is_effect_name(const std::string& name) {
     return !name.empty() && is_lower(name.front()) && name.back() != '-' &&
            name.find("--") == std::string::npos &&
            std::ranges::all_of(name, [](char c) { return is_lower(c) || is_digit(c) || c == '-'; });
 }
 
-/// A word that a formula can call a variable.
+/// Whether a word can be the name of a variable in a formula.
 bool is_identifier(const std::string& word) {
     return !word.empty() && is_letter(word.front()) &&
            std::ranges::all_of(word, [](char c) { return is_letter(c) || is_digit(c); });
@@ -54,7 +55,9 @@ std::string required_text(const StudyTable& table, std::string_view key, const c
     return *text;
 }
 
-/// The unit of the parameter: any spelling, but with the zero of the SI unit.
+/// Unit of an effect's parameter, in any spelling; "1" if the key is missing.
+/// @throws InputError if the text is no unit, or if the unit's zero is not that of the SI unit
+///         (degrees Celsius)
 Unit parameter_unit(const StudyTable& table) {
     try {
         Unit unit(table.text("unit").value_or("1"));
@@ -74,7 +77,9 @@ double required_bound(const StudyTable& table, std::string_view key, const Unit&
                                  key, key == "lower" ? "lowest" : "highest", key));
 }
 
-/// A switch is 0 or 1: there is nothing to choose.
+/// Checks that the table of a switch, an effect that is only on or off, states no other bounds than
+/// 0 and 1 and no unit.
+/// @throws InputError if the table states other bounds or a unit
 void check_switch(const StudyTable& table) {
     constexpr std::array<std::pair<const char*, double>, 4> fixed = {
         {{"lower", 0}, {"upper", 1}, {"neutral", 0}, {"matters", 1}}};
@@ -102,7 +107,7 @@ void read_bounds(const StudyTable& table, WrittenEffect& effect) {
     if (effect.smallest_of_interest <= 0) table.refuse("matters", "must be positive");
 }
 
-/// The formulas of one group of targets that the table has.
+/// Formulas that a table [[effect]] has for the given targets, the quantities that formulas set.
 std::vector<Formula> formulas_of(const StudyTable& table, const Keys& targets) {
     std::vector<Formula> formulas;
     for (const std::string& target : targets)

@@ -9,37 +9,43 @@ namespace pendular {
 
 class StudyTable;
 
-/// A formula of a written effect: what it gives and its text.
+/// A formula of an effect that a user defines in [[effect]] of study.toml.
 struct Formula {
-    std::string target;  ///< "torque", ...: a key of [[effect]]
-    std::string text;
-    Position position;
+    std::string target;  ///< quantity that the formula sets, "torque" for example
+    std::string text;    ///< the formula, not yet compiled
+    Position position;   ///< position of the formula in the file
 };
 
-/// An effect that a user defines in the study, [[effect]], its formulas not yet compiled.
+/// A physical effect that a user defines by formulas in a table [[effect]] of study.toml.
 struct WrittenEffect {
-    std::string name;
-    std::string parameter;            ///< "on": a switch
-    std::string unit = "1";           ///< SI
-    double lower = 0, upper = 1;      ///< [unit]
-    double neutral = 0;               ///< [unit]
-    double smallest_of_interest = 1;  ///< [unit]
-    std::string summary = {};         ///< empty where the user gave none
-    std::vector<Formula> formulas;
-    Position position;  ///< of the table
+    std::string name;             ///< name of the effect, "torque-offset" for example
+    std::string parameter;        ///< name of its parameter; "on": the effect is only on or off
+    std::string unit = "1";       ///< SI unit of the parameter
+    double lower = 0, upper = 1;  ///< bounds of the parameter [unit]
+    double neutral = 0;           ///< value at which the effect vanishes [unit]
+    /// Smallest difference from `neutral` that matters to the user [unit].
+    double smallest_of_interest = 1;
+    std::string summary = {};       ///< description in one line; empty if the user gave none
+    std::vector<Formula> formulas;  ///< one formula for each quantity that the effect changes
+    Position position;              ///< position of the table in the file
+    /// Positions of the values of the keys `name` and `parameter` in the file.
     Position name_position = {}, parameter_position = {};
 
-    /// Whether the formulas change what the instrument shows rather than the flow of the grains.
+    /// Whether the formulas change quantities that the instrument shows, rather than the flow of
+    /// the grains.
     bool of_instrument() const;
 };
 
-/// Quantities that the formulas of an [[effect]] can set: those of the instrument or those of the
-/// flow. One effect sets quantities of one kind only.
+/// Quantities of the instrument that formulas of an [[effect]] can set: "torque" and others. An
+/// effect sets quantities of the instrument or of the flow, not of both.
 const std::vector<std::string>& instrument_targets();
+/// Quantities of the flow of the grains that formulas of an [[effect]] can set: "stress_ratio" and
+/// "solid_fraction".
 const std::vector<std::string>& flow_targets();
 
-/// The [[effect]] tables of a study.
-/// @throws InputError for anything missing, unknown or impossible in itself
+/// Reads the effects that a user defines in the tables [[effect]] of study.toml.
+/// @throws InputError if a key is missing, unknown or has an invalid value, if two effects have the
+///         same name, or if an effect has no formula or formulas of both kinds
 std::vector<WrittenEffect> read_written_effects(const StudyTable& root);
 
 }  // namespace pendular

@@ -8,7 +8,7 @@
 namespace pendular {
 namespace {
 
-/// The folder's own name is no pattern, whatever characters it has.
+/// Text with the special characters of patterns escaped, for a folder's name in a pattern.
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : text) {

@@ -6,11 +6,12 @@
 
 namespace pendular {
 
-/// Files whose path relative to a folder matches a pattern with '*', '?' and '[...]', by name.
+/// Existing files whose path matches a pattern with '*', '?' and '[...]', sorted by path. The
+/// pattern is relative to the folder unless it is an absolute path.
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& folder,
                                                   const std::string& pattern);
 
-/// Whether a file, which need not exist, is one that `matching_files` finds once it is there.
+/// Whether `matching_files` finds this file, or would find it if it existed.
 bool matches(const std::filesystem::path& file, const std::filesystem::path& folder,
              const std::string& pattern);
 

@@ -13,7 +13,9 @@ const std::vector<std::string> rig_keys = {
     "repeats",       "readings",        "wet_cost",   "filling_cost",    "wait",
     "hour_cost",     "direct"};
 
-/// One value, or the lower and upper end of a range; all positive.
+/// Range of a key that has one value or the two ends of a range, in SI units; empty if the key is
+/// missing.
+/// @throws InputError for more than two values and for values that are not positive
 std::optional<Span> span(const StudyTable& table, std::string_view key, std::string_view unit) {
     const std::vector<double> values = table.quantities(key, unit);
     if (values.empty()) return std::nullopt;

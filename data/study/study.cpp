@@ -30,7 +30,8 @@ constexpr double largest_scatter = 0.5;
 
 constexpr double right_angle = 1.5707963267948966;
 
-/// The study's file, from the file itself or its folder.
+/// Path of study.toml, from the path of this file or of its folder.
+/// @throws InputError if the file does not exist
 std::filesystem::path study_file(const std::filesystem::path& study) {
     if (!std::filesystem::exists(study))
         throw InputError({study.string()}, "is not there; name a study folder or its study.toml");
@@ -69,7 +70,9 @@ std::optional<Liquid> read_liquid(const StudyTable& root) {
     return liquid;
 }
 
-/// Bead volume [m^3] a table gives by mass or volume.
+/// Solid volume of the grains [m^3] that a table states as mass or volume; empty if it states
+/// neither.
+/// @throws InputError if it states both, or a value that is not positive
 std::optional<double> bead_volume(const StudyTable& table, const GrainProperties& grains) {
     if (table.has("bead_mass") && table.has("bead_volume"))
         table.refuse("bead_volume", "'bead_mass' is given too; remove one");
@@ -119,8 +122,9 @@ Source read_source(const StudyTable& table, Source::Kind kind, const Study& stud
     return source;
 }
 
-/// Checks the entries that only raw recordings need: the cell, its beads and, in a wet study, the
-/// liquid content.
+/// Checks that a study has what an entry [[recording]] needs: the cell, the volume of the grains in
+/// it and, if the study has a liquid, the entry's liquid content.
+/// @throws InputError if cell, volume or liquid content is missing
 void check_recording(const Source& source, const Study& study) {
     if (!study.cell)
         throw InputError(source.position,
@@ -133,7 +137,8 @@ void check_recording(const Source& source, const Study& study) {
                          "lacks 'liquid_content'; add it, 0 where the beads were dry");
 }
 
-/// No file may count twice.
+/// Checks that no file belongs to two entries of study.toml.
+/// @throws InputError if a file belongs to two entries
 void check_overlap(const std::vector<Source>& sources) {
     std::map<std::filesystem::path, int> line_of;
     for (const Source& source : sources) {
@@ -160,7 +165,7 @@ std::vector<Source> read_sources(const StudyTable& root, const Study& study) {
         throw InputError(root.position(),
                          "nothing was measured; add a [[recording]] or [[readings]] with its file");
     std::stable_sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
-        return a.position.line < b.position.line;  // run order is the order of the file
+        return a.position.line < b.position.line;  // order of measurement
     });
     check_overlap(sources);
     return sources;

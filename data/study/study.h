@@ -16,62 +16,69 @@
 
 namespace pendular {
 
-/// One [[recording]] or [[readings]] entry with its glob already resolved.
+/// An entry [[recording]] (raw time series) or [[readings]] (table of readings) of study.toml, with
+/// the files that it names.
 struct Source {
     enum class Kind { recording, readings };
     Kind kind = Kind::recording;
-    std::string pattern;                       ///< of its files, relative to the study's folder
-    std::vector<std::filesystem::path> files;  ///< matches of the pattern, by name
-    std::optional<double> liquid_content;      ///< Phi_L/Phi_S [1]
-    std::optional<double> bead_volume;         ///< [m^3], where the entry overrides the cell's
-    Position position;                         ///< of the entry in the study file
+    std::string pattern;  ///< pattern of the paths, relative to the study's folder
+    std::vector<std::filesystem::path> files;  ///< files that match the pattern, sorted by path
+    std::optional<double> liquid_content;      ///< Phi_L/Phi_S [1], if the entry has it
+    /// Solid volume of the grains in the cell [m^3], if the entry overrides that of [cell].
+    std::optional<double> bead_volume;
+    Position position;  ///< position of the entry in study.toml
 };
 
-/// An effect that a study switches on.
+/// An effect in the list `effects` of [model] in study.toml: it is part of the study's model.
 struct ListedEffect {
     std::string name;
-    Position position;  ///< in the list
+    Position position;  ///< position of the name in study.toml
 };
 
 /// Settings of the model: [model] in study.toml.
 struct ModelSettings {
+    /// Model of wet grains: "dem" (simulations) or "rumpf" (law of dry grains with Rumpf's
+    /// cohesion).
     std::string base = "dem";
-    std::vector<std::string> calibrate = {"friction"};
-    std::string fit_to = "dry";         ///< "dry" or "all"
-    std::vector<ListedEffect> effects;  ///< each once; whether they exist is not known here
-    FormulaVariant bridge_force = FormulaVariant::derived;
+    std::vector<std::string> calibrate = {"friction"};  ///< parameters to fit
+    std::string fit_to = "dry";                         ///< readings to fit, "dry" or "all"
+    /// Effects in the model, each once. The names are not checked to exist.
+    std::vector<ListedEffect> effects;
+    FormulaVariant bridge_force = FormulaVariant::derived;  ///< formula of the bridge force
 };
 
-/// Settings of import: [import] in study.toml.
+/// Settings for the conversion of recordings to readings: [import] in study.toml.
 struct ImportSettings {
-    bool keep_implausible = false;  ///< doubted readings are used all the same
-    double least_strain = 1;        ///< of the steady part of a step [1]; less is no steady shear
+    bool keep_implausible = false;  ///< whether doubtful readings are used nevertheless
+    /// Smallest strain of the steady part of a step [1]; shorter steps are excluded.
+    double least_strain = 1;
 };
 
-/// A study folder: what belongs together.
+/// Content of a study's file study.toml: grains, liquid, cell, measured files and model.
 struct Study {
-    std::filesystem::path folder;
-    std::filesystem::path file;
+    std::filesystem::path folder;  ///< folder of the study, to which paths are relative
+    std::filesystem::path file;    ///< path of study.toml
     GrainProperties grains;
     std::optional<Liquid> liquid;
-    std::optional<AnnularCell> cell;  ///< needed by recordings
-    std::vector<Source> sources;      ///< in run order
+    std::optional<AnnularCell> cell;  ///< present if the study has recordings
+    std::vector<Source> sources;      ///< in the order of study.toml
     ImportSettings import;
-    std::optional<StatedScatter> scatter;  ///< of the instrument, where the study knows it
+    std::optional<StatedScatter> scatter;  ///< scatter of the instrument, if the user stated it
     ModelSettings model;
-    std::vector<WrittenEffect> written_effects;
-    std::vector<StatedDirect> direct;  ///< effects that were measured by themselves
-    std::optional<Rig> rig;
+    std::vector<WrittenEffect> written_effects;  ///< effects that the study defines by formulas
+    std::vector<StatedDirect> direct;  ///< measurements of an effect's parameter by itself
+    std::optional<Rig> rig;            ///< possible further measurements
 };
 
-/// Reads STUDY/study.toml (or the file itself). Every key is checked; quantities are strings with
-/// their unit, or plain numbers where dimensionless.
-/// @throws InputError at file:line:column for anything missing, unknown (with the nearest known
-///         key), of the wrong dimension, or impossible (Ri >= Re, density <= 0, ...)
+/// Reads a study from its folder or from its file study.toml, and checks every key. Quantities are
+/// texts with a unit, or plain numbers if dimensionless.
+/// @throws InputError at file:line:column for a key that is missing or unknown (suggesting the
+///         nearest known key), a unit of the wrong dimension, an invalid value (Ri >= Re for
+///         example), and a pattern that matches no file
 Study read_study(const std::filesystem::path& study);
 
-/// Warning where a liquid content [1] is beyond the range of separate liquid bridges; empty within
-/// it.
+/// Warning that a liquid content [1] is outside of the pendular range, in which the liquid forms
+/// separate bridges; empty inside the range and for dry grains.
 std::optional<std::string> pendular_range_warning(double liquid_content);
 
 }  // namespace pendular

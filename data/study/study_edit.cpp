@@ -17,21 +17,21 @@ namespace {
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::string_view blanks = " \t";
 
-/// A piece of the text to be replaced.
+/// Replacement of the bytes [begin, end) of a text.
 struct Edit {
     std::size_t begin, end;
     std::string text;
 };
 
-/// An element of the list; its quotes belong to it.
+/// Bytes [begin, end) of an element of the list of effects, quotes included.
 struct Element {
     std::size_t begin, end;
-    std::optional<std::size_t> comma;  ///< behind it
+    std::optional<std::size_t> comma;  ///< position of the comma after the element, if there is one
 };
 
-/// The list as it stands in the text.
+/// List of effects in the text of study.toml, as positions of bytes.
 struct List {
-    std::size_t open, close;  ///< places of the brackets
+    std::size_t open, close;  ///< positions of the brackets
     std::vector<Element> elements;
 };
 
@@ -41,7 +41,7 @@ struct List {
                                         names));
 }
 
-/// A study file's text as bytes, and as the parser sees it.
+/// Text of a study's file, as bytes and parsed as TOML.
 class StudyText {
   public:
     StudyText(std::string text, std::string file) : text_(std::move(text)), file_(std::move(file)) {
@@ -53,13 +53,13 @@ class StudyText {
     const std::string& file() const { return file_; }
     const toml::table& root() const { return root_; }
 
-    /// The line end of the file.
+    /// Line end that the file uses; "\n" if it has one line.
     std::string line_break() const {
         const std::size_t at = text_.find_first_of("\r\n");
         if (at == std::string::npos) return "\n";
         return text_.compare(at, 2, "\r\n") == 0 ? "\r\n" : text_.substr(at, 1);
     }
-    /// Place of a character the parser counted.
+    /// Index of the byte at a position that the parser reports.
     std::size_t offset(const toml::source_position& where) const {
         std::size_t at = line_starts_.at(where.line - 1);
         for (auto left = where.column - 1; left > 0 && at < text_.size(); --left)
@@ -69,11 +69,11 @@ class StudyText {
     std::size_t line_begin(std::size_t at) const {
         return *std::prev(std::ranges::upper_bound(line_starts_, at));
     }
-    /// Where a line's text ends, before its line end.
+    /// Index of the byte after the text of the line that has this byte, before its line end.
     std::size_t line_end(std::size_t at) const {
         return std::min(text_.find_first_of("\r\n", at), text_.size());
     }
-    /// Where the next line begins.
+    /// Index of the first byte of the next line; the size of the text in the last line.
     std::size_t next_line(std::size_t at) const {
         const auto next = std::ranges::upper_bound(line_starts_, at);
         return next == line_starts_.end() ? text_.size() : *next;
@@ -92,7 +92,7 @@ class StudyText {
         return text_.substr(begin, after_blanks(begin) - begin);
     }
 
-    /// With pieces replaced; those that begin at the same place come in the order given.
+    /// Text after all edits; edits that begin at the same byte are applied in the given order.
     std::string edited(std::vector<Edit> edits) const {
         std::ranges::stable_sort(edits, {}, &Edit::begin);
         std::string result;
@@ -111,7 +111,8 @@ class StudyText {
         } while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xC0) == 0x80);
         return at;
     }
-    /// Lines end as `read_lines` has it, so that positions are those of the study's reader.
+    /// Splits the text into lines as `read_lines` does, so that positions agree with those in error
+    /// messages of `read_study`.
     void split() {
         std::size_t begin = text_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
         line_starts_ = {begin};
@@ -129,8 +130,8 @@ class StudyText {
     toml::table root_;
 };
 
-/// The list node of a study, null where there is none.
-/// @throws InputError where something else stands in its place
+/// List `effects` of [model] as parsed; null if there is none.
+/// @throws InputError if [model] is no table or `effects` is no list of strings
 const toml::array* list_node(const StudyText& study) {
     const toml::node* const model = study.root().get("model");
     if (!model) return nullptr;
@@ -155,7 +156,7 @@ std::vector<std::string> names_in(const toml::array* list) {
     return names;
 }
 
-/// Names as TOML writes them: "a", "b".
+/// Elements of a TOML list with these names: "a", "b".
 std::string quoted_names(const std::vector<std::string>& names) {
     std::string result;
     for (const std::string& name : names)
@@ -163,7 +164,7 @@ std::string quoted_names(const std::vector<std::string>& names) {
     return result;
 }
 
-/// Place behind a string that begins here; nothing for strings over several lines.
+/// Index of the byte after the string that begins at `begin`; empty for a string in triple quotes.
 std::optional<std::size_t> string_end(const std::string& text, std::size_t begin) {
     const char quote = text[begin];
     if (text.compare(begin, 3, std::string(3, quote)) == 0) return std::nullopt;
@@ -173,8 +174,8 @@ std::optional<std::size_t> string_end(const std::string& text, std::size_t begin
     return at + 1;
 }
 
-/// Reads the list that opens here, which the parser has found well-formed; empty where it holds a
-/// string over several lines.
+/// Finds the elements of a well-formed list whose opening bracket is at `open`; empty if the list
+/// has a string in triple quotes.
 std::optional<List> scan_list(const StudyText& study, std::size_t open) {
     const std::string& text = study.text();
     List list{open, open, {}};
@@ -215,8 +216,8 @@ std::vector<Edit> add_to_empty(const StudyText& study, const List& list, const s
              study.indent(list.close) + "  " + element + "," + study.line_break()}};
 }
 
-/// Adds an element after the last one, with the same quotes, on its own line where the last one has
-/// its own.
+/// Edits that add an element after the last element of a list, with the same quotes; on a line of
+/// its own if the last element has a line of its own.
 std::vector<Edit> add_to_list(const StudyText& study, const List& list, const std::string& name) {
     if (list.elements.empty()) return add_to_empty(study, list, name);
     const Element& last = list.elements.back();
@@ -230,7 +231,8 @@ std::vector<Edit> add_to_list(const StudyText& study, const List& list, const st
     return {{last.end, last.end, ","}, {end, end, line}};
 }
 
-/// The whole line where an element is alone on it, without a comment.
+/// Edit that removes the whole line of an element; empty if the line has other elements or a
+/// comment.
 std::optional<Edit> line_of(const StudyText& study, const Element& element) {
     const std::size_t begin = study.line_begin(element.begin), end = study.line_end(element.end);
     if (element.comma && *element.comma > end) return std::nullopt;
@@ -239,7 +241,7 @@ std::optional<Edit> line_of(const StudyText& study, const Element& element) {
     return Edit{begin, study.next_line(begin), ""};
 }
 
-/// Takes an element and its comma away, comments left where they are.
+/// Edits that remove an element with its comma from a list and keep all comments.
 std::vector<Edit> remove_from_list(const StudyText& study, const List& list, std::size_t index) {
     const Element& element = list.elements[index];
     if (const auto line = line_of(study, element)) return {*line};
@@ -255,7 +257,7 @@ std::vector<Edit> remove_from_list(const StudyText& study, const List& list, std
     return {{element.begin, study.after_blanks(element.end), ""}};
 }
 
-/// The last value of a table in the text; null where it has none.
+/// Value of a table that comes last in the text; null if the table is empty.
 const toml::node* last_value(const toml::table& table) {
     const toml::node* last = nullptr;
     for (const auto& [key, value] : table)
@@ -263,7 +265,7 @@ const toml::node* last_value(const toml::table& table) {
     return last;
 }
 
-/// A list with the one name where [model] has no key `effects`.
+/// Edit that adds the key `effects` with one name to a table [model] without this key.
 Edit new_key(const StudyText& study, const toml::table& model, const std::string& name) {
     const std::size_t begin = study.offset(model.source().begin);
     const toml::node* const last = last_value(model);
@@ -281,7 +283,7 @@ Edit new_key(const StudyText& study, const toml::table& model, const std::string
                 (dotted ? "model." : "") + list};
 }
 
-/// Edit that adds an effect to a study without [model].
+/// Edit that adds a table [model] with one effect to the text of a study without this table.
 Edit new_table(const StudyText& study, const std::string& name) {
     const std::string end = study.line_break();
     const std::string& text = study.text();
@@ -290,7 +292,8 @@ Edit new_table(const StudyText& study, const std::string& name) {
             fmt::format("{0}{1}[model]{1}effects = [\"{2}\"]{1}", complete ? "" : end, end, name)};
 }
 
-/// Returns the edited text after checking that the list is right and nothing else has changed.
+/// Returns the edited text.
+/// @throws InputError if its parsed content is not the study with exactly these names in the list
 std::string checked(const StudyText& study, const std::vector<Edit>& edits,
                     const std::vector<std::string>& names) {
     toml::array list;
@@ -302,7 +305,7 @@ std::string checked(const StudyText& study, const std::vector<Edit>& edits,
     std::string text = study.edited(edits);
     try {
         if (StudyText(text, study.file()).root() == expected) return text;
-    } catch (const InputError&) {  // no longer TOML: a layout not thought of
+    } catch (const InputError&) {  // the edit does not suit this layout
     }
     const toml::node* const model = study.root().get("model");
     refuse_layout(

@@ -6,20 +6,22 @@
 
 namespace pendular {
 
-/// The text of a study file, `file` by name, with an effect at the end of the list `effects` in
-/// [model]; table, key and list are added where they are missing. Everything outside the list stays
-/// byte for byte, comments inside it stay too, and new lines end as the others do.
-/// @throws InputError where the file is no TOML, the effect is listed already, or the list is laid
-///         out in a way that only its author can change; it says what to write
+/// Returns the text of study.toml with an effect added at the end of the list `effects`
+/// in [model]; [model] and the list are added if missing. All other bytes, comments and the style
+/// of line ends are preserved. `file` names the file in error messages.
+/// @throws InputError if the text is not TOML, if the effect is in the list already, or if the
+///         layout of the list cannot be edited safely; the message says what to write by hand
 std::string with_effect(const std::string& text, const std::string& file, std::string_view name);
 
-/// Returns the text of study.toml without the effect in its list.
-/// @throws InputError as `with_effect` does, and where the effect is not listed, naming those that
-/// are
+/// Returns the text of study.toml with an effect removed from the list `effects` in [model]. All
+/// other bytes and comments are preserved. `file` names the file in error messages.
+/// @throws InputError if the text is not TOML, if the effect is not in the list, or if the layout
+///         of the list cannot be edited safely
 std::string without_effect(const std::string& text, const std::string& file, std::string_view name);
 
-/// Puts a text in the place of a study file, whole or not at all. `read_text` gives the text.
-/// @throws std::runtime_error naming the file and the system's reason
+/// Replaces the text of a study's file as a whole or not at all.
+/// @throws std::runtime_error if the file cannot be written, naming the file and the system's
+///         reason
 void replace_study(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace pendular

@@ -20,69 +20,83 @@ namespace pendular {
 
 class Unit;
 
-/// Text in a file with its position.
+/// Text with its position in a file.
 struct Word {
     std::string text;
     Position position;
 };
 
-/// A table of a study or campaign file with the keys it may have. Every value is checked as it is
-/// read; a wrong one raises an InputError at the line and column of its key or value.
+/// A table of a TOML file, of study.toml or of a campaign (list of simulations to run). Every
+/// function that reads a value throws an InputError at the line and column of the key or value if
+/// the value has the wrong type or unit.
 class StudyTable {
   public:
-    /// Parses a whole study file; `keys` are those of its top level.
-    /// @throws InputError for a syntax error and for an unknown key, with the nearest known one
+    /// Parses the text of a file. `keys` are the keys allowed on its top level.
+    /// @throws InputError at a syntax error and at an unknown key, suggesting the nearest allowed
+    ///         key
     static StudyTable parse(const std::string& file, const std::string& text,
                             const std::vector<std::string>& keys);
 
-    /// Reads a table from a file.
-    /// @throws InputError also where it cannot be read
+    /// Reads and parses a file. `keys` are the keys allowed on its top level.
+    /// @throws InputError if the file cannot be read, at a syntax error and at an unknown key
     static StudyTable read(const std::filesystem::path& file, const std::vector<std::string>& keys);
 
+    /// Whether the table has a key.
     bool has(std::string_view key) const;
-    /// Position of a key's value, or of the table where the key is missing.
+    /// Position of a key's value in the file, or of the table if the key is missing.
     Position at(std::string_view key) const;
+    /// Position of the table in the file.
     const Position& position() const { return position_; }
-    /// Name as written in the file, "[grains]" or "[[effect]]"; empty for the whole file.
+    /// Name of the table as in the file, such as "[grains]" or "[[effect]]"; empty for the top
+    /// level.
     const std::string& name() const { return name_; }
 
-    /// The table under a key, [key]; empty if there is none.
+    /// Table [key] with the keys allowed in it; empty if the key is missing.
+    /// @throws InputError if the key is no table or the table has a key that is not allowed
     std::optional<StudyTable> table(std::string_view key,
                                     const std::vector<std::string>& keys) const;
-    /// The tables under a key, [[key]], in their order.
+    /// All tables [[key]] in the order of the file, with the keys allowed in them.
+    /// @throws InputError if the key is no list of tables or a table has a key that is not allowed
     std::vector<StudyTable> tables(std::string_view key,
                                    const std::vector<std::string>& keys) const;
 
-    /// Value in SI units of a string with its unit, or of a plain number where `unit` is "1".
+    /// Value in SI units of a text with a unit of the same dimension as `unit`, such as "500 um",
+    /// or of a plain number if `unit` is dimensionless; empty if the key is missing.
     std::optional<double> quantity(std::string_view key, std::string_view unit) const;
-    /// Value of a key in SI units; a plain number counts in `unit`.
+    /// Value in SI units of a text with a unit of the same dimension as `unit`, or of a plain
+    /// number in `unit`; empty if the key is missing.
     std::optional<double> quantity_in(std::string_view key, const Unit& unit) const;
-    /// Like `quantity` where the key must be there.
+    /// Value of a required key in SI units, read as by `quantity`.
+    /// @throws InputError if the key is missing
     double required_quantity(std::string_view key, std::string_view unit) const;
-    /// Value of a key in SI units, which must be positive.
+    /// Positive value of a required key in SI units, read as by `quantity`.
+    /// @throws InputError if the key is missing or its value is not positive
     double positive_quantity(std::string_view key, std::string_view unit) const;
 
-    /// Values in SI units, one or an array of them, each as for `quantity`; empty where the key is
-    /// not there.
+    /// Values in SI units of one quantity or an array of quantities, each read as by `quantity`;
+    /// empty if the key is missing.
     std::vector<double> quantities(std::string_view key, std::string_view unit) const;
 
-    /// Plain numbers: one, or an array of them; empty where the key is not there.
+    /// Values of one plain number or an array of plain numbers; empty if the key is missing.
     std::vector<double> numbers(std::string_view key) const;
 
+    /// Text of a key; empty if the key is missing.
     std::optional<std::string> text(std::string_view key) const;
-    /// true or false; empty where the key is not there.
+    /// Value true or false of a key; empty if the key is missing.
     std::optional<bool> flag(std::string_view key) const;
-    /// A string or a plain number as text, where its unit is not known yet.
+    /// Text of a string or plain number, for a quantity whose unit is not known yet; empty if the
+    /// key is missing.
     std::optional<Word> stated(std::string_view key) const;
-    /// One of several words; `words.front()` where the key is not there.
+    /// Text of a key, which must be one of `words`; `words.front()` if the key is missing.
     std::string choice(std::string_view key, const std::vector<std::string>& words) const;
-    /// An array of words; `missing` where the key is not there.
+    /// Texts of an array; `missing` if the key is missing.
     std::vector<std::string> words(std::string_view key,
                                    const std::vector<std::string>& missing) const;
-    /// An array of words with their places; empty where the key is not there.
+    /// Texts of an array with their positions; empty if the key is missing.
     std::vector<Word> placed_words(std::string_view key) const;
 
-    /// @throws InputError at the key
+    /// Reports an error in the value of a key.
+    /// @throws InputError always, at the position of the key's value
     [[noreturn]] void refuse(std::string_view key, const std::string& message) const;
 
   private:
@@ -90,16 +104,16 @@ class StudyTable {
                const std::string& file, std::string name, const std::vector<std::string>& keys);
 
     Position position_of(const toml::node& node) const;
-    /// "rig.direct" of "direct" in [rig].
+    /// Full name of a key of this table: "rig.direct" for "direct" in [rig].
     std::string path_of(std::string_view key) const;
     double finite_number(std::string_view key, const toml::node& node) const;
     double quantity_of(std::string_view key, const toml::node& node, std::string_view unit) const;
     double quantity_from_text(std::string_view key, const toml::node& node,
                               const Unit& expected) const;
 
-    std::shared_ptr<const toml::table> root_;  ///< keeps the nodes alive
+    std::shared_ptr<const toml::table> root_;  ///< keeps `table_` alive
     const toml::table* table_;
-    std::string name_;  ///< as the file has it: "[grains]"
+    std::string name_;  ///< name as in the file: "[grains]"
     Position position_;
 };
 

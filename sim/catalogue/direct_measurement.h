@@ -8,26 +8,28 @@
 
 namespace pendular {
 
-/// Direct measurement of an effect's parameter, without shearing the grains: a drag by the torque
-/// of the empty cell, a contact angle by a drop. A model without the effect predicts the neutral
-/// value.
+/// Direct measurement of an effect's parameter, made without shearing the grains. Examples: the
+/// drag from the torque of the empty cell, the contact angle from a drop. A model without the
+/// effect predicts the neutral value.
 struct DirectMeasurement {
-    std::string parameter;      ///< "torque-offset.torque"
-    std::string unit;           ///< SI
-    std::string by = {};        ///< what measures it; empty where that is not known
-    double neutral = 0;         ///< [unit]
-    double value = 0;           ///< [unit]; 0 where it has not been measured yet
-    double standard_error = 0;  ///< [unit]
+    std::string parameter;      ///< "EFFECT.PARAMETER", as in "torque-offset.torque"
+    std::string unit;           ///< SI unit of the parameter
+    std::string by = {};        ///< how it is measured; empty if not known
+    double neutral = 0;         ///< prediction of a model without the effect [unit]
+    double value = 0;           ///< measured value [unit]; 0 if not measured yet
+    double standard_error = 0;  ///< standard error of `value` [unit]
 };
 
-/// Direct measurement as a study or its rig states it, in the unit of the effect's parameter.
-/// @throws InputError for an effect that is unknown, a switch, or does not apply to the study, and
-///         for a value or error in another unit than the effect's
+/// Returns a direct measurement that a study or its rig states, converted to the unit of the
+/// effect's parameter.
+/// @throws InputError for an effect that is unknown, is a switch or does not apply to the study, a
+///         value or error in a unit that does not fit the parameter, or an error that is not
+///         positive
 DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
                                      const EffectCatalogue& catalogue);
 
-/// Direct measurements of a study, from [[direct]].
-/// @throws InputError likewise
+/// Returns the direct measurements that a study states in its [[direct]] tables.
+/// @throws InputError for a table that `direct_measurement` does not accept
 std::vector<DirectMeasurement> direct_measurements(const Study& study,
                                                    const EffectCatalogue& catalogue);
 

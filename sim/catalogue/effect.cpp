@@ -11,7 +11,8 @@
 namespace pendular {
 namespace {
 
-/// Index of the entry with this name; the error names the nearest known one.
+/// Returns the index of the entry with this name.
+/// @throws std::invalid_argument where there is none, naming the nearest known name
 template <typename Named>
 std::size_t place_of(const std::vector<Named>& all, std::string_view name, const char* kind) {
     const auto found = std::ranges::find(all, name, &Named::name);
@@ -24,7 +25,7 @@ std::size_t place_of(const std::vector<Named>& all, std::string_view name, const
     return static_cast<std::size_t>(found - all.begin());
 }
 
-/// SI value of the run's unit for a quantity with this SI unit.
+/// Returns the SI value of the unit that a run uses for quantities with this SI unit.
 double run_unit(const std::string& unit, double normal_stress, const GrainProperties& grains) {
     const double diameter = grains.diameter;
     if (unit == "N") {
@@ -33,7 +34,7 @@ double run_unit(const std::string& unit, double normal_stress, const GrainProper
     if (unit == "Pa s") {
         return std::sqrt(grains.mass() * normal_stress / diameter);
     }
-    return 1;  // of pure numbers, the only others that effects on grains have
+    return 1;  // effects on grains have no other units than these and pure numbers
 }
 
 }  // namespace

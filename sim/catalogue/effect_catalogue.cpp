@@ -10,7 +10,8 @@
 namespace pendular {
 namespace {
 
-/// Whether a source may hold wet readings; a table of readings may say so in a column.
+/// Whether a source may hold wet readings. A table of readings can state liquid contents in a
+/// column.
 bool may_be_wet(const Source& source) {
     return source.liquid_content ? *source.liquid_content > 0
                                  : source.kind == Source::Kind::readings;

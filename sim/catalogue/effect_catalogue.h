@@ -10,14 +10,16 @@
 
 namespace pendular {
 
-/// All effects there are for a study: those that come with the program and those that the study
-/// writes. Effects it hands out live as long as it does.
+/// All effects available to a study: the effects that come with the program and the effects that
+/// the user defines in study.toml. Returned references and pointers are valid as long as the
+/// catalogue.
 class EffectCatalogue {
   public:
-    /// The built-in effects alone.
+    /// Constructs a catalogue of the built-in effects only.
     EffectCatalogue();
-    /// @throws InputError in the study's file for a written effect that cannot be used, or that is
-    ///         called like a built-in one
+    /// Constructs a catalogue of the built-in effects and of the effects that the study defines.
+    /// @throws InputError at the line of study.toml for a user-defined effect that cannot be used
+    ///         or has the name of a built-in effect
     explicit EffectCatalogue(const Study& study);
     EffectCatalogue(const EffectCatalogue&) = delete;
     EffectCatalogue& operator=(const EffectCatalogue&) = delete;
@@ -27,23 +29,23 @@ class EffectCatalogue {
 
     /// All effects: the built-in ones sorted by name, then the user's in the order of study.toml.
     const std::vector<Effect>& all() const { return effects_; }
-    /// The effect of this name.
-    /// @throws std::invalid_argument where there is none, naming the effect of the nearest name
+    /// Returns the effect with this name.
+    /// @throws std::invalid_argument where there is none, naming the effect with the nearest name
     const Effect& find(std::string_view name) const;
-    /// Whether it comes from the study.
+    /// Whether the study, rather than the program, defines this effect.
     bool is_written(const Effect& effect) const;
 
-    /// Effects that the study lists, in its order.
-    /// @throws InputError at the name in the list where it is unknown, with the nearest one, or
-    ///         does not apply to the study
+    /// Returns the effects that the study lists in `effects`, in the order of that list.
+    /// @throws InputError at a name in the list that is unknown, naming the nearest known name, or
+    ///         whose effect does not apply to the study
     std::vector<const Effect*> active(const Study& study) const;
 
   private:
     std::vector<Effect> effects_;
 };
 
-/// Why an effect would do nothing in a study, or cannot be taken in, and what to do about it; empty
-/// where it applies.
+/// Returns the reason why an effect would change nothing in a study or cannot be computed for it,
+/// with a remedy; empty where the effect applies.
 std::optional<std::string> why_not(const Effect& effect, const Study& study);
 
 }  // namespace pendular

@@ -8,20 +8,20 @@
 
 namespace pendular {
 
-/// A condition as effects make it: what is truly imposed, and which grains and liquid it is imposed
-/// on. Without effects it is the condition itself.
+/// Condition that is truly imposed in the presence of effects, with the properties of grains and
+/// liquid as effects change them. Without effects it equals the stated condition.
 struct EffectiveCondition : Condition {
     EffectiveCondition() = default;
     EffectiveCondition(const Condition& imposed) : Condition(imposed) {}
 
-    std::optional<Liquid> liquid;             ///< none: the study's
-    double friction_difference = 0;           ///< to the friction of the study [1]
-    std::vector<EffectValues> grain_effects;  ///< in SI units
+    std::optional<Liquid> liquid;             ///< liquid as changed; none: the study's liquid
+    double friction_difference = 0;           ///< added to the study's friction coefficient [1]
+    std::vector<EffectValues> grain_effects;  ///< effects to simulate; SI units
 
     bool operator==(const EffectiveCondition&) const = default;
 };
 
-/// Conditions on which no effect acts.
+/// Returns each condition as an EffectiveCondition on which no effect acts.
 inline std::vector<EffectiveCondition> without_effects(const std::vector<Condition>& conditions) {
     return {conditions.begin(), conditions.end()};
 }

@@ -22,7 +22,7 @@ bool begins_a_name(const std::string& token) {
            (std::isalpha(static_cast<unsigned char>(token.front())) || token.front() == '_');
 }
 
-/// "at character 10", counted from 1 as an editor does.
+/// Returns the place of a byte as text, as in "at character 10", counted from 1.
 std::string place(const std::string& text, std::size_t byte) {
     const auto before = text.substr(0, byte);
     const auto characters = std::ranges::count_if(
@@ -30,13 +30,13 @@ std::string place(const std::string& text, std::size_t byte) {
     return fmt::format("at character {}", characters + 1);
 }
 
-/// Message of muParser without its positions, which count from 0.
+/// Returns a message of muParser without its positions, which count from 0.
 std::string without_places(const std::string& message) {
     static const std::regex said("( found)? at( expression)? position [0-9]+|[.]$");
     return std::regex_replace(message, said, "");
 }
 
-/// Error of a formula in a user's terms, where muParser names only tokens.
+/// Returns the message for a user about an error of muParser, which itself names only tokens.
 std::string explained(const mu::ParserError& error, const std::string& text,
                       const std::vector<std::string>& variables) {
     if (error.GetCode() == mu::ecEMPTY_EXPRESSION) {
@@ -56,7 +56,8 @@ std::string explained(const mu::ParserError& error, const std::string& text,
     return fmt::format("{}{}; correct the formula", without_places(error.GetMsg()), where);
 }
 
-/// Where a formula assigns, which would change a variable: a '=' of none of == <= >= !=.
+/// Returns the position of an assignment in a formula, which would change a variable: a '=' that is
+/// not part of == <= >= !=.
 std::optional<std::size_t> assignment_in(const std::string& text) {
     for (std::size_t k = 0; k < text.size(); ++k) {
         if (text[k] != '=') continue;
@@ -67,7 +68,8 @@ std::optional<std::size_t> assignment_in(const std::string& text) {
     return std::nullopt;
 }
 
-/// @throws FormulaError for mistakes that muParser accepts
+/// Checks a formula for mistakes that muParser accepts.
+/// @throws FormulaError for an assignment or a zero byte
 void refuse_traps(const std::string& text) {
     if (const auto at = text.find('\0'); at != std::string::npos)
         throw FormulaError(fmt::format("a zero byte {}; remove it", place(text, at)));
@@ -80,9 +82,9 @@ void refuse_traps(const std::string& text) {
 
 }  // namespace
 
-/// A parser with the variables it reads. muParser evaluates on a stack that belongs to the parser
-/// and reads variables through pointers, so only one thread at a time can use it; a parser per
-/// thread would have to be compiled again, and an evaluation takes less than a microsecond.
+/// A parser with the variables that it reads. muParser evaluates on a stack of the parser and reads
+/// variables through pointers, so that only one thread at a time can use a parser. One parser per
+/// thread would require compiling again, and an evaluation takes less than a microsecond.
 struct CompiledFormula::Compiled {
     mu::Parser parser;
     std::vector<double> variables;

@@ -23,7 +23,7 @@ const ChangeInstrument& change_of(const ActiveEffect& active) {
     return std::get<ChangeInstrument>(active.effect->change);
 }
 
-/// Sizes of the values of a state, none of them 0.
+/// Returns the scale of each value of a state, by which residuals are divided; never 0.
 CellState hyperparameters_of(const CellState& shown) {
     const auto size = [](double value, double at_rest) {
         return std::max(std::abs(value), at_rest);
@@ -39,7 +39,7 @@ CellState hyperparameters_of(const CellState& shown) {
     return scales;
 }
 
-/// The equations show(x) = shown in unknowns over their sizes.
+/// The equations show(x) = shown, with each unknown divided by its scale.
 class Equations {
   public:
     Equations(const InstrumentMap& map, const CellState& shown)
@@ -57,7 +57,7 @@ class Equations {
 
     Vector residual(const Vector& x) const { return scaled(map_.show(state(x))) - scaled(shown_); }
 
-    /// Central differences; a step of 1e-5 leaves errors of 1e-10 of a slope.
+    /// Returns the Jacobian by central differences; a step of 1e-5 gives relative errors of 1e-10.
     Matrix slopes(const Vector& x) const {
         Matrix result;
         for (Eigen::Index k = 0; k < x.size(); ++k) {
@@ -209,7 +209,8 @@ Condition true_condition(const Condition& shown, const CellState& truth, const I
 
 namespace {
 
-/// A true state with the torque and height that go with a shear stress [Pa] and a solid fraction.
+/// Returns a true state with the torque and height that follow from a shear stress [Pa] and a solid
+/// fraction [1].
 CellState flowing(CellState truth, double shear_stress, double solid_fraction, AnnularCell cell) {
     cell.bead_volume = truth.bead_volume;
     truth.torque = torque(shear_stress, cell);

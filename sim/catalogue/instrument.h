@@ -10,58 +10,62 @@
 
 namespace pendular {
 
-/// The instrument map: all instrument effects of a study as one map from the true state of the cell
-/// to the shown one. Effects on the beads come before those on the transducers, by name within.
+/// The instrument map: all instrument effects of a study, combined into one map from the true state
+/// of the cell to the shown state. Effects on the grains in the cell are applied first, then
+/// effects on the transducers, each group sorted by name.
 class InstrumentMap {
   public:
     InstrumentMap() = default;
-    /// Takes the instrument effects among `effects` that are not neutral.
+    /// Constructs the map from the instrument effects among `effects` that are not neutral.
     explicit InstrumentMap(const std::vector<ActiveEffect>& effects);
 
-    /// Whether what is shown is the truth.
+    /// Whether no effect acts, so that the instrument shows the true state.
     bool empty() const { return effects_.empty(); }
 
-    /// State that the instrument shows for a true state; without effects the state itself, bit for
-    /// bit.
+    /// Returns the state that the instrument shows for a true state; without effects the same
+    /// state, bit for bit.
     CellState show(CellState truth) const;
 
-    /// The true state that is shown so, by Newton's method to 1e-12 of the size of each value:
-    /// torque, normal force, height, angular velocity, liquid content and bead volume; geometry and
-    /// time are the same on either side. Without effects the shown state itself, bit for bit.
-    /// @throws std::domain_error naming the effects where no state with a positive normal force,
-    ///         height and bead volume shows this
+    /// Returns the true state for which the instrument shows `shown`, the inverse of `show`.
+    /// Newton's method solves for torque, normal force, height, angular velocity, liquid content
+    /// and bead volume, until the shown values agree to 1e-11 of their size or better. Cell radii,
+    /// grain properties and time are unchanged. Without effects returns `shown`, bit for bit.
+    /// @throws std::domain_error, naming the effects, where no state with a positive normal force,
+    ///         height and bead volume is shown as `shown`
     CellState truth(const CellState& shown) const;
 
   private:
     std::vector<ActiveEffect> effects_;
 };
 
-/// The shown state of the cell at a recorded condition, shear stress [Pa] and solid fraction [1]:
-/// what `import` made of the recording, undone. The bead volume is the condition's, else the
-/// cell's; the height is the condition's, else the one that goes with the solid fraction; I = 0
-/// is a lid at rest.
+/// Returns the state that the instrument showed at a recorded condition, from the reading's shear
+/// stress [Pa] and solid fraction [1]: the inverse of the conversion by `import`. A condition
+/// without a bead volume has that of the cell; a condition without a height has the height that
+/// follows from the solid fraction. At I = 0 the lid is at rest.
 CellState shown_state(const Condition& shown, double shear_stress, double solid_fraction,
                       AnnularCell cell, const GrainProperties& grains);
 
-/// The condition that is truly imposed where `shown` is recorded and `truth` is the state of the
-/// cell: normal stress, inertial number, liquid content, height and bead volume. The inertial
-/// number goes with the true rate omega (Ri + Re)/(2 H) and the true normal stress,
+/// Returns the condition that is truly imposed where `shown` is recorded and `truth` is the true
+/// state of the cell: normal stress, inertial number, liquid content, height and bead volume. The
+/// inertial number follows from the true shear rate omega (Ri + Re)/(2 H) and normal stress,
 ///     I/I_shown = (omega/omega_shown) (H_shown/H) sqrt(s22_shown/s22)
-/// and stays 0 where it is. What no effect touches is as shown, bit for bit.
+/// A shown inertial number of 0 remains 0. Quantities that no effect changes are returned as shown,
+/// bit for bit.
 Condition true_condition(const Condition& shown, const CellState& truth, const InstrumentMap& map);
 
-/// Apparent (shear stress [Pa], solid fraction [1]) of beads whose true ones are `predicted` at the
-/// true normal force, angular velocity, liquid content and bead volume of `truth`: the height
-/// follows from the predicted solid fraction and the true bead volume, and what the instrument then
-/// shows is converted as `import` converts it, with the shown bead volume. `predicted` itself, bit
-/// for bit, where the map is empty.
+/// Returns the reading (shear stress [Pa], solid fraction [1]) that the instrument shows where
+/// `predicted` is the true reading, at the true normal force, angular velocity, liquid content and
+/// bead volume of `truth`. The true height follows from the predicted solid fraction and the true
+/// bead volume. The shown state is converted as by `import`, with the shown bead volume. Returns
+/// `predicted`, bit for bit, if the map is empty.
 Eigen::Vector2d shown_reading(const Eigen::Vector2d& predicted, CellState truth,
                               const InstrumentMap& map, const AnnularCell& cell);
 
-/// The true state of the cell in which beads flow as `flow` says (mu*, Phi_S), where the normal
-/// stress, inertial number, liquid content and time of `asked` are what the instrument shows. The
-/// gap is where the beads put it, so that the lid turns at the rate that the shown gap needs.
-/// @throws std::domain_error as InstrumentMap::truth
+/// Returns the true state of the cell where the grains have the stress ratio and solid fraction of
+/// `flow` and the instrument shows the normal stress, inertial number, liquid content and time of
+/// `asked`. The gap follows from the solid fraction of `flow`, and the lid turns at the angular
+/// velocity that gives the inertial number of `asked` at the shown gap.
+/// @throws std::domain_error where InstrumentMap::truth finds no true state
 CellState truth_at_set_points(const Condition& asked, const FlowPoint& flow,
                               const InstrumentMap& map, const AnnularCell& cell,
                               const GrainProperties& grains);

@@ -9,26 +9,29 @@
 
 namespace pendular {
 
-/// A study with the effects that it names looked up. A value: copies share the catalogue, which is
-/// constructed once.
+/// A study together with its catalogue of effects, the effects that it lists and its direct
+/// measurements, all checked. Copies share the catalogue, which is constructed once.
 class ResolvedStudy {
   public:
-    /// Converts implicitly: there is one way to resolve a study.
-    /// @throws InputError for an effect that the study writes or lists, and for a direct
-    ///         measurement, that cannot be used
+    /// Resolves a study; implicit, since there is only one way to do so.
+    /// @throws InputError where an effect that the study defines or lists, or a direct measurement,
+    ///         cannot be used
     ResolvedStudy(Study study);
-    /// Returns the study after a change of its text; its written effects stay unchanged.
-    /// @throws InputError likewise
+    /// Resolves `changed`, an edited copy of this study, with the catalogue of this study. The edit
+    /// must not change the effects that the study defines.
+    /// @throws InputError where an effect that `changed` lists, or a direct measurement, cannot be
+    ///         used
     ResolvedStudy changed_to(Study changed) const;
 
     const Study& study() const { return study_; }
     operator const Study&() const { return study_; }
 
-    /// All effects that there are for the study.
+    /// All effects available to the study, built-in and user-defined.
     const EffectCatalogue& catalogue() const { return *catalogue_; }
-    /// The effects that the study lists, in its order. They live as long as any copy of this.
+    /// Effects that the study lists, in the order of its list. The pointers are valid as long as
+    /// any copy of this object exists.
     const std::vector<const Effect*>& effects() const { return effects_; }
-    /// The direct measurements that the study states.
+    /// Direct measurements that the study states.
     const std::vector<DirectMeasurement>& direct() const { return direct_; }
 
   private:

@@ -35,8 +35,8 @@ struct Target {
     double& (*value)(State&);
 };
 
-/// Variables and targets of formulas, on the instrument and on the grains, and states on which
-/// formulas are tried.
+/// Variables and targets of formulas, and typical states on which formulas are checked, for effects
+/// on the instrument (CellState) and on the flow (GrainState).
 template <typename State>
 struct Field;
 
@@ -61,7 +61,8 @@ struct Field<CellState> {
         {"height", [](CellState& s) -> double& { return s.height; }},
         {"angular_velocity", [](CellState& s) -> double& { return s.angular_velocity; }}};
 
-    /// 60 g of beads in a 21/45 mm cell at 0.3 and 3 kPa.
+    /// Typical state: 60 g of beads in a 21/45 mm cell at a normal stress of 3 kPa if `large`, else
+    /// 0.3 kPa.
     static CellState typical(bool large, double liquid_content, double time) {
         return {.torque = large ? 0.16 : 0.012,
                 .normal_force = large ? 15.0 : 1.5,
@@ -121,7 +122,7 @@ std::vector<State> typical_states() {
     return states;
 }
 
-/// Names that formulas of a field know: those of the state, then the parameter.
+/// Returns the names that formulas can contain: variables of the state, then the parameter.
 template <typename State>
 std::vector<std::string> known_names(const std::string& parameter) {
     std::vector<std::string> names;
@@ -132,7 +133,7 @@ std::vector<std::string> known_names(const std::string& parameter) {
     return names;
 }
 
-/// One formula with the quantity that it sets.
+/// One compiled formula with the quantity that it sets.
 template <typename State>
 class ShownValue {
   public:
@@ -164,7 +165,8 @@ class ShownValue {
     }
     void set(State& state, double value) const { target_(state) = value; }
 
-    /// @throws InputError where the value is no finite number
+    /// Returns the value of the formula.
+    /// @throws InputError where the value is not finite
     double checked(const State& state, double parameter) const {
         const double value = of(state, parameter);
         if (!std::isfinite(value)) {
@@ -176,7 +178,7 @@ class ShownValue {
         return value;
     }
 
-    /// Values of the variables in the formula, as in "torque = 0.1, drag = 3".
+    /// Returns the values of the formula's variables as text, as in "torque = 0.1, drag = 3".
     std::string mentioned(const State& state, double parameter) const {
         const auto all = values(state, parameter);
         std::vector<std::string> parts;
@@ -220,7 +222,7 @@ class ShownValue {
     double& (*target_)(State&) = nullptr;
 };
 
-/// All formulas of an effect; each reads the state before any of them.
+/// All formulas of an effect. Each formula reads the state as it is before any formula is applied.
 template <typename State>
 class ShownValues {
   public:
@@ -249,7 +251,8 @@ class ShownValues {
 
     Touches touches() const { return touches_; }
 
-    /// Covariates that the formulas mention besides what they change.
+    /// Returns the variables in the formulas other than the parameter and each formula's own
+    /// target.
     std::vector<std::string> covariates(const std::string& parameter) const {
         std::vector<std::string> names;
         for (const auto& formula : formulas_) {
@@ -280,7 +283,7 @@ class ShownValues {
         }
     }
 
-    /// Whether a bound of the parameter changes a state.
+    /// Whether the formulas change a state at the lower or the upper bound of the parameter.
     bool changes(const State& state, const WrittenEffect& effect) const {
         return std::ranges::any_of(formulas_, [&](const auto& formula) {
             const double before = formula.before(state);
@@ -301,7 +304,8 @@ class ShownValues {
     Touches touches_ = Touches::all;
 };
 
-/// A parameter with the name of a variable or function would hide it.
+/// Checks the name of the parameter, which would hide a variable or function of the same name.
+/// @throws InputError where a variable or function has this name
 void check_parameter(const WrittenEffect& written) {
     std::vector<std::string> taken = CompiledFormula::reserved_words();
     for (const auto& names : {known_names<CellState>(""), known_names<GrainState>("")}) {

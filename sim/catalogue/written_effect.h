@@ -5,19 +5,20 @@
 
 namespace pendular {
 
-/// The effect that a user wrote. Its formulas all read the true state, and each gives the shown
-/// value of its key; what has no formula is shown as it is. They know, in SI units, the parameter
-/// and
-///     of the instrument  torque, normal_force, height, angular_velocity, liquid_content,
-///                        bead_volume, time, inner_radius, outer_radius, density, diameter,
-///                        normal_stress (normal_force over the area of the annulus)
-///     of the beads       stress_ratio, solid_fraction, normal_stress, inertial_number,
-///                        liquid_content, height, time
-/// It acts on wet readings alone if that is what it does in a few typical states. Where a formula
-/// gives no finite number in use, the change ends in an InputError at the formula.
-/// @throws InputError at the formula where it cannot be read, does not mention the parameter,
-///         changes something at the neutral value, or gives no finite number at a bound; at the
-///         parameter where it is called like a variable or function
+/// Compiles the effect that a user defines in study.toml ([[effect]]). Each formula gives the shown
+/// value of the quantity that is its key; all formulas read the true state. A quantity without a
+/// formula is shown unchanged. The variables of formulas, in SI units, are the effect's parameter
+/// and, depending on what the effect changes:
+///     the instrument  torque, normal_force, height, angular_velocity, liquid_content,
+///                     bead_volume, time, inner_radius, outer_radius, density, diameter,
+///                     normal_stress (normal_force over the area of the annulus)
+///     the flow        stress_ratio, solid_fraction, normal_stress, inertial_number,
+///                     liquid_content, height, time
+/// The effect touches dry or wet readings only if its formulas change only such states among a few
+/// typical states. The returned effect throws InputError at a formula that gives no finite number.
+/// @throws InputError at a formula that cannot be read, does not contain the parameter, changes
+///         a quantity at the neutral value, or gives no finite number at a bound of the parameter;
+///         at a parameter that has the name of a variable or function
 Effect effect_from(const WrittenEffect& written);
 
 }  // namespace pendular

@@ -7,7 +7,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// (Z_d F_d/F0) (l0/a) Phi: the distant pairs' share before anisotropies.
+/// (Z_d F_d/F0) (l0/a) Phi [1]: factor of the anisotropies in the stress of distant pairs.
 double distant_moment(const State& s) {
     return s.solid_fraction * s.distant_coordination * s.distant_force * s.distant_length;
 }

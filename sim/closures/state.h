@@ -6,36 +6,43 @@
 
 namespace pendular::closures {
 
-/// Solid fraction and the networks of contacts and of bridges without contact ("distant" pairs) of
-/// a state of steady shear: what the closures relate to its stresses. Lengths are over the grain
-/// diameter a. A dry state is one of infinite reduced pressure without distant pairs.
+/// Averages of a state of steady shear from which the closures compute stresses: the solid
+/// fraction, and properties of the contacts and of the distant pairs (pairs joined by a bridge
+/// without contact). All are dimensionless; a is the grain diameter and F0 the pull-off force. A
+/// dry state has an infinite reduced pressure and no distant pairs.
 struct State {
-    double reduced_pressure = std::numeric_limits<double>::infinity();  ///< P* = a^2 s22/F0
-    double solid_fraction = 0;                                          ///< Phi_S
-    double contact_coordination = 0;                                    ///< Z_c
-    double distant_coordination = 0;                                    ///< Z_d
-    double contact_force = 0;                ///< mean elastic normal force of contacts over a^2 s22
-    double distant_force = 0;                ///< F_d/F0
-    double distant_force_gap = 0;            ///< <F h>_d/(F0 a)
-    double distant_length = 1;               ///< l0/a
-    double fabric_12_contact = 0;            ///< F12c
-    double fabric_12_distant = 0;            ///< F12d
-    double force_anisotropy_12_distant = 0;  ///< of the force's magnitude: below 0 in shear
-    double length_anisotropy_12_distant = 0;  ///< of the distance of centres
+    /// Reduced pressure P* = a^2 s22/F0.
+    double reduced_pressure = std::numeric_limits<double>::infinity();
+    double solid_fraction = 0;        ///< solid fraction Phi_S
+    double contact_coordination = 0;  ///< contacts per grain Z_c
+    double distant_coordination = 0;  ///< distant pairs per grain Z_d
+    double contact_force = 0;         ///< mean elastic normal force of contacts over a^2 s22
+    double distant_force = 0;         ///< mean force of distant pairs F_d/F0
+    /// Mean product of force and gap of distant pairs, <F h>_d/(F0 a).
+    double distant_force_gap = 0;
+    double distant_length = 1;     ///< mean distance of centres of distant pairs l0/a
+    double fabric_12_contact = 0;  ///< component 12 of the fabric of contacts F12c
+    double fabric_12_distant = 0;  ///< component 12 of the fabric of distant pairs F12d
+    /// Component 12 of the anisotropy of the force of distant pairs, negative in steady shear.
+    double force_anisotropy_12_distant = 0;
+    /// Component 12 of the anisotropy of the distance of centres of distant pairs.
+    double length_anisotropy_12_distant = 0;
 };
 
-/// Capillary part of the stresses in units of F0/a^2 [1], compression positive: the normal one is
-/// below 0, the shear one above where the total shear stress is below.
+/// Capillary stresses over F0/a^2 [1], with the pull-off force F0 of a bridge and the grain
+/// diameter a. Compression is positive: bridges attract, so that the capillary normal stress is
+/// negative. In the imposed shear the total shear stress is negative, so that a positive capillary
+/// shear stress reduces its magnitude.
 struct CapillaryStress {
-    double normal = 0;  ///< a^2 s22cap/F0
-    double shear = 0;   ///< a^2 s12cap/F0
+    double normal = 0;  ///< normal stress a^2 s22cap/F0
+    double shear = 0;   ///< shear stress a^2 s12cap/F0
 };
 
-/// Averages of a run as the closures want them.
+/// Returns the averages of a run that the closures need.
 State network_state_of(const dem::RunResult& run);
 
-/// Capillary stresses of a run in units of F0/a^2 [1]: those it reports, which are over s22, times
-/// P*. Zero for a dry run.
+/// Returns the capillary stresses of a run in units of F0/a^2 [1], zero for a dry run. The run's
+/// observables, in units of s22, are multiplied by P*.
 CapillaryStress capillary_stress_of(const dem::RunResult& run);
 
 }  // namespace pendular::closures

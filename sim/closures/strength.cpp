@@ -6,7 +6,7 @@ namespace pendular::closures {
 
 double contact_stress_ratio(double stress_ratio, const CapillaryStress& capillary,
                             double reduced_pressure) {
-    // s12 is below 0 and s12cap above, so that the magnitudes add.
+    // s12 is negative and s12cap positive, so that the magnitudes add.
     return (stress_ratio + capillary.shear / reduced_pressure) /
            (1 - capillary.normal / reduced_pressure);
 }

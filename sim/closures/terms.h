@@ -2,9 +2,9 @@
 
 namespace pendular::closures {
 
-/// Which of the closures base `rumpf` uses.
+/// Optional terms of the closures (analytical formulas) of the base model `rumpf`.
 struct Terms {
-    bool capillary_shear_stress = false;  ///< eq:strength2 in place of eq:strength3
+    bool capillary_shear_stress = false;  ///< uses eq:strength2, not eq:strength3
 };
 
 }  // namespace pendular::closures

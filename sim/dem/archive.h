@@ -19,8 +19,8 @@ void load(Archive& archive, Vector& v) {
     archive(cereal::binary_data(&v, sizeof v));
 }
 
-/// Serialises a state that has a `serialize` member to bytes, for a program of the same memory
-/// layout.
+/// Returns the bytes of a state that has a `serialize` member. Only a program of the same memory
+/// layout can read them (`restore`).
 template <typename State>
 std::string archived(const State& state) {
     std::ostringstream stream(std::ios::binary);
@@ -29,8 +29,8 @@ std::string archived(const State& state) {
     return std::move(stream).str();
 }
 
-/// Reads the bytes back into a state.
-/// @return false where the bytes belong to another layout
+/// Reads a state from the bytes that `archived` returned.
+/// @return false where the bytes are too few or too many for this state
 template <typename State>
 bool restore(const std::string& bits, State& state) {
     std::istringstream stream(bits, std::ios::binary);

@@ -8,13 +8,13 @@
 namespace pendular::dem {
 namespace {
 
-/// Cross-section of the rows in which grains are numbered [diameters].
+/// Width and height of the rows in which grains are numbered [diameters].
 constexpr double row_width = 1;
 
 }  // namespace
 
 Bins::Bins(const Grains& grains, const Cell& cell, double range) : cell_(cell) {
-    // A bin is thinner than its edge along direction 1 by the cosine of the lattice's tilt.
+    // Along direction 1 a bin is thinner than its edge, by the cosine of the lattice's tilt.
     const double cosine = cell.height / std::hypot(cell.height, cell.offset);
     count_ = {static_cast<int>(cell.length * cosine / range), static_cast<int>(cell.height / range),
               static_cast<int>(cell.width / range)};

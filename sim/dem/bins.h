@@ -9,8 +9,9 @@
 
 namespace pendular::dem {
 
-/// Grains sorted into bins that are sheared with the lattice, each wider than a range in every
-/// direction.
+/// Bins of a periodic cell with the grains in each, for the search of neighbours. The bins are
+/// sheared with the cell's lattice and at least `range` [diameters] thick in every direction: all
+/// centres within `range` of a grain's centre lie in its bin or one of the 26 bins around it.
 class Bins {
   public:
     Bins(const Grains& grains, const Cell& cell, double range);
@@ -19,8 +20,9 @@ class Bins {
     /// searched twice.
     bool enough() const;
 
-    /// Bin of a grain inside the cell. A grain that rounding puts outside is counted in the last
-    /// bin before that face, not in the bin on the opposite side.
+    /// Indices, along the three lattice vectors, of the bin that holds a position inside the cell.
+    /// A position that rounding puts outside belongs to the last bin before that face, not to the
+    /// bin on the opposite side.
     std::array<int, 3> bin_of(const Vector& position) const;
     int count(int direction) const { return count_[direction]; }
     std::size_t index(int b1, int b2, int b3) const {
@@ -43,10 +45,10 @@ class Bins {
     std::vector<Entry> entries_;
 };
 
-/// The grains' numbers in rows along the flow, one diameter wide, row by row and plane by plane.
-/// The neighbours of successive grains then lie in a few places that advance through memory side by
-/// side, which is what a processor fetches ahead by itself: samples larger than its cache run a
-/// third faster than along a Morton curve.
+/// Returns the grains' numbers, sorted by rows along the flow that are one diameter wide: row by
+/// row along the gradient, then plane by plane along the vorticity. A loop over grains stored in
+/// this order reads memory at a few places that advance side by side, which a processor prefetches
+/// by itself: samples larger than its cache run a third faster than in the order of a Morton curve.
 std::vector<std::int32_t> order_in_rows(const Grains& grains, const Cell& cell);
 
 }  // namespace pendular::dem

@@ -9,7 +9,7 @@ namespace pendular::dem {
 /// Periodic cell of a Lees-Edwards shear flow, in grain diameters. Its lattice vectors are
 /// (length, 0, 0), (offset, height, 0) and (0, 0, width): direction 1 is the flow, 2 the gradient,
 /// 3 the vorticity. The offset grows with the shear and is taken modulo the length only when the
-/// neighbour list is rebuilt, so that the images named in the list stay the same images.
+/// neighbour list is rebuilt, so that the images stored in the list remain valid in between.
 struct Cell {
     double length = 0;
     double height = 0;
@@ -23,15 +23,15 @@ struct Cell {
 
     double volume() const { return length * height * width; }
 
-    /// Brings the offset into [-length/2, length/2).
+    /// Reduces the offset to [-length/2, length/2) by whole lengths; the lattice stays the same.
     void reduce_offset() { offset -= length * std::floor(offset / length + 0.5); }
 
-    /// Fractional coordinates along the lattice vectors; in [0, 1) inside the cell.
+    /// Fractional coordinates of a position along the lattice vectors; in [0, 1) inside the cell.
     Vector fractions(const Vector& r) const {
         const double up = r[1] / height;
         return {(r[0] - up * offset) / length, up, r[2] / width};
     }
-    /// Moves a position into the cell by whole lattice vectors.
+    /// Returns the position, moved into the cell by whole lattice vectors.
     Vector wrapped(const Vector& r) const {
         const Vector at = fractions(r);
         const double n1 = std::floor(at[0]), n2 = std::floor(at[1]), n3 = std::floor(at[2]);
@@ -39,7 +39,8 @@ struct Cell {
     }
 };
 
-/// Whole lattice vectors that lead to an image: image = n1 a1 + n2 a2 + n3 a3.
+/// Periodic image of the cell: the cell shifted by n1 a1 + n2 a2 + n3 a3, a1 to a3 being its
+/// lattice vectors.
 struct Image {
     int n1 = 0, n2 = 0, n3 = 0;
 
@@ -48,13 +49,14 @@ struct Image {
     }
 };
 
-/// Images as small numbers, so that a pair of the neighbour list carries one byte.
+/// Codes of periodic images: small numbers, so that a pair of the neighbour list stores its image
+/// in one byte.
 namespace image_code {
 constexpr int reach = 2;
 constexpr int per_direction = 2 * reach + 1;
 constexpr int count = per_direction * per_direction * per_direction;
-/// Position far outside the cell, for the pairs that only fill up the last batch and must never
-/// touch.
+/// Code of a position far outside the cell, for placeholder pairs, which fill up the last batch of
+/// a list and must never touch.
 constexpr int nowhere = count;
 
 constexpr int of(Image image) {

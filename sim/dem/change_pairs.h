@@ -10,55 +10,60 @@
 
 namespace pendular::dem {
 
-/// One batch of pairs as an effect on grains sees it, structure of arrays of `size` entries,
-/// reduced units. Directions point from the first to the second grain.
+/// Batch of pairs of grains as passed to an effect on grains: arrays of `size` entries, one per
+/// pair, in reduced units. Vectors point from the first to the second grain.
 struct PairBatch {
     std::size_t size = 0;
     double time_step = 0;
     const double *nx, *ny, *nz;  ///< unit normal
-    const double* gap;           ///< between the surfaces; negative: overlap
-    const double* diameter;      ///< 2 d1 d2/(d1 + d2), which is 1 for grains of unit diameter
+    const double* gap;           ///< gap between the surfaces; negative: overlap
+    const double* diameter;      ///< mean diameter 2 d1 d2/(d1 + d2)
     const double* normal_speed;  ///< rate at which the gap opens
     const double *rolling_x, *rolling_y,
         *rolling_z;  ///< angular velocity of the second grain less that of the first
     const double *pair_rotation_x, *pair_rotation_y,
-        *pair_rotation_z;     ///< rate at which the pair turns
+        *pair_rotation_z;     ///< angular velocity of the pair
     const double* elastic;    ///< elastic normal force F_N
     const double* stiffness;  ///< tangential stiffness K_T
     const double* joined;     ///< 1 where a bridge joins the grains, else 0
-    double* capillary;        ///< attraction by the bridge, from the base law; 0 where not joined
-    double* coulomb_limit;    ///< largest tangential force, from the base law
-    double *fx, *fy, *fz;     ///< force on the second grain; on the first it is opposite
-    double *tx, *ty, *tz;     ///< torque on the second grain; on the first it is opposite
-    double* const* contact_history = nullptr;  ///< contact_history[number][pair]
+    double* capillary;      ///< attraction by the bridge, preset by the base law; 0 without bridge
+    double* coulomb_limit;  ///< largest tangential force, preset by the base law
+    double *fx, *fy, *fz;   ///< force on the second grain; the first gets the opposite force
+    double *tx, *ty, *tz;   ///< torque on the second grain; the first gets the opposite torque
+    /// Values that the effect stores per pair: contact_history[value][pair].
+    double* const* contact_history = nullptr;
 };
 
-/// Quantities that all pairs of a run share.
+/// Material, bridge law and effect parameters, which all pairs of a run share.
 struct PairContext {
     const Material& material;
     const BridgeLaw& bridges;
-    const Values& values;  ///< of the effect's parameters, reduced units
+    const Values& values;  ///< values of the effect's parameters, reduced units
 };
 
-/// An effect on the forces between grains: stages of the force loop, each called once per batch.
+/// Physical effect on the forces between grains. The force loop calls its functions `bridge`,
+/// `limit` and `add` once per batch of pairs, in this order; a null function changes nothing.
 struct ChangePairs {
     using Stage = void (*)(const PairBatch&, const PairContext&);
 
-    /// Numbers of contact history per pair, kept when the lists are renewed. They change sign when
-    /// the two grains change places, as components of what acts on the second grain do.
+    /// Number of values that the effect stores per pair (PairBatch::contact_history). They are kept
+    /// when the neighbour lists are renewed, and change sign when the two grains of a pair swap, as
+    /// components of the force on the second grain do.
     std::size_t contact_history = 0;
-    bool bridges_without_contact = false;  ///< bridges form as soon as grains are close enough
-    /// Changes the law of the bridges before a run.
+    /// Whether bridges form without contact, at any gap below the rupture distance.
+    bool bridges_without_contact = false;
+    /// Returns the changed law of the bridges; called before a run.
     BridgeLaw (*bridge_law)(BridgeLaw, const Values&) = nullptr;
-    Stage bridge = nullptr;  ///< replaces `capillary` where a bridge joins the grains
-    Stage limit = nullptr;   ///< replaces `coulomb_limit`
-    Stage add = nullptr;     ///< adds forces and torques, which count as those of contacts
-    /// Largest coefficient of damping that `add` brings in, over the mass of a grain: the time step
-    /// follows it.
+    Stage bridge = nullptr;  ///< overwrites PairBatch::capillary where a bridge joins the grains
+    Stage limit = nullptr;   ///< overwrites PairBatch::coulomb_limit
+    Stage add = nullptr;  ///< adds forces and torques, which count as contact forces, not capillary
+    /// Largest damping coefficient of the forces that `add` adds, over the mass of a grain, reduced
+    /// units. It limits the time step.
     double (*damping_rate)(const BridgeLaw&, const Values&) = nullptr;
 };
 
-/// An effect on the sizes of the grains, drawn before a run; their mean is kept at 1.
+/// Physical effect on the sizes of the grains. `diameters` draws them before a run; the solver then
+/// rescales their mean to 1.
 struct ChangeSample {
     void (*diameters)(std::span<double>, std::mt19937_64&, const Values&) = nullptr;
 };

@@ -22,7 +22,7 @@ namespace {
 constexpr std::string_view signature = "pendular checkpoint, format ";
 
 std::uint64_t checksum(std::string_view bytes) {
-    // The polynomial of ECMA-182.
+    // CRC-64 with the polynomial of ECMA-182.
     boost::crc_optimal<64, 0x42f0e1eba9ea3693, ~0ull, ~0ull, true, true> crc;
     crc.process_bytes(bytes.data(), bytes.size());
     return crc.checksum();
@@ -32,7 +32,7 @@ std::string seal(std::string_view content) {
     return fmt::format("checksum {:016x} of {} bytes", checksum(content), content.size());
 }
 
-/// The value of a line "name = value", empty where there is none.
+/// Value of the line "name = value" for this name; empty where there is no such line.
 std::string value_of(const std::string& name, std::istringstream lines) {
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with(name + " = ")) {
@@ -42,7 +42,8 @@ std::string value_of(const std::string& name, std::istringstream lines) {
     return "";
 }
 
-/// First difference between a run and the run of a checkpoint file: "friction 0.2, not 0.3".
+/// First parameter in which a run differs from the run of a checkpoint file, with the value in the
+/// file and that of the run: "friction 0.2, not 0.3".
 std::string difference(const std::string& run, const std::string& saved) {
     std::istringstream lines(run);
     for (std::string line; std::getline(lines, line);) {
@@ -95,7 +96,7 @@ void Checkpoint::lock() {
                                       "another file")
                         : fmt::format("cannot be locked: {}", std::strerror(errno)));
         }
-        // Whoever held the lock before may have deleted the file meanwhile.
+        // A process that held the lock before may have deleted the lock file in the meantime.
     } while (!same_file(lock_, lock_file_));
 }
 

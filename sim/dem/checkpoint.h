@@ -7,37 +7,41 @@
 
 namespace pendular::dem {
 
-/// Checkpoint file of a run, from which a later process resumes the run. It is replaced as a whole
-/// and is on the disk when `write` returns, so that neither a crash nor a full disk costs the
-/// former one. While the object lives no other process can use the file.
+/// Checkpoint file of a run, from which a later process resumes the run. `write` replaces the file
+/// as a whole and returns once it is on the disk, so that neither a crash nor a full disk destroys
+/// the previous checkpoint. While the object exists, no other process can use the file.
 ///
-/// The file begins with text: its format, checksum and length, then the run's parameters, a line
-/// each, and an empty line; the state follows in binary.
+/// The file begins with lines of text: its format, its checksum and length, the run's parameters,
+/// one per line, and an empty line. The state follows in binary.
 class Checkpoint {
   public:
-    /// Locks the file through FILE.lock beside it; the file itself need not exist.
-    /// @throws InputError where another process uses it or its folder cannot be written
+    /// Locks the file through FILE.lock beside it; the file itself need not exist. `every` is the
+    /// time from one checkpoint to the next (`due`).
+    /// @throws InputError where another process uses the file, where it is not a regular file, or
+    /// where its folder cannot be written
     explicit Checkpoint(const std::filesystem::path& file,
                         std::chrono::duration<double> every = std::chrono::minutes(10));
     ~Checkpoint();
     Checkpoint(const Checkpoint&) = delete;
     Checkpoint& operator=(const Checkpoint&) = delete;
 
-    /// Last saved state of the run that these lines "name = value" describe; empty where there is
-    /// no file.
-    /// @throws InputError where the file is of another run, another version or not whole; the file
-    /// is left alone
+    /// Returns the last saved state of the run that `run` describes in lines "name = value"; empty
+    /// where there is no file.
+    /// @throws InputError where the file belongs to another run, has another format, or is
+    /// truncated or corrupt; the file is left unchanged
     std::optional<std::string> read(const std::string& run) const;
-    /// @throws std::runtime_error where it cannot be written; the former one is then still there
+    /// Replaces the file by one with this state of the run that `run` describes.
+    /// @throws std::runtime_error where it cannot be written; the previous checkpoint is then kept
     void write(const std::string& run, const std::string& state);
-    /// Deletes the file: the run is done and its results are safe.
+    /// Deletes the file, once the run is complete and its results are saved.
     void remove();
 
     bool due() const { return std::chrono::steady_clock::now() - written_ >= every_; }
     bool exists() const { return std::filesystem::exists(file_); }
     const std::filesystem::path& file() const { return file_; }
 
-    static constexpr int format = 3;  ///< raised whenever what a run saves changes
+    /// Version of the file format, raised whenever the saved state of a run changes.
+    static constexpr int format = 3;
 
   private:
     void lock();

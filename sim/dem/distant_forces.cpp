@@ -7,7 +7,7 @@
 namespace pendular::dem {
 namespace {
 
-/// Attraction of the pairs from `begin` on.
+/// Computes the attraction in the batch of pairs that starts at `begin`, and breaks their bridges.
 template <bool accounted>
 [[gnu::always_inline]] inline void attract(Batch& b, Pairs& pairs, std::size_t begin,
                                            const BridgeLaw& law, LaneSums& sums) {

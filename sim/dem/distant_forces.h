@@ -6,9 +6,10 @@
 
 namespace pendular::dem {
 
-/// Adds the attraction of a stretch of distant pairs, which bridges join without contact; breaks
-/// the bridges whose gap has passed the rupture distance. Pairs of unequal grains, and pairs whose
-/// forces effects change, go through `pair_forces`.
+/// Adds to `net_force` the attraction of the distant pairs in the range `stretch`, which liquid
+/// bridges join without contact, and breaks bridges whose gap exceeds the rupture distance. Returns
+/// the sums over these pairs. Unequal grains, and forces that effects change, are left to
+/// `pair_forces`.
 PairSums distant_forces(const Grains& grains, Pairs& distant, Stretch stretch, const PairLaws& laws,
                         std::vector<Grains::ForceAndTorque>& net_force);
 

@@ -18,7 +18,8 @@ BinnedSums& of(FieldSums& sums, Field which) {
     return sums[static_cast<std::size_t>(which)];
 }
 
-/// Adds one state's values of a quantity as a probability density over bins of this width.
+/// Adds the values of a quantity in one state to its probability density. `width` is the width of a
+/// bin in the unit of the density.
 void add_density(const std::vector<double>& values, const Bins1d& bins, double width,
                  BinnedSums& sums) {
     for (const double value : values) {
@@ -32,14 +33,15 @@ void add_density(const std::vector<double>& values, const Bins1d& bins, double w
     }
 }
 
-/// Angle of a direction in the plane of flow and gradient, in [0, 180) degrees: a pair has no sign.
+/// Angle of a pair's direction in the plane of flow and gradient, in [0, 180) degrees, as opposite
+/// directions are equivalent.
 double angle_of(const Vector& r) {
     const double angle = std::atan2(r[1], r[0]) * degrees_per_radian;
     const double half_turn = angle < 0 ? angle + 180 : angle;
     return half_turn < 180 ? half_turn : 0;
 }
 
-/// Volume of a sphere below a plane at this height over its centre.
+/// Volume of the part of a sphere below a horizontal plane, `plane` above its centre [a^3].
 double volume_below(double plane, double diameter) {
     const double depth = std::clamp(plane / diameter + 0.5, 0.0, 1.0);
     return diameter * diameter * diameter * std::numbers::pi * depth * depth * (0.5 - depth / 3);
@@ -120,7 +122,7 @@ void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums
         for (long slice = first; below < volume_below(0.5 * diameter, diameter); ++slice) {
             const double up_to =
                 volume_below(static_cast<double>(slice + 1) * thickness - centre, diameter);
-            const long bin = (slice % count + count) % count;  // across a periodic face
+            const long bin = (slice % count + count) % count;  // periodic continuation
             sums.sum[static_cast<std::size_t>(bin)] += up_to - below;
             below = up_to;
         }
@@ -136,7 +138,7 @@ void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near
     std::vector<double> forces, angles, distant_angles, gaps;
     const auto note_distant = [&](const Pairs& pairs, std::size_t k, const Vector& r) {
         distant_angles.push_back(angle_of(r));
-        // A step after its force was computed a bridge may be a trifle beyond its range.
+        // One step after the force was computed, a gap may slightly exceed the rupture distance.
         gaps.push_back(
             std::clamp(gap_of(grains, pairs, k, r), 0.0, bridges.rupture_distance * (1 - 1e-12)));
     };

@@ -14,11 +14,12 @@
 
 namespace pendular::dem {
 
-/// Coordinate that a field depends on; `coordinates` has their names, units and meanings.
+/// Coordinate of which a field is a function; `coordinates` lists the name, unit and meaning of
+/// each coordinate.
 enum class Coordinate { height, angle, relative_force, gap };
 
-/// Quantity that a run measures as a function of one coordinate; `fields` has their names, units
-/// and meanings.
+/// Quantity that a run measures as a function of one coordinate; `fields` lists the name, unit and
+/// meaning of each quantity.
 enum class Field {
     velocity,
     solid_fraction,
@@ -31,10 +32,10 @@ enum class Field {
 };
 
 struct CoordinateAbout {
-    std::string_view name;     ///< JSON and CSV header
+    std::string_view name;     ///< name in JSON and in headers of CSV files
     std::string_view unit;     ///< "1": dimensionless
-    std::string_view meaning;  ///< one line
-    std::string_view table;    ///< name of the CSV file that its fields share
+    std::string_view meaning;  ///< description in one line
+    std::string_view table;    ///< name of the CSV file of all fields of this coordinate
 };
 constexpr std::array coordinates = std::to_array<CoordinateAbout>(
     {{"height", "1", "place across the velocity gradient over the sample's height", "profiles"},
@@ -47,10 +48,10 @@ constexpr std::array coordinates = std::to_array<CoordinateAbout>(
      {"gap", "1", "gap of a bridge without contact over the bead diameter", "gaps"}});
 
 struct FieldAbout {
-    std::string_view name;  ///< JSON key and CSV header
+    std::string_view name;  ///< name in JSON and in headers of CSV files
     Coordinate coordinate;
     std::string_view unit;     ///< "1": dimensionless
-    std::string_view meaning;  ///< one line, with what it is divided by
+    std::string_view meaning;  ///< description in one line, with the normalisation
     bool needs_bridges = false;
 };
 constexpr std::array fields = std::to_array<FieldAbout>(
@@ -80,38 +81,37 @@ constexpr const FieldAbout& about(Field which) {
 constexpr const CoordinateAbout& about(Coordinate which) {
     return coordinates[static_cast<std::size_t>(which)];
 }
-/// Whether a field is a profile across the gradient; the others are distributions over pairs.
+/// Whether a field is a profile over the sample's height, not a statistic of pairs.
 constexpr bool is_profile(Field which) {
     return about(which).coordinate == Coordinate::height;
 }
 
-/// Equal bins from zero on.
+/// Bins of equal width between 0 and `end`.
 struct Bins1d {
     std::size_t count = 0;
     double end = 1;
 
     double width() const { return end / static_cast<double>(count); }
     double middle(std::size_t bin) const { return (static_cast<double>(bin) + 0.5) * width(); }
-    /// Bin of a value; `count` beyond the last.
+    /// Index of the bin that holds a value; 0 for negative values, `count` beyond the last bin.
     std::size_t of(double value) const {
         const double bin = value < 0 ? 0 : value / width();
         return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count;
     }
 };
 
-/// Bins of a coordinate in a sample of so many grains: one per grain diameter across the gradient,
-/// of 5 degrees over half a turn, of a fifth of the mean force up to 8 times it, 30 up to the
-/// rupture distance [the coordinate's unit].
+/// Bins of a coordinate, in its unit, for a sample of `grains` grains. Height: one bin per grain
+/// diameter. Angle: bins of 5 degrees from 0 to 180. Relative force: bins of 0.2 from 0 to 8. Gap:
+/// 30 bins from 0 to the rupture distance.
 Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);
 
-/// One field of a run: a time average with standard error in the middle of each bin. A mean over
-/// nothing is not a number.
+/// One field of a run: time average with standard error in each bin; NaN where a bin has no data.
 struct BinnedMeans {
-    std::vector<double> at;  ///< in the coordinate's unit
+    std::vector<double> at;  ///< middle of each bin, in the coordinate's unit
     std::vector<Mean> means;
 };
 
-/// Sums from which a field is made: its value in a bin is sum over weight.
+/// Sums over states from which a field is computed: its value in a bin is sum/weight.
 struct BinnedSums {
     std::vector<double> sum, weight;
 
@@ -123,20 +123,23 @@ struct BinnedSums {
 };
 using FieldSums = std::array<BinnedSums, field_count>;
 
-/// Velocities across the gradient, summed over several instants.
+/// Profile of the grains' velocities over the height of the sample, summed over several states.
 class MotionProfile {
   public:
     explicit MotionProfile(std::size_t bins = 0) : bins_(bins) {}
 
-    /// Adds the velocities of one state relative to the imposed flow.
+    /// Adds the velocities, relative to the imposed flow, of the grains in one state; `height` is
+    /// the height of the cell [diameters].
     void add(const Grains& grains, double height);
-    /// Localization [1]: 0 uniform shear, 1 an infinitely thin band.
+    /// Localization [1]: 0 for uniform shear, 1 for an infinitely thin shear band.
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
     /// Source: Badetti et al. (2018), eq:defdelta.
     double localization(double height, double shear_rate) const;
-    /// Mean velocity in each bin, over shear rate times height [1].
+    /// Mean velocity along the flow in each bin, imposed flow included, over shear rate times
+    /// height [1].
     BinnedSums velocity(double height, double shear_rate) const;
-    /// Variance of the velocities in each bin, over (diameter times shear rate)^2 [1].
+    /// Variance of one component of the velocity in each bin, averaged over the components, over
+    /// (diameter times shear rate)^2 [1].
     BinnedSums temperature(double shear_rate) const;
 
     template <typename Archive>
@@ -157,10 +160,12 @@ class MotionProfile {
     std::vector<Bin> bins_;
 };
 
-/// Adds the solid fraction across the gradient of one state: each sphere is cut at the bins' faces.
+/// Adds the profile of solid fraction over the height in one state; each sphere is cut at the faces
+/// of the bins.
 void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums);
 
-/// Adds the distributions over the contacts and the bridges without contact of one state.
+/// Adds the statistics of the contacts, and of the bridges without contact, in one state: every
+/// field that is not a profile.
 void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        FieldSums& sums);

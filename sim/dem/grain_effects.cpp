@@ -45,7 +45,8 @@ std::vector<double> GrainEffects::diameters(std::size_t count, std::uint64_t see
     if (samples_.empty()) {
         return {};
     }
-    std::mt19937_64 random(seed ^ 0x9e3779b97f4a7c15u);  // not the numbers that place the grains
+    // Another seed than that of the grains' positions, for independent random numbers.
+    std::mt19937_64 random(seed ^ 0x9e3779b97f4a7c15u);
     std::vector<double> all(count, 1.0);
     for (const OnSample& on : samples_) {
         on.change->diameters(all, random, Values(on.parameters, on.values));

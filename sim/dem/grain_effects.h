@@ -13,14 +13,15 @@
 
 namespace pendular::dem {
 
-/// An effect on grains that is on in a run. The effect it refers to must outlive the run.
+/// Physical effect on the grains' forces or sizes that acts in a run. `change` and `parameters`
+/// must outlive the run.
 struct GrainEffect {
     std::variant<const ChangePairs*, const ChangeSample*> change;
     std::span<const EffectParameter> parameters;
-    std::vector<double> values;  ///< of the parameters [units of the run]
+    std::vector<double> values;  ///< values of `parameters`, reduced units
 };
 
-/// The effects on grains that are on in a run, as the solver calls them.
+/// All effects on grains that act in a run, in the form that the solver calls.
 class GrainEffects {
   public:
     GrainEffects() = default;
@@ -28,14 +29,14 @@ class GrainEffects {
 
     /// Whether the force loop must call effects between its stages.
     bool changes_forces() const { return changes_forces_; }
-    /// Whether pairs follow other laws than equal grains without effects: forces or sizes differ.
+    /// Whether any effect changes the forces between grains or their sizes.
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
-    /// Numbers of contact history per pair, all effects together.
+    /// Number of values that all effects together store per pair.
     std::size_t contact_history() const { return contact_history_; }
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;
     double damping_rate(const BridgeLaw& law) const;
-    /// Diameters of so many grains, of mean 1; empty where all are equal.
+    /// Random diameters of `count` grains over their mean [1]; empty where no effect changes sizes.
     std::vector<double> diameters(std::size_t count, std::uint64_t seed) const;
 
     void bridge(const PairBatch& batch, const Material& material, const BridgeLaw& bridges) const {
@@ -48,7 +49,8 @@ class GrainEffects {
         stage(&ChangePairs::add, batch, material, bridges);
     }
     bool changes_bridges() const { return changes_bridges_; }
-    /// Attraction [a^2 s22] by a bridge of grains at rest at this gap, `diameter` as in PairBatch.
+    /// Attraction by the bridge between two grains at rest, effects included [a^2 s22]. A negative
+    /// gap is an overlap; `diameter` is the mean diameter as in PairBatch.
     double attraction(double gap, double diameter, const Material& material,
                       const BridgeLaw& bridges) const;
 

@@ -12,13 +12,13 @@
 
 namespace pendular::dem {
 
-/// The grains of a sample in reduced units (diameter, mass and normal stress are 1). What the force
-/// loop reads of one grain lies together, and so does what it writes: a pair touches few cache
-/// lines.
+/// Grains of a sample in reduced units (diameter, mass and normal stress are 1). The numbers of one
+/// grain that the force loop reads are adjacent in memory (`motion`), and so are the numbers that
+/// it writes (`net_force`), so that a pair touches few cache lines.
 struct Grains {
     struct Motion {
         Vector position;  ///< centre; inside the cell when the neighbour list was built
-        Vector velocity;  ///< peculiar: what remains after the imposed flow; half a step behind
+        Vector velocity;  ///< peculiar velocity (without the imposed flow), half a step behind
         Vector angular_velocity;  ///< angular velocity, half a step behind
 
         template <typename Archive>
@@ -26,16 +26,16 @@ struct Grains {
             archive(position, velocity, angular_velocity);
         }
     };
-    /// Aligned to a cache line of its own.
+    /// Net force and torque on one grain, in a cache line of its own.
     struct alignas(64) ForceAndTorque {
         Vector force, torque;
     };
 
     std::vector<Motion> motion;
-    std::vector<ForceAndTorque> net_force;  ///< summed during a step, zero between two
-    std::vector<Vector> displacement;       ///< peculiar, since the narrow list was made
-    std::vector<std::int32_t> number;       ///< number of each grain when the sample was made
-    std::vector<double> diameters;          ///< of mean 1; none: all are 1
+    std::vector<ForceAndTorque> net_force;  ///< summed during a step, zero between steps
+    std::vector<Vector> displacement;  ///< peculiar displacement since the narrow list was made
+    std::vector<std::int32_t> number;  ///< original number of each grain, before renumbering
+    std::vector<double> diameters;     ///< diameters of mean 1; empty: all are 1
 
     explicit Grains(std::size_t count = 0)
         : motion(count), net_force(count), displacement(count), number(count) {
@@ -50,16 +50,16 @@ struct Grains {
     }
 
     double diameter(std::size_t i) const { return diameters.empty() ? 1.0 : diameters[i]; }
-    /// Mass over that of a grain of unit diameter.
+    /// Mass of a grain over the mass of a grain of unit diameter [1].
     double mass(std::size_t i) const {
         const double d = diameter(i);
         return d * d * d;
     }
-    /// Distance of the centres at which two grains touch.
+    /// Distance of the centres at which two grains touch [a].
     double contact_distance(std::size_t i, std::size_t j) const {
         return diameters.empty() ? 1.0 : 0.5 * (diameters[i] + diameters[j]);
     }
-    /// Sizes of a pair, as the laws of contact and bridge take them.
+    /// Mean diameter, mean mass and arms of a pair, from which the contact and bridge laws compute.
     PairSizes sizes(std::size_t i, std::size_t j) const {
         return diameters.empty() ? PairSizes{} : PairSizes::of(diameters[i], diameters[j]);
     }
@@ -89,8 +89,8 @@ struct Grains {
     const Vector& torque(std::size_t i) const { return net_force[i].torque; }
 };
 
-/// Moment of inertia of a grain of unit mass and diameter: (2/5)(1/2)^2. It grows with the fifth
-/// power of the diameter.
+/// Moment of inertia of a grain of unit mass and diameter, (2/5)(1/2)^2. The moments of other
+/// grains grow with the fifth power of the diameter.
 constexpr double moment_of_inertia = 0.1;
 
 }  // namespace pendular::dem

@@ -9,14 +9,15 @@
 
 namespace pendular::dem {
 
-/// Sums over the grains of a range after one step.
+/// Sums over a range of grains after one step, reduced units. v is the peculiar velocity, which
+/// excludes the imposed flow.
 struct MotionSums {
-    Vector squares;               ///< sums of m v1^2, m v2^2, m v3^2 after the step
+    Vector squares;               ///< sums of m v1^2, m v2^2, m v3^2
     double shear = 0;             ///< sum of m v1 v2
     double angular_velocity = 0;  ///< sum of m d^2 times the squared angular velocities
-    double largest_squared = 0;   ///< displacement since the narrow list was made
+    double largest_squared = 0;   ///< largest squared displacement since the narrow list was made
     MotionSums& operator+=(const MotionSums& other);
-    /// Kinetic energy of the peculiar motion, reduced units.
+    /// Kinetic energy of the peculiar motion and of the rotation [a^3 s22].
     double energy() const;
 
     template <typename Archive>
@@ -25,8 +26,9 @@ struct MotionSums {
     }
 };
 
-/// One leapfrog step of the grains of a range: dv/dt = f - L v, since v is peculiar, then dx/dt = v
-/// + L x, with L the imposed velocity gradient. Sets their net forces and torques to zero.
+/// Advances a range of grains (first grain, one after the last) by one leapfrog step and sets their
+/// net forces and torques to zero. Equations: dv/dt = f - L v for the peculiar velocity v, then
+/// dx/dt = v + L x, with f the net force over the mass and L the imposed velocity gradient.
 MotionSums advance(Grains& grains, std::pair<std::size_t, std::size_t> range,
                    std::vector<Grains::ForceAndTorque>& net_forces, const Flow& flow,
                    double time_step);

@@ -10,7 +10,8 @@ namespace pendular::dem {
 
 namespace {
 
-/// Grains for which an observable is defined.
+/// Kind of grains for which an observable is defined: all grains, or only grains with liquid
+/// bridges.
 enum class Wetness { all, wet };
 
 constexpr Wetness grains_of[] = {

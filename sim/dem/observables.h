@@ -13,18 +13,18 @@ enum class Observable {
 #include "data/quantities/observables.def"
 };
 
-/// Names of all observables in their order, as JSON and stores have them.
+/// Names of all observables in the order of `Observable`, as written in JSON and in stores of runs.
 constexpr std::array observable_names = std::to_array<std::string_view>({
 #define OBSERVABLE(name, ...) #name,
 #include "data/quantities/observables.def"
 });
 constexpr std::size_t observable_count = observable_names.size();
 
-/// Whether an observable exists for wet grains only.
+/// Whether an observable is defined only for grains with liquid bridges.
 bool needs_bridges(Observable which);
 
-/// Observable with this name in `observable_names`.
-/// @throws std::invalid_argument naming those there are
+/// Observable of this name, one of `observable_names`.
+/// @throws std::invalid_argument for an unknown name; the message lists all names
 Observable observable_named(std::string_view name);
 
 }  // namespace pendular::dem

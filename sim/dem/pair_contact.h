@@ -8,11 +8,11 @@
 #include "sim/dem/pair_sizes.h"
 
 // Contact and bridge of one pair of grains in reduced units. The loops over pairs (pair_forces.cpp,
-// viscous_loss.cpp) inline these functions and work on many pairs at a time, so that nothing here
-// branches or calls anything that has no vector instruction.
+// viscous_loss.cpp) inline these functions and process many pairs at a time. No function here may
+// therefore branch, or call a function that has no vector instruction.
 namespace pendular::dem {
 
-/// Components of a vector as plain numbers, which become vector lanes in a loop over pairs.
+/// Vector as three plain numbers, which the compiler turns into SIMD lanes in a loop over pairs.
 struct Xyz {
     double x, y, z;
 
@@ -36,18 +36,18 @@ struct Xyz {
 
 /// Positions and velocities of two grains relative to each other.
 struct PairMotion {
-    Xyz separation;        ///< from the first to the second centre
-    Xyz velocity;          ///< of the second centre less the first, without the imposed flow
+    Xyz separation;        ///< vector from the first to the second centre
+    Xyz velocity;          ///< second centre minus first, imposed flow excluded
     Xyz angular_velocity;  ///< sum over both grains, each weighted with its arm (PairSizes)
 };
 
-/// Geometry and rates of a pair with the imposed flow included.
+/// Geometry and relative velocities of a pair, imposed flow included, reduced units.
 struct ContactKinematics {
-    double distance;       ///< of the centres
+    double distance;       ///< distance of the centres
     Xyz normal;            ///< unit vector from the first to the second centre
     double normal_speed;   ///< rate at which the distance grows
-    Xyz sliding_velocity;  ///< of the second surface relative to the first, where they touch
-    Xyz rotation_rate;     ///< of the pair, about its normal included
+    Xyz sliding_velocity;  ///< second surface minus first, at the contact point
+    Xyz rotation_rate;     ///< angular velocity of the pair, including rotation about its normal
 
     [[gnu::always_inline]] static ContactKinematics of(const PairMotion& motion, const Flow& flow) {
         const auto& [r, v, angular_velocity] = motion;
@@ -57,21 +57,21 @@ struct ContactKinematics {
                               v.y + flow.height_rate * r.y, v.z + flow.width_rate * r.z};
         const double normal_speed = dot(velocity, normal);
         const Xyz tangential = velocity - normal_speed * normal;
-        const double arm = distance * 0.5;  // the surfaces touch at the middle of the branch
+        const double arm = distance * 0.5;  // unequal arms are in the weights of angular_velocity
         const double twist = 0.5 * dot(angular_velocity, normal);
         return {distance, normal, normal_speed, tangential - arm * cross(angular_velocity, normal),
                 inverse * cross(normal, tangential) + twist * normal};
     }
 };
 
-/// Hertz contact of two grains of these sizes. Unequal spheres have the stiffness of equal ones of
-/// the diameter 2 d1 d2/(d1 + d2).
+/// Hertz contact of two grains, of any sizes, at an overlap [a]. Unequal spheres have the stiffness
+/// of equal spheres of the diameter 2 d1 d2/(d1 + d2).
 [[gnu::always_inline]] inline Hertz hertz_contact(double overlap, const PairSizes& sizes,
                                                   double modulus) {
     return Hertz::at(overlap, modulus * std::sqrt(sizes.diameter));
 }
 
-/// Tangential stiffness K_T of a contact of this square root of the overlap [a s22].
+/// Tangential stiffness K_T of a contact [a s22]; `root` is the square root of its overlap.
 [[gnu::always_inline]] inline double tangential_stiffness(double root, const PairSizes& sizes,
                                                           const Material& material) {
     const double modulus = material.modulus * std::sqrt(sizes.diameter);
@@ -84,20 +84,20 @@ struct ContactKinematics {
     return hertz.viscous(-normal_speed, damping) * std::sqrt(sizes.mass);
 }
 
-/// Normal forces of a pair and what the tangential force depends on; zero without contact and
-/// bridge, without a branch.
+/// Normal forces of a pair and the quantities that its tangential force depends on, reduced units.
+/// Without contact and bridge all forces are zero, without a branch in the code.
 struct NormalForces {
-    double overlap;        ///< of the grains; 0 without contact
-    double gap;            ///< between the surfaces; 0 in contact
+    double overlap;        ///< overlap of the grains; 0 without contact
+    double gap;            ///< gap between the surfaces; 0 in contact
     double root;           ///< sqrt(overlap)
-    double elastic;        ///< F_N
-    double viscous;        ///< F_viscous
+    double elastic;        ///< elastic normal force F_N
+    double viscous;        ///< viscous normal force F_viscous
     double joined = 0;     ///< 1 where a bridge joins the grains, else 0
     double capillary = 0;  ///< attraction by the bridge
     double stiffness;      ///< tangential stiffness K_T
     double coulomb_limit;  ///< largest tangential force
 
-    /// Force that drives the grains apart [a^2 s22].
+    /// Total normal force, positive where it drives the grains apart [a^2 s22].
     double total() const { return elastic + viscous - capillary; }
 };
 
@@ -118,16 +118,17 @@ struct NormalForces {
             .coulomb_limit = material.friction * hertz.elastic};
 }
 
-/// Adds the attraction of the bridge to the normal forces of a pair. A bridge is there if the
-/// grains touch, or if one was there `before` (1 or 0) and has not ruptured.
+/// Adds the attraction of a bridge to the normal forces of a pair. A bridge joins the grains if
+/// they touch, or if a bridge joined them at the step before (`before`: 1 or 0) and has not
+/// ruptured.
 [[gnu::always_inline]] inline void add_bridge(NormalForces& forces, double before,
                                               const PairSizes& sizes, const BridgeLaw& bridges) {
     forces.joined = bridges.joined(forces.overlap, forces.gap, before);
     forces.capillary = forces.joined * bridges.of(sizes.diameter).attraction(forces.gap);
 }
 
-/// Energy that a bridge of this pair has, zero at rupture [a^3 s22]. In contact it falls with the
-/// overlap, as the attraction is the pull-off force there.
+/// Potential energy of a bridge between the grains of a pair, zero at rupture [a^3 s22]. In contact
+/// it decreases linearly with the overlap, as the attraction is then the pull-off force.
 [[gnu::always_inline]] inline double bridge_energy(const NormalForces& forces,
                                                    const PairSizes& sizes,
                                                    const BridgeLaw& bridges) {
@@ -135,17 +136,18 @@ struct NormalForces {
     return law.potential(forces.gap) - law.pull_off_force * forces.overlap;
 }
 
-/// One step of the tangential force of a contact, with the energies of that step [a^3 s22].
+/// Tangential force of a contact after one step, with the energies of that step [a^3 s22].
 struct TangentialStep {
-    Xyz force;         ///< on the second grain after the step
-    double stored;     ///< in the tangential spring after the step
-    double sliding;    ///< lost because the force obeys the Coulomb limit
-    double unloading;  ///< lost by the spring without sliding (PairEnergy::unloading)
+    Xyz force;         ///< tangential force on the second grain after the step
+    double stored;     ///< energy in the tangential spring after the step
+    double sliding;    ///< energy lost by sliding at the Coulomb limit
+    double unloading;  ///< energy lost by the spring without sliding (PairEnergy::unloading)
 
-    /// The force of the step before, `force`, turns with the pair and about its normal; its part
-    /// along the new normal is dropped; it is rescaled when the contact unloads, grows against the
-    /// sliding velocity and obeys the Coulomb limit. `old_root` and `old_stiffness` are
-    /// sqrt(overlap) and K_T of the step before.
+    /// Advances the tangential force `force` of the step before by a step of length `dt`. The force
+    /// rotates with the pair and about its normal, and its component along the new normal is
+    /// removed. It is scaled down when the contact unloads, grows against the sliding velocity and
+    /// is limited by Coulomb's law. `old_root` and `old_stiffness` are sqrt(overlap) and K_T of the
+    /// step before.
     [[gnu::always_inline]] static TangentialStep of(const Xyz& force,
                                                     const ContactKinematics& kinematics,
                                                     const NormalForces& normal, double old_root,
@@ -167,7 +169,7 @@ struct TangentialStep {
     }
 };
 
-/// Torque on either grain of a pair by the tangential force on the second one, for equal arms
+/// Torque on either grain of a pair by the tangential force on the second grain, for equal arms
 /// [a^3 s22].
 [[gnu::always_inline]] inline Xyz contact_torque(const ContactKinematics& kinematics,
                                                  const Xyz& tangential) {

@@ -9,14 +9,15 @@
 namespace pendular::dem {
 namespace {
 
-/// Larger samples are fetched from memory ahead of their use, so many pairs ahead.
+/// In samples of more grains than `cached_beads` the loop prefetches grains, `ahead` pairs in
+/// advance.
 constexpr std::size_t cached_beads = 20'000, ahead = 2 * lanes;
 
-/// Stages of the loop over the lanes of a batch. Effects act between the first two.
+/// Stages of the loop over the lanes of a batch. Effects act between `normal` and `tangential`.
 enum class Stage {
     normal,      ///< kinematics, normal forces and bridges
     tangential,  ///< tangential forces, then force and torque of the pair
-    both         ///< one after the other, with nothing stored in between
+    both         ///< both stages at once, with nothing stored in between
 };
 
 /// Loop over the pairs of a sample that has exactly these needs (PairNeeds).
@@ -55,8 +56,8 @@ class ForceLoop {
     }
 
   private:
-    /// Asks for what a batch reads and writes of the second grains, which are spread over memory;
-    /// the first ones are in order.
+    /// Prefetches the data of the second grains of a batch, which are spread over memory. The data
+    /// of the first grains are in order and need no prefetch.
     [[gnu::always_inline]] void fetch(std::size_t begin) const {
         for (std::size_t k = begin; k < begin + lanes; ++k) {
             const auto grain = static_cast<std::size_t>(pairs_.second[k]);
@@ -78,8 +79,8 @@ class ForceLoop {
         }
     }
 
-    /// Forces and torques of the pairs from `begin` on; those that neither touch nor are joined get
-    /// zeros.
+    /// Computes the forces and torques of the batch of pairs that starts at `begin`; they are zero
+    /// for pairs without contact and bridge.
     template <Stage stage>
     [[gnu::always_inline]] void work(std::size_t begin) {
         double* __restrict sx = pairs_.sx.data() + begin;
@@ -91,7 +92,8 @@ class ForceLoop {
         const BridgeLaw bridges = laws_.bridges;
         const Flow flow = laws_.flow;
         const double dt = laws_.time_step;
-        // Bridges may form without contact, and effects may replace the force of their potential.
+        // An effect may let bridges form without contact. Where an effect replaces the force of
+        // bridges, their potential is unknown and not counted.
         const double always = staged && laws_.effects->bridges_without_contact() ? 1.0 : 0.0;
         const double potential = staged && laws_.effects->changes_bridges() ? 0.0 : 1.0;
 #pragma GCC ivdep
@@ -134,7 +136,7 @@ class ForceLoop {
         }
     }
 
-    /// Adds the energies of a contact.
+    /// Adds the elastic energy and the losses of a contact to the sums.
     [[gnu::always_inline]] void account(std::size_t k, const NormalForces& normal,
                                         const TangentialStep& step, const PairSizes& sizes,
                                         const Material& material) {
@@ -145,7 +147,7 @@ class ForceLoop {
         sums_.unloading[k] += step.unloading;
     }
 
-    /// Force and torques of a pair from its normal and tangential forces.
+    /// Sets the force and torques of a pair from its normal and tangential forces.
     [[gnu::always_inline]] void push(std::size_t k, const ContactKinematics& kinematics,
                                      const NormalForces& normal, const Xyz& tangential,
                                      const PairSizes& sizes) {
@@ -165,7 +167,7 @@ class ForceLoop {
         sums_.largest_overlap[k] = normal.overlap > largest ? normal.overlap : largest;
     }
 
-    /// The two stages with the effects in between and after them.
+    /// Runs the two stages on a batch, with the effects between and after them.
     [[gnu::always_inline]] void work_with_effects(std::size_t begin) {
         for (std::size_t word = 0; word < contact_history_.size(); ++word) {
             contact_history_[word] = pairs_.contact_history[word].data() + begin;
@@ -181,7 +183,7 @@ class ForceLoop {
         add_effects();
     }
 
-    /// Completes the sums and torques of a batch by what effects added.
+    /// Completes the virial and the torques of a batch after effects have added forces and torques.
     [[gnu::always_inline]] void add_effects() {
 #pragma GCC ivdep
         for (std::size_t k = 0; k < lanes; ++k) {
@@ -202,10 +204,12 @@ class ForceLoop {
     SizeLanes sizes_;
     Stages stages_;
     LaneSums sums_;
-    std::vector<double*> contact_history_;  ///< what the pairs of the batch remember, word by word
+    /// For each value that effects store per pair, its array from the first pair of the batch on.
+    std::vector<double*> contact_history_;
 };
 
-/// Sums the forces by the loop for these needs, in the order of ForceLoop's parameters.
+/// Sums the forces with the ForceLoop that is compiled for these needs, given in the order of its
+/// template parameters.
 template <bool... known, typename... Needs>
 [[gnu::always_inline]] inline PairSums sum_forces(const Grains& grains, Pairs& pairs,
                                                   Stretch stretch, const PairLaws& laws,

@@ -6,7 +6,8 @@
 
 namespace pendular::dem {
 
-/// Parts of the force loop that a sample needs beside contacts; what is false is not computed.
+/// Parts of the force loop that a sample needs in addition to contacts. The loop skips a part whose
+/// member is false.
 struct PairNeeds {
     bool sizes = false;       ///< grains differ in size
     bool bridges = false;     ///< liquid bridges join grains
@@ -16,22 +17,25 @@ struct PairNeeds {
     static PairNeeds of(const Grains& grains, const PairLaws& laws);
 };
 
-/// Adds the forces and torques of a stretch of pairs to `net_force` and advances the tangential
-/// forces of their contacts by one step. Where bridges are wet, contacts form them, and the grains
-/// that they join attract each other. The laws stand in pair_contact.h.
+/// Adds the forces and torques of the pairs in the range `stretch` to `net_force` and advances the
+/// tangential forces of their contacts by one step. If the grains are wet, contacts form bridges,
+/// and grains that a bridge joins attract each other; see pair_contact.h for the laws. Returns the
+/// sums over these pairs.
 ///
-/// Pairs are worked on in batches through vector lanes; the instruction set is chosen at run time
-/// and does not change a bit of the result, nor do needs that a sample does not have. Forces and
-/// torques that an effect adds are left out of the energies, and so are bridges whose force it
-/// changes.
+/// Pairs are processed in batches through vector lanes. The instruction set is chosen at run time
+/// and does not change a bit of the result. Setting a need that the sample does not have does not
+/// change the result either. The energies exclude forces and torques that an effect adds, and
+/// bridges whose force an effect changes.
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      const PairNeeds& needs, std::vector<Grains::ForceAndTorque>& net_force);
 
-/// Adds the forces of a stretch of pairs, computing only what this sample needs.
+/// Adds the forces and torques of the pairs in the range `stretch` to `net_force`, computing only
+/// the parts that the sample needs (`PairNeeds::of`), and returns the sums over these pairs.
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      std::vector<Grains::ForceAndTorque>& net_force);
 
-/// Sets forces and torques of all grains from the near pairs alone.
+/// Sets the net forces and torques of all grains to the sums over the near pairs alone, and returns
+/// the sums over these pairs.
 PairSums pair_forces(Grains& grains, Pairs& near, const PairLaws& laws);
 
 }  // namespace pendular::dem

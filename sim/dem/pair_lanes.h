@@ -8,15 +8,15 @@
 #include "sim/dem/pair_contact.h"
 #include "sim/dem/pair_laws.h"
 
-// Access to memory for the loops over pairs: reads grains into vector lanes, a batch of pairs at a
-// time, and writes them back. Everything is inlined into loops that are compiled once per
-// instruction set.
+// Memory access of the loops over pairs: functions that read the grains of one batch of pairs into
+// vector lanes and add the forces of the batch to the grains. All of them are inlined into loops
+// that are compiled once per instruction set.
 namespace pendular::dem {
 
 constexpr std::size_t lanes = PairList::batch;
 using Lane = std::array<double, lanes>;
 
-/// Components of one vector of each pair of a batch.
+/// One vector for each pair of a batch, stored by components.
 struct alignas(64) XyzLanes {
     Lane x, y, z;
 
@@ -26,12 +26,13 @@ struct alignas(64) XyzLanes {
     }
 };
 
-/// Relative motion of the pairs of a batch, and what acts on their grains.
+/// Relative motion of the pairs of a batch, with the forces and torques on their grains.
 struct Batch {
     XyzLanes separation, velocity, angular_velocity;  ///< as in PairMotion
-    XyzLanes force;                                   ///< on the second grain
-    XyzLanes torque;                                  ///< on the second grain
-    XyzLanes first_torque;  ///< on the first grain, where it is another (Torques::separate)
+    XyzLanes force;                                   ///< force on the second grain
+    XyzLanes torque;                                  ///< torque on the second grain
+    /// Torque on the first grain, where it differs from `torque` (Torques::separate).
+    XyzLanes first_torque;
 
     [[gnu::always_inline]] PairMotion motion(std::size_t k) const {
         return {separation[k], velocity[k], angular_velocity[k]};
@@ -54,10 +55,11 @@ struct alignas(64) SizeLanes {
     }
 };
 
-/// Sums kept per lane, so that their order does not depend on the width of the vector unit.
+/// Sums over pairs, kept per lane so that the order of summation does not depend on the width of
+/// the vector unit.
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
-    Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};  ///< as in PairEnergy
+    Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};  ///< energies as in PairEnergy
 
     [[gnu::always_inline]] void add_virial(std::size_t k, const Xyz& force, const Xyz& separation) {
         virial_11[k] += force.x * separation.x;
@@ -68,7 +70,7 @@ struct alignas(64) LaneSums {
     PairSums total(EnergyAccounting accounting) const;
 };
 
-/// Vectors that lead to the images of the cell, by image_code.
+/// Displacement from the cell to each of its periodic images, indexed by image_code.
 using Shifts = std::array<Vector, image_code::count + 1>;
 
 inline Shifts image_shifts(const Cell& cell) {
@@ -80,7 +82,7 @@ inline Shifts image_shifts(const Cell& cell) {
     return shifts;
 }
 
-/// Turns four vectors into their components, or back.
+/// Transposes four vectors into four arrays, one for each component, or back.
 [[gnu::always_inline]] inline void transpose(const Vector::Lanes (&in)[4],
                                              Vector::Lanes (&out)[4]) {
     const auto even01 = __builtin_shufflevector(in[0], in[1], 0, 4, 2, 6);
@@ -93,7 +95,7 @@ inline Shifts image_shifts(const Cell& cell) {
     out[3] = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
 }
 
-/// Writes four vectors to lanes k to k + 3.
+/// Writes four vectors to elements k to k + 3 of the x, y and z arrays.
 [[gnu::always_inline]] inline void to_lanes(const Vector::Lanes (&in)[4], std::size_t k,
                                             XyzLanes& to) {
     Vector::Lanes out[4];
@@ -113,7 +115,7 @@ inline Shifts image_shifts(const Cell& cell) {
     transpose(in, out);
 }
 
-/// Reads the sizes of the pairs from `begin` on.
+/// Reads the sizes of the batch of pairs that starts at `begin`.
 [[gnu::always_inline]] inline void gather_sizes(const Grains& grains, const Pairs& pairs,
                                                 std::size_t begin, SizeLanes& sizes) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -125,14 +127,15 @@ inline Shifts image_shifts(const Cell& cell) {
     }
 }
 
-/// Part of the motion of pairs that a loop reads.
+/// Part of the relative motion of pairs that a loop reads.
 enum class Gathered {
-    separation,       ///< for pairs that cannot touch
-    motion,           ///< of pairs of equal grains
-    weighted_motion,  ///< of pairs of any size: angular velocities weighted with their arms
+    separation,       ///< positions only, for pairs that cannot touch
+    motion,           ///< positions and velocities of pairs of equal grains
+    weighted_motion,  ///< positions and velocities; angular velocities weighted with their arms
 };
 
-/// Reads the motion of the pairs from `begin` on: grain by grain, then turned into lanes.
+/// Reads the relative motion of the batch of pairs that starts at `begin`, grain by grain, and
+/// transposes it into lanes.
 template <Gathered part>
 [[gnu::always_inline]] inline void gather(const Grains::Motion* motion, const Pairs& pairs,
                                           std::size_t begin, const Shifts& shifts,
@@ -166,12 +169,12 @@ template <Gathered part>
 
 /// Torques that pairs exert on their grains.
 enum class Torques {
-    none,      ///< pairs that cannot touch
-    shared,    ///< the same on both grains: Batch::torque
-    separate,  ///< Batch::first_torque and Batch::torque
+    none,      ///< no torques, for pairs that cannot touch
+    shared,    ///< equal torques on both grains: Batch::torque
+    separate,  ///< different torques: Batch::first_torque and Batch::torque
 };
 
-/// Adds the forces and torques of a batch to the grains.
+/// Adds the forces and torques of a batch of pairs to the net forces of their grains.
 template <Torques torques>
 [[gnu::always_inline]] inline void scatter(const Batch& b, const Pairs& pairs, std::size_t begin,
                                            Grains::ForceAndTorque* net_force) {

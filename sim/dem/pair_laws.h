@@ -11,15 +11,15 @@
 
 namespace pendular::dem {
 
-/// Energy that pairs hold and energy that they lost during one step [a^3 s22].
+/// Energy stored in pairs, and energy lost in them during one step [a^3 s22].
 struct PairEnergy {
-    double elastic = 0;    ///< normal (2/15) E~ h^(5/2) plus tangential s^2/(2 K_T)
-    double capillary = 0;  ///< potential of the bridges, zero at rupture
+    double elastic = 0;    ///< stored: normal (2/15) E~ h^(5/2) plus tangential s^2/(2 K_T)
+    double capillary = 0;  ///< stored: potential energy of the bridges, zero at rupture
     double friction = 0;   ///< lost by sliding
     double viscosity = 0;  ///< lost by the viscous part of the normal force; see `viscous_loss`
-    double bridges = 0;  ///< lost where a bridge forms: its potential jumps from zero to its depth
-    /// Lost by tangential springs without sliding: K_T changes with the overlap under a force that
-    /// is there, and what points along the new normal is dropped.
+    double bridges = 0;    ///< lost where bridges form: their potential jumps below zero
+    /// Lost by tangential springs without sliding: K_T changes with the overlap while the spring is
+    /// loaded, and the component of the force along the new normal is removed.
     double unloading = 0;
 
     PairEnergy& operator+=(const PairEnergy& other);
@@ -42,7 +42,7 @@ enum class EnergyAccounting { off, on };
 
 class GrainEffects;
 
-/// The laws of one force evaluation.
+/// Cell, imposed flow, material, bridge law, time step and effects of one force evaluation.
 struct PairLaws {
     Cell cell;
     Flow flow;
@@ -50,10 +50,11 @@ struct PairLaws {
     BridgeLaw bridges;
     double time_step = 0;
     EnergyAccounting accounting = EnergyAccounting::off;
-    const GrainEffects* effects = nullptr;  ///< on the forces between grains; none: null
+    const GrainEffects* effects = nullptr;  ///< effects on the forces between grains; null: none
 };
 
-/// Range of a pair list in whole batches: its first pair and the one after its last.
+/// Range of pairs of a list, in whole batches: index of the first pair, and of the pair after the
+/// last.
 using Stretch = std::pair<std::size_t, std::size_t>;
 
 }  // namespace pendular::dem

@@ -11,10 +11,11 @@
 namespace pendular::dem {
 namespace {
 
-/// A sample is renumbered after so much strain.
+/// Affine strain after which the grains of a sample are renumbered [1].
 constexpr double strain_between_numberings = 1;
 
-/// Image of j nearest to i in a sheared cell whose offset is reduced.
+/// Periodic image of grain j nearest to grain i, in a sheared cell with a reduced offset
+/// (Cell::reduce_offset).
 Image nearest_image(const Grains& grains, const Cell& cell, std::size_t i, std::size_t j) {
     const Vector r = grains.position(j) - grains.position(i);
     const int n2 = -static_cast<int>(std::lround(r[1] / cell.height));
@@ -27,9 +28,9 @@ struct Neighbour {
     std::uint8_t image;
 };
 
-/// Grains with a higher number than i within the range, from the 27 bins around it. A neighbour bin
-/// across a face of the cell is the image of one on the other side.
-/// `range_squared(j)` is the square of that range.
+/// Appends to `found` all grains with a number above i whose centre is within a range of grain i,
+/// searching the bin of grain i and the 26 bins around. A bin beyond a face of the cell is the
+/// image of a bin at the opposite face. `range_squared(j)` is the square of the range for grain j.
 template <typename RangeSquared>
 void neighbours_of(std::int32_t i, const Grains& grains, const Cell& cell, const Bins& bins,
                    const RangeSquared& range_squared, std::vector<Neighbour>& found) {
@@ -53,7 +54,7 @@ void neighbours_of(std::int32_t i, const Grains& grains, const Cell& cell, const
     }
 }
 
-/// Largest squared length.
+/// Largest squared length among these vectors.
 double largest_squared(const std::vector<Vector>& vectors) {
     double largest = 0;
     for (const Vector& v : vectors) {
@@ -62,19 +63,21 @@ double largest_squared(const std::vector<Vector>& vectors) {
     return largest;
 }
 
-/// Whether a pair that was left out of a list, being further apart than `left_out`, may by now be
-/// closer than `within`.
+/// Whether two grains that were further apart than `left_out` when a list was made may now be
+/// closer than `within`, given the largest displacement of a grain and the affine strain since
+/// then.
 bool outdated(double displacement, double strain, double left_out, double within) {
     const double g = strain + strain * strain;
     return (left_out - 2 * displacement * (1 + g)) * (1 - g) <= within;
 }
 
-/// Walks through an ordered list of pairs alongside another.
+/// Finds pairs in a sorted list, for searches in ascending order.
 class Cursor {
   public:
     Cursor(const Pairs& pairs, std::size_t live) : pairs_(pairs), live_(live) {}
 
-    /// Place of the pair (i, j), asked for in ascending order; `live` where it is not there.
+    /// Index of the pair (i, j) in the list; `live` where the list lacks it. Successive calls must
+    /// be in ascending order of (i, j).
     std::size_t find(std::int32_t i, std::int32_t j) {
         while (at_ < live_ &&
                (pairs_.first[at_] < i || (pairs_.first[at_] == i && pairs_.second[at_] < j))) {
@@ -98,7 +101,8 @@ void permute(std::vector<Value>& values, const std::vector<std::int32_t>& order)
     values = std::move(permuted);
 }
 
-/// The first `live` pairs with renumbered grains, sorted again.
+/// Returns the first `live` pairs of a list with new grain numbers, sorted again. `renamed` has the
+/// new number of each grain.
 Pairs renumbered(const Pairs& pairs, std::size_t live, const std::vector<std::int32_t>& renamed) {
     const auto name = [&](std::int32_t i) { return renamed[static_cast<std::size_t>(i)]; };
     std::vector<std::size_t> order(live);
@@ -112,7 +116,7 @@ Pairs renumbered(const Pairs& pairs, std::size_t live, const std::vector<std::in
         const std::int32_t i = name(pairs.first[k]), j = name(pairs.second[k]);
         result.add(std::min(i, j), std::max(i, j), pairs.image[k]);
         result.remember(result.size() - 1, pairs, k);
-        if (i > j) {  // the separation now points the other way
+        if (i > j) {  // the grains swap, which reverses the separation
             const Image n = image_code::image(pairs.image[k]);
             result.image.back() = static_cast<std::uint8_t>(image_code::of({-n.n1, -n.n2, -n.n3}));
             for (auto* component : {&result.sx, &result.sy, &result.sz}) {
@@ -271,8 +275,8 @@ void PairList::update(Grains& grains, Cell& cell, double affine_strain, double s
     for (std::size_t i = 0; i < grains.size(); ++i) {
         moved_[i] += grains.displacement[i];
     }
-    // The wide list need only hold whatever the narrow list is to be chosen from.
-    // Until the narrow list is chosen again, grains come closer by less than its skin.
+    // The wide list must hold every pair that the other lists need. Until these are selected again,
+    // grains come closer by less than the narrow skin.
     const double known =
         wants_.all_in_reach ? largest_ + reach_ + narrow_skin : largest_ + narrow_skin;
     if (outdated(std::sqrt(largest_squared(moved_)), wide_strain_, largest_ + wide_skin_, known)) {
@@ -290,7 +294,7 @@ void PairList::rebuild(Grains& grains, Cell& cell) {
     if (strain_since_renumbered_ > strain_between_numberings) {
         renumber(grains, cell);
     }
-    wide_ = {};  // gives its memory back before the search asks for more
+    wide_ = {};  // frees the memory before the search allocates more
     largest_ = grains.largest_diameter();
     wide_ = find_pairs(grains, cell, wide_skin_, parts_);
     moved_.assign(grains.size(), Vector());

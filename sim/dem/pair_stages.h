@@ -5,16 +5,17 @@
 #include "sim/dem/change_pairs.h"
 #include "sim/dem/pair_lanes.h"
 
-// The force loop cut in two stages, between which effects on grains change forces.
+// Data of the force loop where it is split into two stages, between which effects change forces.
 namespace pendular::dem {
 
-/// Forces of a batch between the two stages of the loop, and what effects may see and change.
+/// Kinematics and forces of a batch of pairs between the two stages of the force loop, where
+/// effects on grains read and change them.
 struct alignas(64) Stages {
     XyzLanes normal, sliding_velocity;
-    XyzLanes rotation_rate;  ///< of the pair
+    XyzLanes rotation_rate;  ///< angular velocity of the pair
     XyzLanes rolling;        ///< angular velocity of the second grain less that of the first
-    XyzLanes own_torque;     ///< by effects, on the second grain; opposite on the first
-    Lane gap;                ///< between the surfaces; negative: overlap
+    XyzLanes own_torque;     ///< torque by effects on the second grain; opposite on the first
+    Lane gap;                ///< gap between the surfaces; negative: overlap
     Lane distance, normal_speed, root, elastic, viscous, joined, capillary, stiffness,
         coulomb_limit;
 
@@ -46,7 +47,8 @@ struct alignas(64) Stages {
     }
 };
 
-/// Reads the relative angular velocities of the pairs from `begin` on.
+/// Reads the angular velocity of the second grain less that of the first, for the batch of pairs
+/// that starts at `begin`.
 [[gnu::always_inline]] inline void gather_rolling(const Grains::Motion* motion, const Pairs& pairs,
                                                   std::size_t begin, XyzLanes& rolling) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -61,8 +63,8 @@ struct alignas(64) Stages {
     }
 }
 
-/// A batch as effects see it. `contact_history` points to the numbers of contact history, one array
-/// each.
+/// Returns a view of a batch of pairs, as passed to effects on grains. `contact_history` points to
+/// one array for each value that effects store per pair.
 inline PairBatch batch_for_effects(Batch& b, Stages& s, const SizeLanes& sizes, double time_step,
                                    double* const* contact_history) {
     return {.size = lanes,

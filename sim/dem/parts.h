@@ -7,8 +7,8 @@
 
 namespace pendular::dem {
 
-/// Calls work(part) for every part, side by side; what a part does must depend on its number
-/// alone, so that a result depends on the number of parts and on nothing else.
+/// Calls work(part) for part = 0 to parts - 1, each on a thread of its own. The work of a part must
+/// depend on its number alone; results then do not depend on the scheduling of the threads.
 template <typename Work>
 void in_parts(int parts, const Work& work) {
     if (parts == 1) {
@@ -21,7 +21,8 @@ void in_parts(int parts, const Work& work) {
     }
 }
 
-/// Range of part `part` of `parts` of so many things, cut at multiples of `grain`.
+/// Range [begin, end) of part number `part` when `count` items are divided into `parts` parts at
+/// multiples of `grain` items.
 inline std::pair<std::size_t, std::size_t> range_of(int part, int parts, std::size_t count,
                                                     std::size_t grain = 1) {
     const std::size_t grains = (count + grain - 1) / grain;

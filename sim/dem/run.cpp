@@ -16,18 +16,19 @@
 namespace pendular::dem {
 namespace {
 
-/// Strain before which no state counts as steady; bridges live for a strain of order 1.
+/// Strain before which no state counts as steady [1]; longer for wet grains, as bridges persist
+/// over a strain of order 1.
 constexpr double first_look_strain = 1.0, first_wet_look_strain = 2.0;
 constexpr double look_every_strain = 0.25;
-/// Standard errors are estimates themselves: a run that stopped at the first one small enough would
-/// favour underestimates.
+/// Number of successive checks at which the standard errors must be small enough to stop a run.
+/// Standard errors are estimates: stopping at the first small value would favour underestimates.
 constexpr std::uint64_t looks_to_be_precise = 6;
-/// Sheared random samples showed 0.04 to 0.05 with 1000 grains, 0.10 with 100, crystals 0.3 to
-/// 0.55.
+/// Bond order Q6 above which a sample counts as crystallised [1]. Sheared random samples have 0.04
+/// to 0.05 with 1000 grains and 0.10 with 100 grains; crystals have 0.3 to 0.55.
 constexpr double crystal_bond_order = 0.2;
 
-/// Whether any quarter of the averaged part is denser than random packings can be or ordered: a
-/// sample that crystallises during the run must not be averaged.
+/// Whether the sample is denser than random packings can be, or ordered, in any quarter of the
+/// averaged part of a run; a sample that crystallises during the run must not be averaged.
 bool crystallised(const Series& series, std::size_t from) {
     const auto dense = series.values(from, [](const Block& b) {
         return b.solid_fraction - rigidity_shift(b.solid_fraction, b.structure.overlap);
@@ -47,7 +48,7 @@ bool crystallised(const Series& series, std::size_t from) {
     return false;
 }
 
-/// Observables that are plain means over states.
+/// Observables that are plain means over states, with the members of Structure that hold them.
 constexpr std::pair<Observable, double Structure::*> of_structure[] = {
 #define STRUCTURE_OBSERVABLE(name, ...) {Observable::name, &Structure::name},
 #include "data/quantities/observables.def"
@@ -140,17 +141,17 @@ std::size_t blocks_in(double strain) {
     return static_cast<std::size_t>(std::lround(strain / block_strain));
 }
 
-/// Everything that changes while a run goes on: what a checkpoint holds.
+/// Everything that changes during a run: the content of a checkpoint.
 struct RunState {
     ShearCell sample;
-    bool flowing = false;  ///< compressed, and sheared since
-    double begin = 0;      ///< the sample's strain when the flow began
+    bool flowing = false;  ///< compression has ended and shear has begun
+    double begin = 0;      ///< strain of the sample when the flow began
     std::uint64_t first_step = 0;
     Series series;
     OpenBlock block;
-    std::uint64_t transient = 0;      ///< blocks, as far as is known
-    std::uint64_t precise_looks = 0;  ///< one after the other
-    double seconds = 0;               ///< of earlier processes
+    std::uint64_t transient = 0;      ///< blocks in the transient, as found so far
+    std::uint64_t precise_looks = 0;  ///< successive checks that found the precision reached
+    double seconds = 0;               ///< wall time of earlier processes [s]
 
     template <typename Archive>
     void serialize(Archive& archive) {
@@ -159,7 +160,8 @@ struct RunState {
     }
 };
 
-/// The transient from a stored state is shorter: its packing is near, but bridges at a distance
+/// Strain before which no state counts as steady in a run that starts from a stored state [1]. It
+/// is shorter than from a random gas, as the packing is nearly steady; bridges without contact must
 /// form anew.
 constexpr double first_warm_look_strain = 0.25, first_warm_wet_look_strain = 1.0;
 
@@ -186,7 +188,7 @@ ShearCell new_sample(const RunParameters& p, const GrainEffects& effects,
                      options.threads, effects);
 }
 
-/// One run from its random gas, or from its checkpoint, to its averages.
+/// One run, from its initial state or its checkpoint to its averages.
 class Run {
   public:
     Run(const RunParameters& parameters, const GrainEffects& effects, const RunOptions& options)
@@ -245,7 +247,8 @@ class Run {
         }
     }
 
-    /// Shears block by block. @return whether a steady state was found
+    /// Shears the sample block by block until the run may end.
+    /// @return whether a steady state was found
     bool shear() {
         const std::size_t most = 2 * wanted_ + blocks_in(4);
         while (state_.series.size() < most) {
@@ -264,7 +267,8 @@ class Run {
         return false;
     }
 
-    /// Steady, and averaged for long enough or as precisely as was asked.
+    /// Whether the flow is steady, and has been averaged over the requested strain or to the
+    /// requested precision.
     bool is_steady() {
         const std::size_t done = state_.series.size();
         if (done % blocks_in(look_every_strain) != 0 || done < fewest_ + first_look_) {
@@ -289,7 +293,8 @@ class Run {
         return precise(so_far);
     }
 
-    /// @throws Interrupted
+    /// Advances the sample to the end of the block and writes checkpoints that are due.
+    /// @throws Interrupted when a stop is requested
     bool fill_block() {
         ShearCell& sample = state_.sample;
         while (!state_.block.full(sample)) {
@@ -307,7 +312,7 @@ class Run {
         return true;
     }
 
-    /// Saves the state where work is interrupted.
+    /// Runs `work` and returns its result; saves a checkpoint if it is interrupted.
     template <typename Work>
     bool guarded(const Work& work) {
         try {
@@ -342,7 +347,8 @@ class Run {
     const RunParameters& parameters_;
     const RunOptions& options_;
     bool wet_;
-    std::size_t wanted_, fewest_;  ///< blocks to average, and the least where precision is asked
+    /// Number of blocks to average, and the smallest number if a precision is requested.
+    std::size_t wanted_, fewest_;
     std::size_t first_look_;
     RunState state_;
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();

@@ -24,14 +24,14 @@ class GrainEffects;
 /// over strain that respects their autocorrelation.
 struct RunResult {
     RunParameters parameters;
-    int threads = 1;  ///< of the run itself
+    int threads = 1;  ///< threads that this run used
     std::array<Mean, observable_count> means;
-    std::array<BinnedMeans, field_count> fields;  ///< those of bridges are empty in dry runs
-    double covariance = 0;  ///< of the means of stress ratio and solid fraction
+    std::array<BinnedMeans, field_count> fields;  ///< fields of bridges are empty in dry runs
+    double covariance = 0;  ///< covariance of the means of stress ratio and solid fraction
     double strain_averaged = 0;
-    double strain_transient =
-        0;                 ///< strain of the detected transient, left out of the averages [1]
-    double time_step = 0;  ///< mean [sqrt(m/(a s22))]
+    /// Strain of the detected transient, which the averages exclude [1].
+    double strain_transient = 0;
+    double time_step = 0;  ///< mean time step [sqrt(m/(a s22))]
     std::uint64_t steps = 0;
     double wall_seconds = 0;
     bool crystallised = false;
@@ -39,7 +39,7 @@ struct RunResult {
     bool precise = true;       ///< whether every requested standard error was reached
     Trace trace;               ///< one entry per block of strain, transient included
     StoredSample final_state;  ///< state from which another run may start
-    std::string failure;       ///< why there are no averages (run_all); empty: there are
+    std::string failure;       ///< why the run failed (set by `run_all`); empty: success
 
     const Mean& operator[](Observable which) const {
         return means[static_cast<std::size_t>(which)];
@@ -56,46 +56,53 @@ struct RunResult {
 /// beyond rounding.
 constexpr int physics_version = 1;
 
-/// Called about once per strain of 0.02 with the strain done and the strain expected in all.
+/// Callback for the progress of a run, called about once per strain of 0.02 with the strain done so
+/// far and the expected total strain [1].
 using Progress = std::function<void(double done, double expected)>;
 
-/// Called with the state and the strain since the flow began: at first, when that is 0 or where a
-/// checkpoint resumes, then at the end of every block of strain, about 0.02.
+/// Callback that sees the states of a run: the sample, and the strain since the flow began [1]. It
+/// is called first when the flow begins or a checkpoint resumes the run, then at the end of every
+/// block of strain, about 0.02.
 using Observer = std::function<void(const ShearCell& sample, double strain)>;
 
-/// How a run is carried out.
+/// Options of a run besides its physical parameters: threads, callbacks, start and checkpoint.
 struct RunOptions {
     std::stop_token stop;
     Progress progress;
     int threads = 1;
     std::vector<Observer> observers;
-    const StoredSample* start = nullptr;  ///< needed where RunParameters::start is not 0
-    Checkpoint* checkpoint = nullptr;  ///< resumed from where it holds this run, written as it is
-                                       ///< due and when the run is stopped
-    /// Tells this run from all others, for the checkpoint: "name = value" lines.
+    const StoredSample* start = nullptr;  ///< initial state if RunParameters::start is not 0
+    /// The run resumes from this file if it exists, and writes it whenever it is due and when the
+    /// run is stopped; null: no checkpoints.
+    Checkpoint* checkpoint = nullptr;
+    /// Lines "name = value" that distinguish this run from any other, stored in the checkpoint.
     std::string description = {};
 };
 constexpr int most_threads = 1024;
 
-/// Solid fraction above which a monosized sample has crystallised, once corrected to rigid grains.
+/// Solid fraction, corrected to rigid grains (`rigidity_shift`), above which a sample of equal
+/// grains counts as crystallised [1].
 constexpr double crystal_solid_fraction = 0.645;
 
-/// Localization above which the shear is not taken for uniform (Badetti et al. (2018) finds less in
-/// every flow it reports).
+/// Localization above which the shear does not count as uniform [1]; Badetti et al. (2018) find
+/// less in every flow that they report.
 constexpr double localised_above = 0.05;
 
-/// Shears a random sample of monosized grains until its averages are known over `strain`, after a
-/// transient that is detected, not assumed. `effects` are those that `parameters` names.
-/// @throws std::invalid_argument for what `check_run_parameters` refuses, and for a start of
-/// another size
-/// @throws SimulationError where the state stops being finite or never reaches its stress
+/// Simulates a sample in steady shear and returns its time averages over `parameters.strain`, or
+/// over less where they reach `parameters.precision`. The preceding transient is detected, not
+/// assumed. `effects` must be the effects on grains that `parameters` names.
+/// @throws std::invalid_argument where `check_run_parameters` does, for an impossible number of
+/// threads, and for a start state with another number of grains
+/// @throws SimulationError where the state is not finite, or the sample does not reach or hold its
+/// normal stress
 /// @throws Interrupted when a stop is requested
-/// @throws InputError for a checkpoint of another run or one that is no longer whole
+/// @throws InputError where the checkpoint belongs to another run or version, or is corrupt
 RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options = {});
 
-/// Solid fraction that rigid grains would have, from the overlaps of a run [1]:
-///     Phi (rigid) = Phi - 1.23 x 3 Phi <overlap>/a
+/// Solid fraction Phi of a run less the solid fraction that rigid grains would have, from the mean
+/// overlap of contacts [1]:
+///     Phi - Phi (rigid) = 1.23 x 3 Phi <overlap>/a
 /// The factor 1.23 +- 0.15 was measured between kappa 300 and 4000 on dry grains of friction 0.12.
 double rigidity_shift(double solid_fraction, double mean_overlap);
 constexpr double rigidity_factor = 1.23;

@@ -13,16 +13,17 @@ namespace pendular::dem {
 
 class GrainEffects;
 
-/// Fastest shear that is still a dense flow, to which the height servo can hold the stress.
+/// Largest inertial number at which the flow is dense enough for the height servo to hold the
+/// normal stress [1].
 constexpr double largest_inertial_number = 0.5;
 
-/// Standard error of an observable at which averaging may stop.
+/// Standard error of one observable at which a run may stop averaging.
 struct Precision {
     Observable which = Observable::stress_ratio;
     double standard_error = 0;
 };
-/// Precision that a text such as "stress_ratio=0.003" states.
-/// @throws std::invalid_argument for any other text and for an unknown observable
+/// Parses a precision, written as "stress_ratio=0.003".
+/// @throws std::invalid_argument where the text is not of this form or the observable is unknown
 Precision precision_named(std::string_view text);
 
 /// Shortest averaged strain whose standard errors can be relied on [1].
@@ -30,26 +31,27 @@ constexpr double shortest_precise_strain = 2;
 
 /// Everything that determines one run of steady shear, reduced units.
 struct RunParameters {
-    double friction = 0.09;          ///< mu
-    double inertial_number = 1e-3;   ///< I
-    double stiffness_number = 1000;  ///< kappa
-    double poisson_ratio = 0.3;      ///< nu
-    double damping = 0.98;           ///< zeta, fraction of critical
+    double friction = 0.09;          ///< intergranular friction coefficient mu
+    double inertial_number = 1e-3;   ///< inertial number I
+    double stiffness_number = 1000;  ///< stiffness number kappa
+    double poisson_ratio = 0.3;      ///< Poisson ratio nu
+    double damping = 0.98;           ///< zeta, fraction of critical damping of the normal motion
     std::optional<Wetting> wetting;  ///< liquid bridges; none: dry
     int grains = 2000;
     double strain = 10;  ///< averaged strain, after the transient
     std::uint64_t seed = 1;
-    /// Fingerprint of the run from whose final state this one starts; 0: a random gas.
+    /// Fingerprint of the run whose final state is the initial state of this run; 0: start from a
+    /// random gas.
     std::uint64_t start = 0;
-    /// Standard errors at which averaging may stop before `strain` is reached; none: it goes on.
+    /// Averaging may stop before `strain` once all these standard errors are reached; empty: never.
     std::vector<Precision> precision = {};
-    /// Effects on grains that are on, by name, their values in the units of the run: a record,
-    /// which the solver leaves to those who resolve names.
+    /// Names of the effects on grains that act in the run, with parameter values in reduced units.
+    /// A record only: the solver takes the effects as GrainEffects.
     std::vector<EffectValues> effects = {};
 };
 
-/// Refuses what cannot be simulated with these effects, before any work.
-/// @throws std::invalid_argument for parameters out of range, naming the parameter
+/// Checks, before any work, that a run can be simulated with these effects on grains.
+/// @throws std::invalid_argument where a parameter is out of range, naming the parameter
 void check_run_parameters(const RunParameters& parameters, const GrainEffects& effects);
 
 }  // namespace pendular::dem

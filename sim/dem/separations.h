@@ -10,8 +10,8 @@
 
 namespace pendular::dem {
 
-/// Calls visit(pair, r) for each pair of a list that is real, r leading from the centre of its
-/// first grain to the image of its second [diameters].
+/// Calls visit(k, r) for each pair k of a list except placeholders; r points from the centre of the
+/// first grain to the image of the second grain [diameters].
 template <typename Visit>
 void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, const Visit& visit) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -25,14 +25,15 @@ void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, c
     }
 }
 
-/// The contact of pair k, from the overlap it remembers.
+/// Hertz contact of pair k, from the overlap of the last step that `pairs` stores.
 inline Hertz contact_of(const Grains& grains, const Pairs& pairs, std::size_t k, double modulus) {
     const PairSizes sizes = grains.sizes(static_cast<std::size_t>(pairs.first[k]),
                                          static_cast<std::size_t>(pairs.second[k]));
     return hertz_contact(pairs.root[k] * pairs.root[k], sizes, modulus);
 }
 
-/// Gap between the surfaces of pair k at this separation; negative: overlap.
+/// Gap between the surfaces of pair k when its centres are separated by r [diameters]; negative:
+/// overlap.
 inline double gap_of(const Grains& grains, const Pairs& pairs, std::size_t k, const Vector& r) {
     return std::sqrt(dot(r, r)) -
            grains.contact_distance(static_cast<std::size_t>(pairs.first[k]),

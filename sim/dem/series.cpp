@@ -9,8 +9,9 @@ namespace pendular::dem {
 namespace {
 
 constexpr int structures_per_block = 4;
-/// Steps between two evaluations of the velocities, and of the dissipated energies. The accounting
-/// of energies nearly doubles a step's time; it is also done at the first step of a block.
+/// Steps between two samples of the grains' velocities, and between two samples of the dissipated
+/// energies, which are also sampled at the first step of a block. Energy accounting nearly doubles
+/// the time of a step.
 constexpr int steps_between_samples = 16, steps_between_accounts = 64;
 
 }  // namespace

@@ -13,14 +13,15 @@
 
 namespace pendular::dem {
 
-/// Strain of one block [1]: a run averages over it before it checks its state.
+/// Strain of one block of a run [1]. The averages over a block are one sample in the time series of
+/// the run.
 constexpr double block_strain = 0.02;
 
-/// Averages over one block of strain.
+/// Averages over one block of strain; stresses are over the imposed normal stress.
 struct Block {
     double strain = 0;
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
-    PairEnergy dissipation;  ///< its losses only: power per volume over shear rate [s22]
+    PairEnergy dissipation;  ///< losses only: power per volume over shear rate [s22]
     Structure structure;
     FieldSums fields;
 
@@ -32,21 +33,23 @@ struct Block {
     }
 };
 
-/// A block in progress. It grows step by step, so that a run can stop between any two steps.
+/// Block of strain in progress. It is filled step by step, so that a run can stop between any two
+/// steps and resume there.
 class OpenBlock {
   public:
     OpenBlock() = default;
     explicit OpenBlock(const ShearCell& sample);
 
     bool full(const ShearCell& sample) const { return sample.strain() >= begin_ + block_strain; }
-    double begin() const { return begin_; }  ///< strain of the sample
+    double begin() const { return begin_; }  ///< strain at which the block begins
     /// Advances the sample by one step and adds its state to the block.
     void step(ShearCell& sample);
-    /// Whether `step` has just measured every grain: a moment at which a pause costs little time.
+    /// Whether a run should now check for stop requests and due checkpoints: every 16 steps, right
+    /// after `step` has sampled the velocities of all grains.
     static bool pauses(const ShearCell& sample);
-    /// Averages over all steps of the block. Profiles of solid fraction and distributions over
-    /// pairs are taken from its last state only, since more would cost several per cent of a fast
-    /// run's time.
+    /// Ends the block and returns its averages: stresses and solid fraction over all steps, other
+    /// quantities over some. Profiles of solid fraction and distributions over pairs are taken from
+    /// the last state only, as more states would cost several per cent of a fast run's time.
     Block close(const ShearCell& sample);
 
     template <typename Archive>
@@ -66,13 +69,13 @@ class OpenBlock {
     int structures_ = 0;
 };
 
-/// Blocks of a run so far, with the averages and the transient found from them.
+/// Time series of a run: all blocks so far, from which averages and the transient are computed.
 class Series {
   public:
     void add(Block block) { blocks_.push_back(std::move(block)); }
     std::size_t size() const { return blocks_.size(); }
 
-    /// Strain of the blocks [from, to).
+    /// Total strain of the blocks [from, to) [1].
     double strain(std::size_t from, std::size_t to) const {
         double sum = 0;
         for (std::size_t k = from; k < to; ++k) {
@@ -89,7 +92,8 @@ class Series {
         }
         return result;
     }
-    /// Linearised series of a ratio of means: its mean is the ratio, its scatter the ratio's.
+    /// Series over the blocks from `from` on whose mean is the ratio of the means of numerator and
+    /// denominator, and whose scatter is the scatter of that ratio to first order.
     template <typename Numerator, typename Denominator>
     std::vector<double> ratio(std::size_t from, Numerator numerator,
                               Denominator denominator) const {
@@ -114,10 +118,11 @@ class Series {
     std::vector<double> structure(std::size_t from, double Structure::*which) const {
         return values(from, [&](const Block& b) { return b.structure.*which; });
     }
-    /// One field over the blocks from `from` on; each bin a ratio of means.
+    /// Averages of one field over the blocks from `from` on; each bin is a ratio of means.
     BinnedMeans field(std::size_t from, Field which, const Bins1d& bins) const;
-    /// Blocks to leave out as transient, judged on stress ratio, solid fraction and, where there
-    /// are bridges, Z_d, which is the slowest; empty: not steady yet.
+    /// Number of leading blocks to leave out as transient; empty: not steady yet. It is found from
+    /// stress ratio, solid fraction and, if `wet`, bridges without contact per grain (Z_d), which
+    /// become steady last.
     std::optional<std::size_t> transient(bool wet) const;
     Trace trace() const;
 

@@ -7,10 +7,10 @@
 namespace pendular::dem {
 namespace {
 
-/// Pairs of a section: with their grains they fit into the cache of one core.
+/// Number of near pairs in a section; with their grains they fit into the cache of one core.
 constexpr std::size_t pairs_in_section = 4096;
 
-/// Number of pairs, in whole batches, up to the last one of grains below `grain`.
+/// Number of pairs whose first grain is below `grain`, rounded up to whole batches.
 std::size_t end_of_grains(const Pairs& pairs, std::size_t live, std::size_t grain) {
     const auto begin = pairs.first.begin(), end = begin + static_cast<std::ptrdiff_t>(live);
     const auto at = std::lower_bound(begin, end, static_cast<std::int32_t>(grain));
@@ -18,7 +18,7 @@ std::size_t end_of_grains(const Pairs& pairs, std::size_t live, std::size_t grai
     return (static_cast<std::size_t>(at - begin) + batch - 1) / batch * batch;
 }
 
-/// The whole sample, cut into so many sections.
+/// Divides the pairs and grains of a sample into `count` sections.
 std::vector<Section> sections_of(const PairList& pairs, std::size_t grains, int count) {
     const Pairs &near = pairs.narrow(), &distant = pairs.distant();
     std::vector<Section> sections(static_cast<std::size_t>(count));

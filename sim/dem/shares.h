@@ -9,27 +9,29 @@
 
 namespace pendular::dem {
 
-/// Pairs, in whole batches, and the grains of which none is in a later pair: as pairs are ordered
-/// by their first and lower grain, these can move once the pairs are done, while still in the
-/// cache.
+/// Ranges of near and distant pairs, in whole batches, and the range of grains that occur in no
+/// later pair. Pairs are sorted by their first grain, which has the lower number. The grains of a
+/// section can therefore move as soon as its pairs are done, while they are still in the cache.
 struct Section {
     using Range = std::pair<std::size_t, std::size_t>;
     Range grains, near, distant;
 };
 
-/// Work of one of several threads in every step while the lists are valid. The thread sums the
-/// forces of its pairs in an array of its own and moves its grains. As grains are numbered in rows,
-/// few pairs of other threads act on them.
+/// Work of one thread in every step while the neighbour lists are valid. The thread sums the forces
+/// of its pairs in an array of its own and moves its grains. As grains are numbered in rows, pairs
+/// of other threads act on few of its grains.
 struct Share {
     std::vector<Section> sections;
-    std::vector<std::int32_t> ghosts;  ///< grains of other shares that its pairs push, ascending
+    /// Numbers of the grains of other shares on which pairs of this share act, ascending.
+    std::vector<std::int32_t> ghosts;
 
     Section::Range grains() const {
         return {sections.front().grains.first, sections.back().grains.second};
     }
 };
 
-/// Shares with as many near pairs each as whole batches allow.
+/// Divides the pairs and `grains` grains of a sample among `parts` threads. Each share has the same
+/// number of near pairs, as far as whole batches allow.
 std::vector<Share> shares_of(const PairList& pairs, std::size_t grains, int parts);
 
 }  // namespace pendular::dem

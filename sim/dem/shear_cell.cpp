@@ -25,27 +25,28 @@ constexpr double initial_solid_fraction = 0.3;
 constexpr double initial_closing_rate = 0.05;
 constexpr double steady_solid_fraction = 0.62;
 constexpr double servo_modulus = 0.05;
-/// Viscosity of the contacts against a change of height, over zeta sqrt(kappa): with Z/2 contacts a
-/// grain of dashpots zeta sqrt(2 K_N) that move affinely, 0.2 (6 Phi/pi) (Z/2) sqrt(2 K_N/kappa) is
-/// 0.6 to 0.8 in a flowing sample. The servo is stable while the true gain is below twice this one
-/// plus 1.
+/// Viscosity of the contacts against a change of height, over zeta sqrt(kappa). For affine motion
+/// and Z/2 contacts per grain with dashpots zeta sqrt(2 K_N) it is
+/// 0.2 (6 Phi/pi) (Z/2) sqrt(2 K_N/kappa), 0.6 to 0.8 in a flowing sample. The servo is stable
+/// while the true gain is below twice the gain from this value plus 1.
 constexpr double contact_viscosity = 0.6;
-/// Gain of the height servo for damping by an effect, over the effect's coefficient: 0.2 (6 Phi/pi)
-/// (Z/2) with the 7 bridges of a grain. More than the true gain makes the servo slower, never
-/// unstable.
+/// Viscosity of the pairs against a change of height if an effect damps them, over the effect's
+/// damping coefficient: 0.2 (6 Phi/pi) (Z/2) with Z = 7 bridges per grain. A value above the true
+/// one makes the servo slower, never unstable.
 constexpr double effect_viscosity = 0.8;
 constexpr int steps_between_time_steps = 20;
 
-/// Time steps in which damping by an effect may take away a grain's relative velocity, summed over
-/// the dozen of its neighbours: a step must stay well below twice that time.
+/// Largest product of time step and damping rate of an effect. A grain's relative velocity is
+/// damped by a dozen neighbours, and a step must stay well below twice the time that this takes.
 constexpr double damped_step = 0.1;
 
-/// Uniform in [0, 1) with 53 bits, the same on every platform.
+/// Random number, uniform in [0, 1) with 53 bits, the same on every platform.
 double uniform(std::mt19937_64& random) {
     return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Places at random, where no grain touches those before it, by bins of the largest diameter.
+/// Places grains in a periodic cell such that no grain touches an earlier grain; searches
+/// neighbours in bins of the largest diameter.
 class RandomPlacement {
   public:
     RandomPlacement(const std::array<double, 3>& edge, double largest_diameter) : edge_(edge) {
@@ -57,7 +58,7 @@ class RandomPlacement {
         bins_.resize(bins);
     }
 
-    /// Takes the place where it is free.
+    /// Places a grain if it touches no earlier grain. @return whether it was placed
     bool place(const std::array<double, 3>& at, double diameter) {
         for (int step = 0; step < 27; ++step) {
             for (const auto& other :
@@ -131,7 +132,7 @@ Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diam
     if (count < ShearCell::fewest_grains) {
         throw std::invalid_argument("a sample needs at least 64 beads");
     }
-    // Tall enough that the sample is a cube once it flows.
+    // The cell is so tall that the sample is a cube once it has been compressed and flows.
     Sample sample{Grains(static_cast<std::size_t>(count)), {}};
     sample.grains.diameters = diameters;
     Cell& cell = sample.cell;
@@ -257,11 +258,13 @@ void ShearCell::measure(const PairSums& sums) {
 }
 
 void ShearCell::adjust_height_rate() {
-    const double stiffness = std::cbrt(material_.modulus * material_.modulus);  // number kappa
+    // Stiffness number kappa.
+    const double stiffness = std::cbrt(material_.modulus * material_.modulus);
     const double wanted = (stress_.s22 - 1) / (servo_modulus * stiffness);
-    // Viscous contacts answer the rate within the step: d(s22)/d(rate) is about -zeta sqrt(kappa).
-    // Solved for implicitly, as an explicit servo would flip between two rates where that gain over
-    // B is near 1, for soft or strongly damped grains.
+    // The stress of viscous contacts follows the height rate within one step: d(s22)/d(rate) is
+    // about -zeta sqrt(kappa). The servo is implicit in this term; an explicit servo would
+    // alternate between two rates where that gain over B is near 1, for soft or strongly damped
+    // grains.
     double gain = contact_viscosity * material_.damping / (servo_modulus * std::sqrt(stiffness));
     if (effects_.changes_pairs()) {
         gain += effect_viscosity * effects_.damping_rate(bridges_) / (servo_modulus * stiffness);
@@ -270,7 +273,8 @@ void ShearCell::adjust_height_rate() {
 }
 
 void ShearCell::check_state() const {
-    // At once, before a position that is no number reaches the bins of the neighbour search.
+    // Checked in every step, before a position that is NaN reaches the bins of the neighbour
+    // search.
     if (!std::isfinite(stress_.s22) || largest_overlap_ > 0.5) {
         throw SimulationError(fmt::format(
             "the simulation blew up at strain {:.3g} (largest overlap {:.2g} diameters); "
@@ -295,7 +299,7 @@ MotionSums ShearCell::move_grains() {
 
 void ShearCell::advance_cell() {
     const double dt = time_step_;
-    // The image of a grain one height up moves by exactly what the grain's own law gives it there.
+    // The image of a grain one height up moves exactly as the imposed flow moves a grain there.
     cell_.offset += dt * (flow_.shear_rate * cell_.height + flow_.length_rate * cell_.offset);
     cell_.length += dt * flow_.length_rate * cell_.length;
     cell_.height += dt * flow_.height_rate * cell_.height;
@@ -311,12 +315,13 @@ void ShearCell::follow_stiffest_contact() {
     const double stiffness = Hertz::at(recent_overlap_, material_.modulus).normal_stiffness;
     double wanted = fraction_ / std::sqrt(stiffness) / std::max(1.0, material_.damping);
     if (effects_.changes_pairs()) {
-        // Smaller grains are lighter; what an effect damps must not overshoot.
+        // Smaller grains are lighter; damping by an effect must not overshoot.
         wanted *= std::pow(grains_.smallest_diameter(), 1.5);
         const double rate = effects_.damping_rate(bridges_);
         wanted = rate > 0 ? std::min(wanted, damped_step / rate) : wanted;
     }
-    // It may shrink at once but grows slowly, so that one quiet moment does not lengthen it.
+    // The time step may shrink at once but grows slowly, so that one quiet moment does not lengthen
+    // it.
     time_step_ = time_step_ == 0 ? wanted : std::min(wanted, 1.01 * time_step_);
     recent_overlap_ = std::max(largest_overlap_, overlap_at(0.1, material_.modulus));
 }

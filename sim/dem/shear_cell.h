@@ -24,54 +24,56 @@ struct Stress {
     }
 };
 
-/// Grains in their cell.
+/// Grains and the periodic cell that contains them.
 struct Sample {
     Grains grains;
     Cell cell;
 };
 
-/// `count` grains at random, without contact, at solid fraction 0.3 and at rest, in a cell that is
-/// a cube once they flow; of these diameters, or all of 1.
+/// Returns `count` grains at rest at random positions, without contact, at solid fraction 0.3. The
+/// cell is tall and becomes a cube once the grains flow. `diameters` are over their mean [1];
+/// empty: all are 1.
 /// @throws std::invalid_argument for fewer than 64 grains
 Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diameters = {});
 
-/// A sample in simple shear between Lees-Edwards images at a constant rate, its height free so that
-/// s22 stays at 1. Reduced units: grain diameter, mass and imposed normal stress are 1, so that the
-/// shear rate is the inertial number.
+/// Simulation of a sample in simple shear at a constant rate between Lees-Edwards images. A servo
+/// changes the height of the cell so that s22 stays at 1. Reduced units: grain diameter, mass and
+/// imposed normal stress are 1, so that the shear rate is the inertial number.
 ///
 /// Height servo, first order: (dH/dt)/H = (s22 - 1)/(B t0), with B = 0.05 kappa, well below
 /// the packing's modulus at stiffness number kappa, and t0 = sqrt(m/(a s22)), the time a grain
 /// needs to move its own size. The stress then returns to its target within a fraction of t0 at
-/// every stiffness and nothing is left to tune; as ln H is bounded, the time average of s22 is 1
-/// exactly.
+/// every stiffness, without tuning. As ln H is bounded, the time average of s22 is 1 exactly.
 ///
-/// Time step: a fixed fraction of sqrt(m/K_N) of the stiffest contact, followed as it changes; less
-/// where the damping is more than critical.
+/// Time step: a fixed fraction of sqrt(m/K_N) of the stiffest contact, updated as that contact
+/// changes; smaller where the damping is more than critical.
 class ShearCell {
   public:
-    /// Starts from a random gas. Bridges form from the end of `compress` on. Each step is done in
-    /// `parts` side by side, a thread each; forces are summed part by part, so that a run is the
-    /// same for the same number of parts.
-    /// @throws std::invalid_argument as random_gas
+    /// Starts from a random gas of `count` grains. Bridges form from the end of `compress` on. Each
+    /// step is divided among `parts` threads; forces are summed part by part, so that runs with the
+    /// same number of parts agree bit for bit.
+    /// @throws std::invalid_argument for fewer than 64 grains
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
-    /// Starts from any sample in any uniform flow; its stress is not controlled, and no bridges
-    /// form until requested.
+    /// Starts from a given sample in a given uniform flow. Its stress is not controlled until
+    /// `hold_normal_stress`, and no bridges form until `let_bridges_form`.
     ShearCell(Sample sample, const Material& material, const Flow& flow,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
 
-    /// Edge of the cube that so many grains fill once they flow [diameters].
+    /// Edge of the cube that `count` grains fill once they flow [diameters].
     static double edge(int count);
 
     static constexpr int fewest_grains = 64;
     static constexpr double time_step_fraction = 0.2;
 
-    /// One step of the leapfrog: forces at x(t) from v(t - dt/2), then velocities, then positions.
-    /// @throws SimulationError where the state is no longer finite
+    /// Advances the sample by one leapfrog step: forces at x(t) from v(t - dt/2), then velocities,
+    /// then positions.
+    /// @throws SimulationError where the stress is not finite or an overlap exceeds half a diameter
     void step(EnergyAccounting accounting = EnergyAccounting::off);
 
-    /// Closes the gaps of the initial state at a constant rate until s22 first reaches its target.
-    /// @return false where it was not reached before the grains would fill the cell
+    /// Lowers the height of the initial random gas at a constant rate until s22 first reaches 1;
+    /// from then on the servo holds s22, and bridges form.
+    /// @return false where the solid fraction reaches 0.8 before s22 reaches 1
     /// @throws Interrupted when a stop is requested
     bool compress(const std::stop_token& stop = {});
 
@@ -79,46 +81,49 @@ class ShearCell {
     const Cell& cell() const { return cell_; }
     const PairList& pairs() const { return pairs_; }
     const Material& material() const { return material_; }
-    /// Law of the bridges with the changes that effects make.
+    /// Law of the bridges, changes by effects included.
     const BridgeLaw& bridges() const { return bridges_; }
     const GrainEffects& effects() const { return effects_; }
     /// Stress of the last step, from the forces at its beginning.
     const Stress& stress() const { return stress_; }
     const Flow& flow() const { return flow_; }
     double shear_rate() const { return flow_.shear_rate; }
-    /// Energies of the last step, if it was made with energy accounting.
+    /// Energies of the pairs in the last step; zero if that step was made without energy
+    /// accounting.
     const PairEnergy& energy() const { return energy_; }
-    /// Kinetic energy of the peculiar motion, half a step after the last forces.
+    /// Kinetic energy of the peculiar motion and of the rotation, half a step after the last forces
+    /// [a^3 s22].
     double kinetic_energy() const { return motion_.energy(); }
     double strain() const { return strain_; }
     double time_step() const { return time_step_; }
     std::uint64_t steps() const { return steps_; }
     double solid_fraction() const;
 
-    /// Changes the imposed flow; its height rate is the servo's while the stress is held.
+    /// Sets the imposed flow. While the normal stress is held, the servo changes the height rate.
     void set_flow(const Flow& flow) { flow_ = flow; }
-    /// Whether the servo holds s22 at 1.
+    /// Switches on or off the servo that holds s22 at 1.
     void hold_normal_stress(bool held) { servo_ = held; }
-    /// Whether contacts form bridges from now on.
+    /// Switches on or off the liquid bridges, which form on contact.
     void let_bridges_form(bool form) { bridging_ = form; }
-    /// Makes the time step this fraction of sqrt(m/K_N) instead of the standard one, for tests of
-    /// convergence.
+    /// Sets the time step to this fraction of sqrt(m/K_N) instead of `time_step_fraction`, for
+    /// tests of convergence.
     void set_time_step_fraction(double fraction) { fraction_ = fraction; }
 
-    /// Saves or loads the state; the sample loaded into must have the same grains, laws and parts.
+    /// Saves or loads the state. A state can be loaded only into a ShearCell with the same number
+    /// of grains, the same laws and the same number of parts.
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(grains_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
                 time_step_, strain_, largest_overlap_, recent_overlap_, steps_);
-        shares_made_at_ = 0;  // of other lists
+        shares_made_at_ = 0;  // the shares belong to other lists
     }
 
   private:
     void adjust_height_rate();
     void check_state() const;
     PairSums sum_forces(const PairLaws& laws);
-    /// Sums the forces of one share; moves its grains too where requested, each grain once its last
-    /// pair is done.
+    /// Adds the forces of the pairs of one share to `net_forces`. If `moved` is given, also moves
+    /// each grain of the share after its last pair and adds to `moved`.
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                         const PairLaws& laws, MotionSums* moved = nullptr);
     /// Adds the forces that other parts summed for the grains of this part.
@@ -139,9 +144,9 @@ class ShearCell {
     Flow flow_;
     int parts_ = 1;
     std::vector<Share> shares_;
-    std::size_t shares_made_at_ = 0;  ///< renewals of the lists
-    std::vector<std::vector<Grains::ForceAndTorque>>
-        other_net_forces_;  ///< of the parts after the first
+    std::size_t shares_made_at_ = 0;  ///< PairList::renewals when `shares_` were made
+    /// Net forces summed by the parts after the first.
+    std::vector<std::vector<Grains::ForceAndTorque>> other_net_forces_;
     Stress stress_;
     PairEnergy energy_;
     MotionSums motion_;
@@ -150,8 +155,8 @@ class ShearCell {
     double bead_volume_ = 0;
     double time_step_ = 0;
     double strain_ = 0;
-    double largest_overlap_ = 0;  ///< of the last step
-    double recent_overlap_ = 0;   ///< largest since the time step was last reconsidered
+    double largest_overlap_ = 0;  ///< largest overlap of the last step
+    double recent_overlap_ = 0;   ///< largest overlap since the time step was last updated
     std::uint64_t steps_ = 0;
 };
 

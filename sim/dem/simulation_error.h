@@ -5,14 +5,14 @@
 
 namespace pendular::dem {
 
-/// Error of a simulation that cannot continue: a state that is not finite, or a sample that never
-/// reached its stress.
+/// Error of a simulation that cannot continue: its state is not finite, or the sample does not
+/// reach or hold its normal stress.
 class SimulationError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Thrown where the user stops the work.
+/// Exception thrown when the user stops the work; `what_remains` tells what was saved.
 class Interrupted : public std::runtime_error {
   public:
     explicit Interrupted(const std::string& what_remains = "nothing was written")

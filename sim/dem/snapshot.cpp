@@ -28,7 +28,8 @@ std::string text_of(const Vector& v) {
     return fmt::format("{:.10g} {:.10g} {:.10g}", v[0], v[1], v[2]);
 }
 
-/// Adds the contacts and bridges of one list, each from the place its first grain has in the cell.
+/// Adds the contacts and bridges of one pair list to a snapshot. Each line starts at the position
+/// of the first grain inside the cell.
 void add_pairs(const ShearCell& sample, const Pairs& list, Snapshot& snapshot) {
     const auto visit = [&](std::size_t k, const Vector& separation) {
         const bool touching = list.root[k] > 0, bridge = list.bridge[k] > 0;
@@ -56,7 +57,7 @@ void add_pairs(const ShearCell& sample, const Pairs& list, Snapshot& snapshot) {
     for_each_pair(sample.grains(), sample.cell(), list, visit);
 }
 
-/// A <DataArray> of one line per item.
+/// Returns a VTK <DataArray> with one line per item.
 template <typename Items, typename Text>
 std::string data_array(const std::string& type, const std::string& name, int components,
                        const Items& items, const Text& text) {
@@ -71,7 +72,7 @@ std::string data_array(const std::string& type, const std::string& name, int com
     return array + "</DataArray>\n";
 }
 
-/// Connectivity and offsets of `cells` cells of `size` points each, one after another.
+/// Returns the VTK connectivity and offsets of `cells` cells with `size` successive points each.
 std::string topology(const std::string& kind, std::size_t cells, std::size_t size) {
     std::string connectivity, offsets;
     for (std::size_t k = 0; k < cells; ++k) {

@@ -9,48 +9,49 @@
 
 namespace pendular::dem {
 
-/// Two grains in contact or joined by a bridge, for drawing.
+/// Pair of grains in contact or joined by a bridge, to be drawn as a line.
 struct DrawnPair {
-    Vector from, to;          ///< centres; `to` may be that of an image outside the cell
-    double normal_force = 0;  ///< elastic, of contacts [a^2 s22]
+    Vector from, to;          ///< centres; `to` may be an image outside the cell
+    double normal_force = 0;  ///< elastic normal force; 0 without contact [a^2 s22]
     double bridge_force = 0;  ///< attraction of the bridge [a^2 s22]
     bool touching = false;
 };
 
-/// A state for other programs: every grain inside the cell, velocities with the imposed flow
-/// included. Reduced units: grain diameter, mass and imposed normal stress are 1.
+/// State of a sample for export to other programs: all grains inside the cell, velocities including
+/// the imposed flow. Reduced units: grain diameter, mass and imposed normal stress are 1.
 struct Snapshot {
     struct Grain {
-        std::int32_t id = 0;  ///< from 1 on, the same throughout a run
+        std::int32_t id = 0;  ///< number from 1 on, the same throughout a run
         double radius = 0.5;
         Vector position, velocity, angular_velocity;
         int contacts = 0;
     };
     std::uint64_t step = 0;
-    double time = 0;    ///< [sqrt(m/(a s22))]
-    double strain = 0;  ///< since the flow began
-    Cell cell;          ///< its offset between -length/2 and length/2
+    double time = 0;    ///< time since the flow began [sqrt(m/(a s22))]
+    double strain = 0;  ///< strain since the flow began
+    Cell cell;          ///< cell with its offset between -length/2 and length/2
     std::vector<Grain> grains;
     std::vector<DrawnPair> pairs;
 };
 Snapshot snapshot_of(const ShearCell& sample, double strain);
 
-/// One frame of a LAMMPS text dump, as OVITO reads it: a triclinic cell with its corner at the
-/// origin, whose bounds are those of the box around it; columns id, type, radius, place, velocity,
-/// angular velocity and number of contacts.
+/// Returns one frame of a LAMMPS text dump, which OVITO reads: a triclinic cell with a corner at
+/// the origin and the bounds of the box around it, then columns id, type, radius, position,
+/// velocity, angular velocity and number of contacts.
 std::string dump_frame(const Snapshot& snapshot);
 
-/// ParaView XML PolyData: the grains as points with radius, velocity and contacts.
+/// Returns the grains as ParaView XML PolyData: points with id, radius, velocity, angular velocity
+/// and number of contacts (coordination).
 std::string grains_vtp(const Snapshot& snapshot);
-/// ParaView XML PolyData: contacts and bridges as lines between centres with normal_force,
-/// bridge_force and touching (1 or 0). A line across a face of the cell leads to the image outside.
+/// Returns contacts and bridges as ParaView XML PolyData: lines between centres with normal_force,
+/// bridge_force and touching (1 or 0). A line across a face of the cell ends at the image outside.
 std::string pairs_vtp(const Snapshot& snapshot);
 
-/// Writes a run's snapshots into a folder every so much strain, from strain 0 on: `grains.dump`
-/// with all frames, and for ParaView `snapshots.pvd` with `vtk/beads_NNNNN.vtp` and
-/// `vtk/pairs_NNNNN.vtp`, strain as time. Each file is there whole or not at all; the dump grows as
-/// `.grains.dump.part` and takes its name when the object goes, be the run done or stopped. A run
-/// resumed from a checkpoint goes on where it was; frames that were made after it are made again.
+/// Writes snapshots of a run into a folder, the first at strain 0 and then one per strain `every`
+/// [1]. `beads.dump` holds all frames. For ParaView, `snapshots.pvd` lists `vtk/beads_NNNNN.vtp`
+/// and `vtk/pairs_NNNNN.vtp` with the strain as time. Each file is complete or absent: the dump is
+/// written as `.beads.dump.part` and renamed when the object is destroyed, after a complete or a
+/// stopped run. If a checkpoint resumes the run, frames made after that checkpoint are made again.
 class Snapshots {
   public:
     Snapshots(std::filesystem::path folder, double every);
@@ -58,7 +59,7 @@ class Snapshots {
     Snapshots(const Snapshots&) = delete;
     Snapshots& operator=(const Snapshots&) = delete;
 
-    /// An Observer of a run.
+    /// Writes a snapshot of the sample if one is due at this strain; an Observer of a run.
     /// @throws std::runtime_error where a file cannot be written
     void operator()(const ShearCell& sample, double strain);
     std::size_t count() const { return frames_.size(); }
@@ -77,7 +78,7 @@ class Snapshots {
     std::filesystem::path folder_, dump_, growing_dump_;
     double every_;
     bool begun_ = false;
-    std::uint64_t next_ = 0;  ///< frame
+    std::uint64_t next_ = 0;  ///< number of the next frame
     std::vector<Frame> frames_;
 };
 

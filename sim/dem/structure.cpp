@@ -11,12 +11,13 @@
 namespace pendular::dem {
 namespace {
 
-/// Means of Y_6m over directions, m = 0..6; negative m follow by symmetry.
+/// Means of the spherical harmonics Y_6m over directions, m = 0..6, for the bond order Q6; negative
+/// m follow by symmetry.
 class BondOrder {
   public:
     void add(double nx, double ny, double nz) {
         const double z2 = nz * nz;
-        // Associated Legendre functions of degree 6 over sin^m theta; q6() holds their norms.
+        // Associated Legendre functions of degree 6 over sin^m theta, without their norms (see q6).
         const std::array<double, 7> legendre = {((231 * z2 - 315) * z2 + 105) * z2 - 5,
                                                 nz * ((33 * z2 - 30) * z2 + 5),
                                                 (33 * z2 - 18) * z2 + 1,
@@ -35,7 +36,7 @@ class BondOrder {
         if (count_ == 0) {
             return 0;
         }
-        // Squared norms of Y_6m in front of these polynomials, times pi.
+        // Squared norms of Y_6m for the polynomials of `add`, times pi.
         constexpr std::array<double, 7> squared = {13.0 / 1024,   273.0 / 512,  1365.0 / 4096,
                                                    1365.0 / 1024, 819.0 / 2048, 9009.0 / 1024,
                                                    3003.0 / 4096};
@@ -51,10 +52,10 @@ class BondOrder {
     double count_ = 0;
 };
 
-/// Directions of one network of pairs, and how quantities depend on them.
+/// Directions of the pairs of one network, with force and length as functions of direction.
 class Network {
   public:
-    /// A pair along the unit vector n with its force and the distance of its centres.
+    /// Adds a pair along the unit vector n with its force and the distance of its centres.
     void add(const Eigen::Vector3d& n, double force, double length) {
         // Spherical harmonics of order 0 and 2, up to factors.
         Eigen::Matrix<double, 6, 1> y;
@@ -74,15 +75,15 @@ class Network {
     double length_anisotropy_12() const { return anisotropy(length_); }
 
   private:
-    /// With q(n) = b0 + b1 n1 n2 + ..., (1/4 pi) times the integral of q n1 n2 over the sphere is
-    /// b1/15.
+    /// Anisotropy of a quantity q(n) in n1 n2, from its sums with the spherical harmonics. With
+    /// q(n) = b0 + b1 n1 n2 + ..., (1/4 pi) times the integral of q n1 n2 over the sphere is b1/15.
     double anisotropy(const Eigen::Matrix<double, 6, 1>& sums) const {
         if (count_ < fewest_pairs || !(sums(0) > 0)) {
             return 0;
         }
         return normal_.ldlt().solve(sums)(1) / 15 / mean(sums(0));
     }
-    static constexpr double fewest_pairs = 12;  // twice the harmonics fitted
+    static constexpr double fewest_pairs = 12;  // twice the number of harmonics fitted
 
     Eigen::Matrix<double, 6, 6> normal_ = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 1> force_ = Eigen::Matrix<double, 6, 1>::Zero(), length_ = force_;
@@ -141,7 +142,7 @@ Structure structure_of(const Grains& grains, const Cell& cell, const Pairs& near
         }
     });
     const auto per_bead = 2 / static_cast<double>(grains.size());
-    s.contact_coordination = per_bead * contacts.count();  // counted from both sides
+    s.contact_coordination = per_bead * contacts.count();  // each contact counts for both grains
     s.fabric_12_contact = contacts.fabric_12();            // eq:defF12
     s.overlap = contacts.mean(s.overlap);
     s.bond_order = order.q6();

@@ -11,16 +11,16 @@
 
 namespace pendular::dem {
 
-/// Contact and bridge networks of one state, or their mean over several: a member for each
-/// STRUCTURE_OBSERVABLE of data/quantities/observables.def. Reduced units: grain diameter and
-/// imposed normal stress are 1, forces of bridges are over the pull-off force F0, capillary
-/// stresses are over the imposed normal stress and negative for attraction. "Distant" pairs are
-/// joined by a bridge without touching. A dry state has zeros there.
+/// Observables of the contact and bridge networks in one state, or their means over several states:
+/// a member for each STRUCTURE_OBSERVABLE of data/quantities/observables.def. Reduced units: grain
+/// diameter and imposed normal stress are 1, forces of bridges are over the pull-off force F0,
+/// capillary stresses are over the imposed normal stress and negative for attraction. "Distant"
+/// pairs are joined by a bridge without touching. In dry states the members about bridges are zero.
 struct Structure {
 #define STRUCTURE_OBSERVABLE(name, ...) double name = 0;
 #include "data/quantities/observables.def"
 
-    /// Sums and means over several states.
+    /// Add the values of another state, or divide all members by a number of states.
     Structure& operator+=(const Structure& other);
     Structure& operator/=(double count);
 
@@ -31,14 +31,15 @@ struct Structure {
         }
     }
 
-    /// All members in their order.
+    /// Pointers to all members, in the order of observables.def.
     static std::span<double Structure::*const> members();
 };
 
-/// Structure of a state from its near and its distant pairs, with the bridge forces that effects
-/// make of it; pairs with a remembered overlap are contacts.
-///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2)
-/// 0 for isotropic directions up to 1/sqrt(contacts); 0.575 for the fcc lattice, 0.485 for hcp.
+/// Computes the structure of a state from its near and distant pairs; bridge forces include changes
+/// by `effects`. Near pairs that overlapped in the last step are contacts. Their bond order is
+///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2),
+/// n being the contact directions: 0 for isotropic directions up to 1/sqrt(contacts), 0.575 for the
+/// fcc lattice, 0.485 for hcp.
 /// Source: Steinhardt, Nelson, Ronchetti, Phys. Rev. B 28 (1983) 784.
 ///
 /// The anisotropy of a quantity q(n) that depends on direction is (1/4 pi <q>) times the integral

@@ -4,10 +4,10 @@
 
 namespace pendular::dem {
 
-/// One block of strain of about 0.02 [1] of a run, in single precision; stresses over the imposed
-/// normal stress.
+/// Averages over one block of a run, a strain of about 0.02 [1], in single precision; stresses are
+/// over the imposed normal stress.
 struct TraceBlock {
-    float strain = 0;  ///< of this block alone
+    float strain = 0;  ///< strain of this block alone [1]
     float s11 = 0, s22 = 0, s33 = 0, s12 = 0;
     float solid_fraction = 0, contact_coordination = 0, distant_coordination = 0, localization = 0;
 

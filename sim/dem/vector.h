@@ -4,7 +4,7 @@
 
 namespace pendular::dem {
 
-/// Three components in a vector register of four lanes; the fourth lane is free. Operators work
+/// Vector of three components in a register of four lanes; the fourth lane is free. Operators work
 /// lane by lane, so that every instruction set gives the same bits.
 struct alignas(32) Vector {
     using Lanes = double __attribute__((vector_size(32)));
@@ -15,7 +15,8 @@ struct alignas(32) Vector {
     constexpr explicit Vector(Lanes all) : lanes(all) {}
 
     double operator[](std::size_t k) const { return lanes[k]; }
-    /// A component to write to; writing through `lanes` keeps the others in their register.
+    /// Writable reference to a component. Assigning to `lanes` instead keeps the vector in its
+    /// register.
     double& operator[](std::size_t k) { return reinterpret_cast<double*>(&lanes)[k]; }
 
     Vector& operator+=(const Vector& other) {

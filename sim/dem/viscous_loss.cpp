@@ -6,7 +6,8 @@
 namespace pendular::dem {
 namespace {
 
-/// Motion with the velocities halfway through the step that these forces cause.
+/// Returns the motion of the grains with velocities halfway through the step that these net forces
+/// cause.
 [[gnu::always_inline]] inline std::vector<Grains::Motion> halfway_through(
     const Grains& grains, const std::vector<Grains::ForceAndTorque>& net_forces,
     const PairLaws& laws) {

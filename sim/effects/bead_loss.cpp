@@ -2,9 +2,9 @@
 
 namespace pendular {
 
-/// Beads that left through the clearances of the lid are still counted in the solid fraction, and
-/// in their weight: a balance weighed them before the test. It is applied with the transducers,
-/// after the effects on the beads in the cell.
+/// Beads have left the cell through the clearances of the lid since a balance weighed them before
+/// the test. The shown solid fraction and the shown weight still include the lost beads. The effect
+/// is applied with the transducers, after the effects on the beads in the cell.
 Effect bead_loss() {
     return {.summary = "beads have left the cell since they were weighed",
             .equation = "V_S shown = V_S/(1 - fraction)",

@@ -2,9 +2,9 @@
 
 namespace pendular {
 
-/// Liquid in the pendular regime: bridges that pull grains together with forces in proportion to
-/// the surface tension. On in every study with a liquid, at the surface tension it gives; without
-/// surface tension, wet beads behave as dry ones.
+/// Liquid in the pendular regime: bridges pull grains together with forces proportional to the
+/// surface tension. The effect is on in every study with a liquid, at the surface tension of the
+/// liquid. Without surface tension, wet beads behave like dry beads.
 Effect capillary_bridges() {
     return {.summary = "liquid bridges pull beads together",
             .equation = "F0 = pi a Gamma cos(theta)      Gamma = surface_tension",

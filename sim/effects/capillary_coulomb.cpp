@@ -16,8 +16,8 @@ void net_limit(const dem::PairBatch& batch, const dem::PairContext& context) {
 
 /// In the base law the Coulomb limit is proportional to the elastic force of the contact, which the
 /// attraction of the bridge increases as an external load would. This effect makes it proportional
-/// to the total normal force, elastic force less attraction. Lightly loaded contacts then slide,
-/// and capillary forces add no strength through them.
+/// to the total normal force, elastic force less attraction. Lightly loaded contacts then slide
+/// more easily, and capillary forces add no strength through the Coulomb limit.
 Effect capillary_coulomb() {
     return {
         .summary =

@@ -2,7 +2,8 @@
 
 namespace pendular {
 
-/// Bridge forces carry a shear stress of opposite sign, which Rumpf's cohesion neglects.
+/// Capillary forces carry a shear stress opposite in sign to the total shear stress, which Rumpf's
+/// cohesion neglects. The effect takes this shear stress into account.
 Effect capillary_shear_stress() {
     return {
         .summary =

@@ -12,9 +12,9 @@ constexpr double degree = std::numbers::pi / 180;
 }  // namespace
 
 /// The liquid wets the beads less well than the study states: a bridge attracts with pi a Gamma
-/// cos(theta). The sum of the study's angle and this one is kept within 0 and 89 degrees, since
-/// bridges do not attract beyond 90 and negative angles have no meaning. Negative values are useful
-/// where the study's own angle is too large.
+/// cos(theta). The sum of the study's angle and the effect's angle is limited to 0 to 89 degrees,
+/// since bridges do not attract above 90 degrees and a negative sum has no meaning. A negative
+/// value of the effect's angle is useful where the study's angle is too large.
 Effect contact_angle() {
     return {.summary = "the contact angle of the liquid differs from the study's",
             .equation = "F0 = pi a Gamma cos(theta + angle)      0 <= theta + angle <= 89 degrees",

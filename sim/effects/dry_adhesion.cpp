@@ -18,10 +18,11 @@ void pull(const dem::PairBatch& batch, const dem::PairContext& context) {
 }  // namespace
 
 /// Van der Waals or electrostatic attraction of touching beads, which gives dry beads a cohesion.
-/// Derjaguin, Muller and Toporov's limit of stiff beads: the attraction equals the pull-off force
-/// while they touch; its range of nanometres is negligible beside the bead. It is proportional to
-/// the radius. Where a liquid fills the contact it is weaker by the ratio of Hamaker constants,
-/// about a tenth, and left out: it acts in contacts that no bridge joins.
+/// In the limit of stiff beads (Derjaguin, Muller and Toporov) the attraction equals the pull-off
+/// force while the beads touch; its range of nanometres is negligible. The pull-off force is
+/// proportional to the radius. In a contact filled with liquid the attraction is about ten times
+/// weaker, by the ratio of Hamaker constants, and is neglected: the effect acts only in contacts
+/// without a bridge.
 Effect dry_adhesion() {
     return {.summary = "touching beads attract each other without a liquid",
             .equation = "F_N -> F_N - force  in contacts without a bridge",

@@ -2,9 +2,10 @@
 
 namespace pendular {
 
-/// Every layer carries those above it, so that the normal stress rises by M g/A from lid to bottom.
-/// On average beads are in the state of mid-height, where the stress exceeds that under the lid,
-/// which the load cell measures, by half of this. M is the true mass of the beads in the cell.
+/// Every layer of beads carries the layers above, so that the normal stress rises by M g/A from lid
+/// to bottom, with M the true mass of the beads in the cell. The average state of the beads is that
+/// at mid-height, where the normal stress exceeds the stress under the lid, which the load cell
+/// measures, by M g/(2 A).
 Effect grain_weight() {
     return {
         .summary =

@@ -2,9 +2,9 @@
 
 namespace pendular {
 
-/// A gap that was zeroed with beads, dust or liquid between the plates, or in a frame that gives
-/// way under load, has a constant error. Solid fraction and shear rate then have a relative error
-/// of -offset/H.
+/// The gap has a constant error where it was zeroed with beads, dust or liquid between the plates,
+/// or where the frame gives way under load. Solid fraction and shear rate then have a relative
+/// error of -offset/H.
 Effect height_offset() {
     return {
         .summary = "a wrong zero of the gap adds a constant height",

@@ -2,9 +2,10 @@
 
 namespace pendular {
 
-/// Where the lid is too smooth to take the outermost beads along, they lag behind it: the sample is
-/// sheared more slowly than the lid turns. At small inertial numbers, where stresses do not depend
-/// on the rate, nothing is seen of it; at large ones the stress ratio is too low.
+/// If the lid is too smooth to take the outermost beads along, the beads lag behind the lid, and
+/// the sample is sheared more slowly than the lid turns. At small inertial numbers, where stresses
+/// do not depend on the rate, slip changes nothing. At large inertial numbers the stress ratio is
+/// too low.
 Effect lid_slip() {
     return {
         .summary = "beads slip along the lid, so that they are sheared more slowly than it turns",

@@ -6,14 +6,14 @@
 namespace pendular {
 namespace {
 
-/// Exponent at which no liquid is left, e^-100; larger ones would overflow.
+/// Largest exponent, at which e^-100 of the liquid is left; larger exponents would overflow.
 constexpr double gone = 100;
 
 }  // namespace
 
-/// Liquid that evaporates, or drains to the walls, at a rate proportional to the remaining liquid:
-/// the content known from mixing is right only when the first recording begins. It is applied with
-/// the transducers, since the content is a reading of a balance.
+/// Liquid evaporates, or drains to the walls, at a rate proportional to the remaining liquid. The
+/// liquid content known from mixing is right only when the first recording begins. The effect is
+/// applied with the transducers, since the shown liquid content is the reading of a balance.
 Effect liquid_loss() {
     return {
         .summary = "the liquid evaporates or drains during the recordings",

@@ -3,8 +3,8 @@
 namespace pendular {
 
 /// A load cell that was not tared, or the lid's own weight, adds a constant to the normal force.
-/// Stress ratios have a relative error of force/F_N, largest at the smallest load; inertial numbers
-/// have half of it.
+/// Stress ratios have a relative error of -force/F_N, largest at the smallest load. Inertial
+/// numbers have half of this error.
 Effect normal_force_offset() {
     return {.summary = "a load cell out of tare adds a constant normal force",
             .equation = "F_shown = F_N + force",

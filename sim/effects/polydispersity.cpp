@@ -5,8 +5,9 @@
 namespace pendular {
 namespace {
 
-/// Diameters spread evenly over [1 - sqrt(3) deviation, 1 + sqrt(3) deviation] at quantiles, whose
-/// order alone is random, so that every sample has the same sizes.
+/// Sets the diameters to evenly spaced quantiles of a uniform distribution over
+/// [1 - sqrt(3) deviation, 1 + sqrt(3) deviation]. Only the order of the diameters is random, so
+/// that every sample has the same sizes.
 void spread(std::span<double> diameters, std::mt19937_64& random, const Values& v) {
     const double half_range = std::sqrt(3.0) * v["deviation"];
     const auto count = static_cast<double>(diameters.size());
@@ -20,8 +21,9 @@ void spread(std::span<double> diameters, std::mt19937_64& random, const Values& 
 
 }  // namespace
 
-/// Beads of several sizes pack more densely and hardly change the stress ratio: it resembles lost
-/// beads or a wrong gap. By symmetry its response grows with the square of the deviation.
+/// Beads of several sizes pack more densely at nearly the same stress ratio, so that the effect
+/// resembles a loss of beads or a wrong gap. By symmetry the response of the readings grows with
+/// the square of the deviation.
 Effect polydispersity() {
     return {.summary = "the beads are not all of one size",
             .equation = "diameters uniform over a (1 +- sqrt(3) deviation)",

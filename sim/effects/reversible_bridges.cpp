@@ -2,10 +2,11 @@
 
 namespace pendular {
 
-/// The base law has a hysteresis: a bridge forms on contact and breaks at D0. Where films of liquid
-/// on the beads meet before the beads do, or vapour condenses, bridges form as soon as the gap is
-/// below D0: there are then more distant bridges, as many between approaching beads as between
-/// parting ones, and they carry less shear stress.
+/// In the base law bridges have a hysteresis: a bridge forms on contact and breaks at the gap D0.
+/// With this effect, bridges form as soon as the gap is below D0, as they do where liquid films on
+/// the beads meet before the beads touch, or where vapour condenses. There are then more bridges
+/// without contact, as many between approaching as between parting beads, and they carry less shear
+/// stress.
 Effect reversible_bridges() {
     return {.summary =
                 "bridges form without contact, as soon as two beads are closer than the rupture "

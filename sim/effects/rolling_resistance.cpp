@@ -5,10 +5,11 @@
 namespace pendular {
 namespace {
 
-/// One step of the rolling spring of each contact: a torque M on the second bead that turns with
-/// the pair, grows against the rolling velocity and is limited,
+/// Advances the rolling spring of each contact by one time step. Its torque M on the second grain
+/// turns with the pair, grows against the rolling velocity and is limited,
 ///     dM = -K_r w_roll dt,  |M| <= coefficient (a/2) F_N,  K_r = K_T (a/2)^2,
-/// w_roll the relative spin across the normal. Twisting about the normal is not resisted.
+/// with w_roll the relative angular velocity across the normal. Twisting about the normal meets no
+/// resistance.
 void roll(const dem::PairBatch& batch, const dem::PairContext& context) {
     const double coefficient = context.values["coefficient"];
     for (std::size_t k = 0; k < batch.size; ++k) {
@@ -37,9 +38,10 @@ void roll(const dem::PairBatch& batch, const dem::PairContext& context) {
     }
 }
 
-/// Effective coefficient at a given friction: contacts slide before they roll once sliding takes
-/// less work, so that it saturates with the coefficient over the friction. The factor maximises the
-/// likelihood of the runs of the atlas, in stress ratio and solid fraction alike.
+/// Returns the effective coefficient [1] at a given friction. Contacts slide instead of rolling
+/// once sliding takes less work, so that the effective coefficient saturates as the ratio of
+/// coefficient to friction grows. The factor `sliding` maximises the likelihood of the stress
+/// ratios and solid fractions of the runs of the atlas.
 double effective_amplitude(double coefficient, double friction) {
     constexpr double sliding = 3;
     return friction > 0 ? -friction / sliding * std::expm1(-sliding * coefficient / friction) : 0;

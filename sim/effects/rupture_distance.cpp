@@ -2,10 +2,10 @@
 
 namespace pendular {
 
-/// Maugis' and Willett's bridges break at V0^(1/3), which holds for a small contact angle and slow
-/// motion; a large angle (a factor 1 + angle/2), pinned contact lines or drainage change it. With a
-/// larger distance there are more bridges, and they carry force at gaps where the base law has
-/// none.
+/// Maugis' and Willett's bridges break at a gap of V0^(1/3), which holds for a small contact angle
+/// and slow motion. A large contact angle (a factor 1 + angle/2), pinned contact lines or drainage
+/// change this rupture distance. With a larger rupture distance there are more bridges, and they
+/// exert forces at gaps where the base law has none.
 Effect rupture_distance() {
     return {.summary = "bridges break at another distance than V0^(1/3)",
             .equation = "D0 = factor V0^(1/3)",

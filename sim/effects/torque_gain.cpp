@@ -3,7 +3,7 @@
 namespace pendular {
 
 /// A torque transducer whose calibration has drifted reads every torque too high or too low by the
-/// same factor: the ratio of shown to true stress ratios is the same everywhere.
+/// same factor, so that the ratio of shown to true stress ratio is the same at all conditions.
 Effect torque_gain() {
     return {.summary = "a torque transducer out of calibration scales every torque",
             .equation = "T_shown = gain T",

@@ -3,12 +3,12 @@
 namespace pendular {
 
 /// The drag of bearings and seals does not depend on the sample: it is the same at every normal
-/// stress and in an empty cell. As a part of the stress ratio it resembles a cohesion, also of dry
-/// beads.
+/// stress and in an empty cell. Its contribution to the stress ratio resembles a cohesion, also for
+/// dry beads.
 Effect torque_offset() {
     return {
         .summary = "drag of bearings and seals adds a constant torque",
-        .equation = "T_shown = T + torque",
+        .equation = "T_shown = T + T_drag,  T_drag the parameter torque",
         .parameters = {{.name = "torque",
                         .unit = "N m",
                         .lower = -0.1,

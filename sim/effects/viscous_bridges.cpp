@@ -6,14 +6,14 @@
 namespace pendular {
 namespace {
 
-/// Gap [diameters] below which roughness drains the liquid: 5 um on beads of 500 um. It limits the
-/// force.
+/// Gap [diameters] below which roughness drains the liquid: 5 um on beads of 500 um. It is added to
+/// the gap and thereby limits the force.
 constexpr double roughness = 0.01;
 
-/// Coefficient of the normal lubrication force between spheres of radius R fully immersed,
-/// 3 pi eta R^2/(2 h), R being Derjaguin's, times the part that the bridge wets: the pressure below
-/// it is (1 - h/He)^2 of that of an unbounded film, 1 - h/He being the relative force of the
-/// bridge.
+/// Returns the force over the speed of approach of two spheres that a bridge joins. It is the
+/// normal lubrication coefficient of fully immersed spheres, 3 pi eta R^2/(2 h) with Derjaguin's
+/// radius R, times (1 - h/He)^2, the force of the bridge over that of an unbounded film; 1 - h/He
+/// is the relative capillary force of the bridge.
 double coefficient(double viscosity, double radius, double gap, double relative_force) {
     return 1.5 * std::numbers::pi * viscosity * radius * radius / (gap + roughness) *
            relative_force * relative_force;
@@ -37,8 +37,9 @@ void lubrication(const dem::PairBatch& batch, const dem::PairContext& context) {
 
 }  // namespace
 
-/// A liquid bridge resists both approach and parting. The stress it adds is proportional to the
-/// shear rate, not to the inertial number: at the same I it is larger at higher normal stress.
+/// A liquid bridge resists both approach and parting of its beads. The viscous stress is
+/// proportional to the shear rate, not to the inertial number: at the same I it is larger at higher
+/// normal stress.
 Effect viscous_bridges() {
     return {
         .summary = "the liquid's viscosity resists the motion of beads that a bridge joins",

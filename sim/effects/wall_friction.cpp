@@ -27,23 +27,23 @@ double arm(const CellState& cell) {
 
 }  // namespace
 
-/// Derivation. Beads press on the side walls with the lateral stress ratio times s22, and friction
-/// there is coefficient times that, k s22 with k = coefficient x lateral stress ratio.
-/// Both walls together have a perimeter of 2 pi (Ri + Re) = 2 A/w, with A the area and w = Re - Ri.
+/// Derivation. Beads press on the side walls with the normal stress s33 = lateral stress ratio x
+/// s22. The friction stress at the walls is k s22 with k = coefficient x lateral stress ratio. Both
+/// walls together have a perimeter of 2 pi (Ri + Re) = 2 A/w, with A the area and w = Re - Ri.
 ///
 /// Vertical: walls hold up part of the load (Janssen), dF/dz = -k (F/A) (2 A/w) = -2 k F/w with the
-/// depth z under the lid. From the lid to mid-height F falls by exp(-k H/w), so that the lid feels
-/// F_mid exp(k H/w).
+/// depth z under the lid. From the lid to mid-height F falls by exp(-k H/w), so that the normal
+/// force at the lid is F_mid exp(k H/w).
 ///
 /// Horizontal: a ring of height dz drags with int k (F/A) r dA over both walls = k (F/A) 2 pi (Re^2
-/// + Ri^2) dz, that is 2 k (F/w) (Re^2 + Ri^2)/(Re + Ri) dz. Over H/2, with F that of mid-height,
-/// the torque of the lid exceeds the one at mid-height by
+/// + Ri^2) dz, that is 2 k (F/w) (Re^2 + Ri^2)/(Re + Ri) dz. Over H/2, with F taken at mid-height,
+/// the torque on the lid exceeds the torque at mid-height by
 ///     k (H/w) F (Re^2 + Ri^2)/(Re + Ri)
 /// of which k (H/w) F (Re + Ri)/2 is the limit of a narrow annulus (12 % less at 21 and 45 mm).
 /// That F rises towards the lid is of second order in k H/w.
 ///
-/// Friction cannot be fully mobilised in both directions at once: the coefficient is the mobilised
-/// part, taken as equal in both.
+/// Friction cannot be fully mobilised in both directions at once. The coefficient is the mobilised
+/// part, assumed equal in both directions.
 Effect wall_friction() {
     return {.summary =
                 "friction at the side walls adds to the torque and to the normal force at the lid",

@@ -3,7 +3,7 @@
 namespace pendular {
 
 /// A liquid film lubricates surfaces, or makes them rougher where it swells or cleans them: the
-/// friction of wet beads differs from that of dry ones.
+/// friction of wet beads differs from that of dry beads.
 Effect wet_friction() {
     return {.summary = "wet beads have another friction coefficient than dry ones",
             .equation = "mu_wet = mu + difference",

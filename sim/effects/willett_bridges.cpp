@@ -11,11 +11,11 @@ double polynomial(const std::array<double, 4>& a, double x) {
     return a[0] + x * (a[1] + x * (a[2] + x * a[3]));
 }
 
-/// Force of a bridge over 2 pi R Gamma [1] from the half gap S* = h/(2 R) and the volume
-/// V* = V/R^3 over the bead radius, at contact angle 0, where the liquid pulls fully:
+/// Returns the force of a bridge over 2 pi R Gamma [1] at contact angle 0, from half the gap over
+/// the grain radius, S* = h/(2 R), and the volume V* = V/R^3:
 ///     F = exp(f1 - f2 exp(f3 ln S+ + f4 ln^2 S+)),   S+ = S*/sqrt(V*)
 /// with polynomials f1..f4 in ln V*, fitted to solutions of the Laplace-Young equation for
-/// 1e-5 < V* < 0.1. At a gap of zero the inner exponential is zero.
+/// 1e-5 < V* < 0.1. At zero gap the inner exponential vanishes.
 /// Source: Willett, Adams, Johnson, Seville, Langmuir 16 (2000) 9396, eq. A1.
 double relative_force(double half_gap, double volume) {
     const double log_volume = std::log(volume);
@@ -30,9 +30,9 @@ double relative_force(double half_gap, double volume) {
     return std::exp(f1 - f2 * std::exp(f3 * scaled + f4 * scaled * scaled));
 }
 
-/// The bridge volume follows from the base law's curvature, c = 4 V0/(pi a); the radius for unequal
-/// beads is Derjaguin's, half their harmonic mean diameter. The rupture distance is V0^(1/3), as in
-/// the base law. A contact angle scales F0, as in the base law.
+/// Replaces the attraction of the bridges of a batch of pairs by Willett's force. The radius for
+/// unequal grains is Derjaguin's, half their harmonic mean diameter. As in the base law, the
+/// rupture distance is V0^(1/3) and a contact angle scales F0.
 void willett(const dem::PairBatch& batch, const dem::PairContext& context) {
     const double bridge_volume = context.bridges.volume;
     for (std::size_t k = 0; k < batch.size; ++k) {
@@ -48,9 +48,9 @@ void willett(const dem::PairBatch& batch, const dem::PairContext& context) {
 
 }  // namespace
 
-/// Maugis' bridge attracts beads in contact with F0 at any volume. A true meniscus attracts less
-/// the larger it is (0.89 F0 at V0 = 5e-4 a^3, 0.80 F0 at 8e-3 a^3) and decays differently with the
-/// gap.
+/// Maugis' bridge attracts beads in contact with F0 at any volume. The force of a true meniscus
+/// decreases with its volume (0.89 F0 at V0 = 5e-4 a^3, 0.80 F0 at 8e-3 a^3) and decays differently
+/// with the gap.
 Effect willett_bridges() {
     return {.summary = "Willett's bridge force in place of Maugis'",
             .equation =

@@ -16,11 +16,15 @@
 namespace pendular {
 namespace {
 
-/// Beads of a run over the fidelity's: a sample of another size than those fitted to it.
+/// Number of grains of a run over that of the fidelity, so that the samples of the laboratory
+/// differ in size from the samples of a calibration.
 constexpr double size_ratio = 1.5;
-/// Bridge volumes are wanted within 3 %, so pilots may be small and short.
+/// Size of pilot runs over that of the fidelity, and their strain. Pilots may be small and short,
+/// since bridge volumes are needed only to 3 %.
 constexpr double pilot_share_of_beads = 0.5, pilot_strain = 1;
-/// Every pair must differ by more than replicates do.
+/// Checks that all values are positive and differ from each other by at least 5 %, which is more
+/// than replicates differ.
+/// @throws InputError where they do not
 void demand_distinct(const std::vector<double>& values, const std::string& what) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!(values[i] > 0) || !std::isfinite(values[i])) {
@@ -92,8 +96,9 @@ bool is_simulated(const Effect& effect) {
     return effect.of_instrument() || effect.of_grains() || effect.of_condition();
 }
 
-/// Whether an effect on beads or liquid leaves every run as it is, as a contact angle does that is
-/// kept from falling below 0. An effect that is always on may be given its present value.
+/// Whether an effect of type ChangeCondition leaves every run unchanged, as a negative contact
+/// angle does that is limited to 0. An effect that is always on may have its present value: returns
+/// false.
 bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
     if (!active.effect->of_condition() || active.effect->given_by_liquid) {
         return false;
@@ -110,7 +115,8 @@ bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
     });
 }
 
-/// Effects that a laboratory cannot have, or that would change none of its recordings.
+/// Checks the effects of a plan.
+/// @throws InputError for an effect that is not simulated or that changes no recording
 void check_effects(const LabPlan& plan) {
     for (const ActiveEffect& active : plan.effects) {
         const std::string what = to_string(active);
@@ -176,7 +182,8 @@ std::vector<PlannedRecording> recordings_of(const LabPlan& plan) {
 
 namespace {
 
-/// @throws InputError in place of std::domain_error
+/// Returns the true state at the requested condition; see `truth_at_set_points`.
+/// @throws InputError where no true state is shown as the requested condition
 CellState truth_of(const LabPlan& plan, const Condition& asked, const FlowPoint& flow,
                    const InstrumentMap& map) {
     try {
@@ -209,7 +216,7 @@ CellState shown_at_set_points(const LabPlan& plan, const Condition& asked, const
 
 namespace {
 
-/// The effects on grains of a condition, in the units of its runs.
+/// Returns the effects on grains of a condition, with values in the units of its runs.
 std::vector<EffectValues> run_effects(const LabPlan& plan, const EffectiveCondition& condition) {
     std::vector<EffectValues> effects;
     for (const EffectValues& values : condition.grain_effects) {

@@ -12,67 +12,75 @@
 
 namespace pendular {
 
-/// Plan of a virtual laboratory: conditions, instrument and hidden truth; SI units.
+/// Plan of a virtual laboratory, which simulates rheometer recordings with known effects:
+/// conditions, instrument, and the friction and effects that a calibration has to find. SI units.
 struct LabPlan {
-    double friction = 0.09;
+    double friction = 0.09;  ///< true friction coefficient [1]
     GrainProperties grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
     Liquid liquid = {.surface_tension = 20.6e-3};
     AnnularCell cell = {.inner_radius = 21e-3, .outer_radius = 45e-3, .bead_volume = 60e-3 / 1050};
-    std::vector<double> dry_normal_stresses = {300, 1000, 3000};
-    std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};
-    std::vector<double> liquid_contents = {0.007, 0.03};  ///< none: dry recordings only
-    std::vector<double> inertial_numbers = {3e-3, 3e-2};
-    std::vector<ActiveEffect> effects;  ///< hidden; built-in ones
-    int replicates = 2;
+    std::vector<double> dry_normal_stresses = {300, 1000, 3000};       ///< [Pa]
+    std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};  ///< [Pa]
+    /// Liquid contents Phi_L/Phi_S of the wet recordings [1]; empty: dry recordings only.
+    std::vector<double> liquid_contents = {0.007, 0.03};
+    std::vector<double> inertial_numbers = {3e-3, 3e-2};  ///< [1]
+    std::vector<ActiveEffect> effects;  ///< built-in effects that act, hidden from the study
+    int replicates = 2;                 ///< recordings per liquid content
     Instrument instrument;
     Fidelity fidelity;
     std::uint64_t seed = 1;
 };
 
-/// A recording to be made: a replicate of all steps of one liquid content.
+/// A recording to be simulated: one replicate of all steps (constant set points) of one liquid
+/// content.
 struct PlannedRecording {
-    std::string file;
-    double liquid_content = 0;
-    int replicate = 1;
-    std::uint64_t seed = 0;             ///< of the instrument
-    std::vector<Condition> conditions;  ///< asked for, in the order measured, with their times
+    std::string file;                   ///< file name, as in "wet_0.03_1.csv"
+    double liquid_content = 0;          ///< Phi_L/Phi_S [1]; 0: dry
+    int replicate = 1;                  ///< number of the replicate, from 1
+    std::uint64_t seed = 0;             ///< seed of the instrument's noise
+    std::vector<Condition> conditions;  ///< requested condition of each step, with its time
 };
 
-/// All recordings of the plan, which follow one another without a pause. The time of a step is the
-/// mean time of its steady part, as `import` finds it; effects of time act on a step as they do
-/// then.
+/// Returns all recordings of the plan, which follow one another without a pause. The time of a step
+/// is the mean time of its steady part, as `import` finds it; effects that depend on time have
+/// their value at this time throughout the step.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
-/// True conditions behind the requested condition that the instrument shows: effects of the
-/// instrument undone, those on beads and liquid applied, those on grains listed.
+/// Returns the condition that is truly imposed where the instrument shows the requested condition
+/// `asked`: effects on the instrument are inverted, effects of type ChangeCondition are applied,
+/// and effects on grains are listed in `grain_effects`.
 ///
-/// The height of the sample is not known before it has been simulated, so that here it is that of a
-/// typical solid fraction, 0.6. The recording uses the simulated height: it shows the true state
-/// exactly, at the requested set points (`shown_at_set_points`). The simulated heights differ from
-/// the typical one by up to 4 %, which puts the simulated condition off by about 0.1 %.
-/// @throws InputError where no true state is shown so
+/// The height of the sample is unknown before the simulation and is taken at a typical solid
+/// fraction of 0.6. The recording uses the simulated height instead, so that it shows the true
+/// state exactly at the requested set points (`shown_at_set_points`). The simulated heights differ
+/// from the typical height by up to 4 %, which shifts the simulated condition by about 0.1 %.
+/// @throws InputError where no true state is shown as the requested condition
 EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked);
 
-/// State that the instrument shows, without noise, for grains with this flow at a requested
-/// condition.
-/// @throws InputError as imposed_condition
+/// Returns the state that the instrument shows, without noise, at the requested condition `asked`
+/// for grains with the stress ratio and solid fraction of `flow`.
+/// @throws InputError where no true state is shown as the requested condition
 CellState shown_at_set_points(const LabPlan& plan, const Condition& asked, const FlowPoint& flow);
 
-/// Refuses, before any work, what cannot be simulated, recorded or told apart.
-/// @throws InputError saying what is wrong and what to do
+/// Checks that a plan can be simulated and recorded, and that the values of each set point differ
+/// from each other by at least 5 %.
+/// @throws InputError where it does not pass, naming the error and a remedy
 void check_plan(const LabPlan& plan);
 
-/// Condition of every step of one recording, in the order measured, without their times.
+/// Returns the requested condition of each step of a recording with this liquid content [1], in the
+/// order of measurement, without times.
 std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content);
 
-/// Liquid contents of the recordings [1]: 0 (dry), then each wet one.
+/// Returns the liquid contents of the recordings [1]: 0 (dry), then those of `liquid_contents`.
 std::vector<double> contents_of(const LabPlan& plan);
 
-/// Run that gives the true state at an imposed condition.
+/// Returns the parameters of the run that simulates an imposed condition, without a seed.
+/// `bridge_volume`: V0/a^3 [1], for wet conditions.
 dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& condition,
                           double bridge_volume);
 
-/// Smaller and shorter run, to find the bridge volume.
+/// Returns the parameters of a pilot run: a smaller and shorter run at an imposed condition, which
+/// gives the liquid content for a bridge volume V0/a^3 [1].
 dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condition,
                             double bridge_volume);
 

@@ -20,13 +20,15 @@ struct Trial {
     double content = 0;
 };
 
-/// Bridge volume that gives the liquid content at the coordination of the trial.
+/// Returns the bridge volume that gives the wanted liquid content at the coordination number of the
+/// trial.
 double at_same_coordination(const Trial& trial, double wanted) {
     return trial.volume * wanted / trial.content;
 }
 
-/// Root of the secant through two trials, in logarithms. Its slope is kept near one, which noise in
-/// two trials that lie close together must not change.
+/// Returns the bridge volume where the secant through two trials, in logarithms, has the wanted
+/// liquid content. The slope is limited to 0.8 to 1.25, since noise dominates it where the trials
+/// are close.
 double secant(const Trial& first, const Trial& second, double wanted) {
     const double slope =
         std::log(second.content / first.content) / std::log(second.volume / first.volume);

@@ -17,13 +17,14 @@ namespace {
 
 constexpr int most_attempts = 4;
 
-/// The runs of one laboratory, whose seeds follow one another.
+/// Carries out the runs of one laboratory, with consecutive seeds.
 class Runs {
   public:
     Runs(const LabPlan& plan, const Workers& workers) : seed_(plan.seed), workers_(workers) {}
 
-    /// Carries out runs with fresh seeds, and again, with others, those that `complaint` finds
-    /// unusable.
+    /// Carries out runs with new seeds, and repeats with other seeds the runs for which `complaint`
+    /// returns a reason why they are unusable. Returns the usable results in the order of `runs`.
+    /// @throws dem::SimulationError where a run remains unusable after `most_attempts` attempts
     template <typename Complaint>
     std::vector<dem::RunResult> simulate_all(std::vector<dem::RunParameters> runs,
                                              const Complaint& complaint) {
@@ -85,7 +86,7 @@ std::string unusable(const dem::RunResult& run) {
     return why.empty() && !run.steady ? "was never steady" : why;
 }
 
-/// Recordings without their runs yet.
+/// Returns the recordings of a plan, with the condition of each step but without runs.
 std::vector<LabRecording> planned_recordings(const LabPlan& plan) {
     std::vector<LabRecording> recordings;
     for (const PlannedRecording& planned : recordings_of(plan)) {
@@ -101,7 +102,7 @@ std::vector<LabRecording> planned_recordings(const LabPlan& plan) {
     return recordings;
 }
 
-/// Wet conditions that take bridges of their own, each once.
+/// Distinct wet conditions of all recordings, each of which needs its own bridge volume.
 class WetConditions {
   public:
     WetConditions(const LabPlan& plan, const std::vector<LabRecording>& recordings) : plan_(plan) {
@@ -113,13 +114,13 @@ class WetConditions {
     }
 
     const std::vector<EffectiveCondition>& all() const { return conditions_; }
-    /// Place of a condition among them.
+    /// Returns the index of a condition in `all`.
     std::size_t place_of(const EffectiveCondition& condition) const {
         return places_.at(key_of(condition));
     }
 
   private:
-    /// All quantities that determine a run and its liquid content.
+    /// Returns a text of all quantities that determine a run and its liquid content.
     std::string key_of(const EffectiveCondition& condition) const {
         return fmt::format("{} {}", condition.liquid_content,
                            run_description(run_at(plan_, condition, 0)));
@@ -135,7 +136,7 @@ class WetConditions {
     std::map<std::string, std::size_t> places_;
 };
 
-/// Bridge volume of every wet condition, found by pilots.
+/// Returns the bridge volume V0/a^3 [1] of each wet condition, found by pilot runs.
 std::vector<double> find_bridge_volumes(const LabPlan& plan,
                                         const std::vector<EffectiveCondition>& conditions,
                                         Runs& runs, LabResult& result,
@@ -162,7 +163,7 @@ std::vector<double> find_bridge_volumes(const LabPlan& plan,
     });
 }
 
-/// Runs whose standard errors exceed the scatter planned for the recording.
+/// Adds a note where the standard errors of the runs exceed the scatter planned for the recordings.
 void note_scatter(LabResult& result) {
     const double noise = result.plan.instrument.noise;
     const double torque = typical_error(result, dem::Observable::stress_ratio);

@@ -12,43 +12,44 @@ namespace pendular {
 
 /// One step of a recording: the imposed condition and the run that gives the true state.
 struct LabStep {
-    Condition condition;         ///< asked for: what the instrument shows
-    EffectiveCondition imposed;  ///< what is truly imposed, as simulated (`imposed_condition`)
-    dem::RunResult run;
+    Condition condition;         ///< requested condition, which the instrument shows
+    EffectiveCondition imposed;  ///< truly imposed condition (`imposed_condition`)
+    dem::RunResult run;          ///< simulation at the imposed condition
 };
 
-/// One recording: a replicate of all steps of one liquid content.
+/// One recording: a replicate of all steps (constant set points) of one liquid content.
 struct LabRecording {
-    std::string file;
-    double liquid_content = 0;
-    int replicate = 1;
-    std::uint64_t seed = 0;  ///< of the instrument
+    std::string file;           ///< file name, as in "wet_0.03_1.csv"
+    double liquid_content = 0;  ///< Phi_L/Phi_S [1]; 0: dry
+    int replicate = 1;          ///< number of the replicate, from 1
+    std::uint64_t seed = 0;     ///< seed of the instrument's noise
     std::vector<LabStep> steps;
 };
 
+/// Simulated recordings of a virtual laboratory, with the plan that they follow.
 struct LabResult {
     LabPlan plan;
     std::vector<LabRecording> recordings;
-    std::size_t pilots = 0;          ///< short runs made to find bridge volumes
+    std::size_t pilots = 0;          ///< number of short runs that found bridge volumes
     std::vector<std::string> notes;  ///< lines the user should read
 };
 
-/// Called with the name of each phase of the work before its runs begin.
+/// Callback that receives the name of each phase of the work before its runs begin.
 using AnnouncePhase = std::function<void(const std::string&)>;
 
-/// Simulates every step of every recording, each on its own: no two share a seed, and none shares
-/// its seed with a run of a calibration of equal seed (seeds.h) or its number of grains, which is
-/// 1.5 times the fidelity's. Bridge volumes that give the liquid contents are found by short runs
-/// first. A run that fails, crystallises or is not steady is replaced by one of another seed, three
-/// times at most.
-/// @throws InputError as `check_plan`
+/// Simulates each step of each recording in a run of its own with its own seed. No run has a seed
+/// of a calibration that starts from the same user's seed (seeds.h), and each has 1.5 times as many
+/// grains as the fidelity. Short runs first find the bridge volumes that give the liquid contents.
+/// A run that fails, crystallises or is not steady is repeated with another seed, at most three
+/// times.
+/// @throws InputError where `check_plan` does not accept the plan
 /// @throws dem::SimulationError where a step has no usable run
 /// @throws dem::Interrupted when a stop is requested
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers,
                        const AnnouncePhase& announce = {});
 
-/// Typical standard error of an observable in the laboratory's runs, relative [1]: the median,
-/// since the error of one run is itself known from few independent samples only.
+/// Returns the typical relative standard error [1] of an observable in the laboratory's runs: the
+/// median, since few independent samples determine the error of a single run.
 double typical_error(const LabResult& result, dem::Observable which);
 
 }  // namespace pendular

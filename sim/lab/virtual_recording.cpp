@@ -22,7 +22,7 @@ constexpr double torque_correlation_strain = 0.03, height_correlation_strain = 0
 
 constexpr double load_cell_noise = 0.002;
 
-/// Share of the scatter that comes from noise within the step.
+/// Standard deviation due to noise within the step, over the total scatter of the step's mean.
 constexpr double share_within = 0.25;
 
 double square(double x) {
@@ -39,8 +39,8 @@ class InstrumentNoise {
     std::normal_distribution<double> normal_;
 };
 
-/// Noise x_k = rho x_(k-1) + ... whose mean over `rows` has a given standard error: of variance
-/// se^2 rows (1 - rho)/(1 + rho).
+/// First-order autoregressive noise x_k = rho x_(k-1) + ... whose mean over `rows` has a given
+/// standard error se, so that its variance is se^2 rows (1 - rho)/(1 + rho).
 class CorrelatedNoise {
   public:
     CorrelatedNoise(double error_of_mean, double correlation_rows, double rows)
@@ -61,20 +61,20 @@ class CorrelatedNoise {
     bool started_ = false;
 };
 
-/// Random factor of a step: the part of the scatter that is not due to the simulation's error and
-/// the noise within the step.
+/// Returns the random factor of a step, with the part of the scatter that is not due to the
+/// simulation's standard error or to noise within the step.
 double factor(const Mean& simulated, double scatter, InstrumentNoise& random) {
     const double known = square(simulated.standard_error / simulated.value);
     const double left = square(scatter) * (1 - square(share_within)) - known;
     return 1 + std::sqrt(std::max(0.0, left)) * random();
 }
 
-/// The steady level of a step: what the instrument shows once the transient is over.
+/// Steady values that the instrument shows in a step after the transient.
 struct Level {
     double torque, normal_force, height, angular_velocity, shear_rate;
 };
 
-/// State that an ideal instrument shows.
+/// Returns the state that an ideal instrument shows, without effects and noise.
 CellState as_it_is(const TrueState& state, const AnnularCell& cell, const GrainProperties& grains) {
     const Condition& c = state.condition;
     const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
@@ -96,11 +96,11 @@ Level level_of(const TrueState& state, const AnnularCell& cell, const GrainPrope
     const Condition& c = state.condition;
     const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
     const CellState shown = state.shown.value_or(as_it_is(state, cell, grains));
-    // Named one by one, since the order of random numbers is part of a recording.
+    // In separate statements, since the order of random numbers is part of a recording.
     const double of_torque = factor(state.stress_ratio, instrument.noise * torque_scatter, random);
     const double of_height =
         factor(state.solid_fraction, instrument.noise * solid_fraction_scatter, random);
-    // A solid fraction shown too high is a gap shown too small.
+    // If the shown solid fraction is too high, the shown gap is too small.
     return {shown.torque * of_torque, shown.normal_force, shown.height / of_height,
             shown.angular_velocity, rate};
 }
@@ -155,7 +155,7 @@ double time_steps(std::vector<Condition>& steps, const GrainProperties& grains,
 Recording record(const std::vector<TrueState>& steps, const AnnularCell& cell,
                  const GrainProperties& grains, const Instrument& instrument, std::uint64_t seed) {
     InstrumentNoise random(seed);
-    InstrumentNoise drifting(seed + 1);  // apart, so that recordings without drift stay as they are
+    InstrumentNoise drifting(seed + 1);  // separate, so that drift changes no other random number
     const double of_torque = instrument.drift * torque_scatter * drifting();
     const double of_height = instrument.drift * solid_fraction_scatter * drifting();
     Recording recording;

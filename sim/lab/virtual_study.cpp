@@ -56,7 +56,8 @@ std::string study_toml(const LabResult& result) {
            "effects = []\n";
 }
 
-/// True state of a step, with the laboratory's typical errors.
+/// Returns the true state of a step, with the typical relative standard errors of the laboratory's
+/// runs.
 TrueState true_state(const LabPlan& plan, const LabStep& step, double ratio_error,
                      double fraction_error) {
     Mean ratio = step.run[dem::Observable::stress_ratio];

@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// Files of the study that a virtual laboratory writes, recordings and study.toml, by name. They do
-/// not contain the truth.
+/// Returns the files of the study that a virtual laboratory writes, its recordings and study.toml,
+/// as text by file name. The files do not contain the true friction and the effects.
 std::map<std::string, std::string> study_files(const LabResult& result);
 
 }  // namespace pendular

@@ -21,13 +21,13 @@ namespace pendular {
 namespace {
 
 constexpr std::size_t most_runs = 1'000'000;
-constexpr double most = 1e9;  ///< of a whole number
+constexpr double most = 1e9;  ///< largest whole number in a campaign file
 
 bool is_count(double value) {
     return value >= 0 && value <= most && value == std::floor(value);
 }
 
-/// A parameter of an effect on grains as a number that determines a run, "EFFECT.PARAMETER".
+/// Returns the column "EFFECT.PARAMETER" for a parameter of an effect on grains.
 RunColumn column_of(const Effect& effect, std::size_t which) {
     return {.name = fmt::format("{}.{}", effect.name, effect.parameters[which].name),
             .type = RunColumn::Type::real,
@@ -57,8 +57,8 @@ const std::vector<RunColumn>& effect_parameters() {
     return all;
 }
 
-/// Columns that a campaign file may set: the numbers that determine a run, without those that the
-/// campaign chooses itself, and the parameters of effects on grains.
+/// Columns that a campaign file may set: the parameters of effects on grains and the numbers that
+/// determine a run, except seed, start and threads, which the campaign chooses.
 const std::vector<const RunColumn*>& parameters() {
     static const std::vector<const RunColumn*> all = [] {
         std::vector<const RunColumn*> columns;
@@ -88,7 +88,8 @@ std::vector<std::string> keys_and(const std::vector<std::string>& others) {
     return keys;
 }
 
-/// The numbers of a parameter; those of an effect, "EFFECT.PARAMETER", stand in a table of its own.
+/// Returns the numbers that a table gives for a parameter. A parameter "EFFECT.PARAMETER" is read
+/// from the table of the effect.
 std::vector<double> numbers_of(const StudyTable& table, const RunColumn& parameter) {
     const auto dot = parameter.name.find('.');
     if (dot == std::string::npos) {
@@ -101,7 +102,8 @@ std::vector<double> numbers_of(const StudyTable& table, const RunColumn& paramet
     return own ? own->numbers(parameter.name.substr(dot + 1)) : std::vector<double>{};
 }
 
-/// A whole number of a table, `missing` where the key is not there.
+/// Returns a whole number of a table, or `missing` where the table does not have the key.
+/// @throws InputError for a number below `least`, above `most_runs` or not whole
 std::size_t count(const StudyTable& table, std::string_view key, double missing, double least) {
     const double value = table.quantity(key, "1").value_or(missing);
     if (value < least || value != std::floor(value) || value > most_runs) {
@@ -131,7 +133,7 @@ Columns columns_of(const StudyTable& table) {
     return columns;
 }
 
-/// One point of a table: what to set in a run.
+/// One point of a table: the columns to set in a run, with their values.
 using Point = std::vector<std::pair<const RunColumn*, double>>;
 
 std::vector<Point> grid_points(const StudyTable& table) {
@@ -197,7 +199,7 @@ std::vector<Point> sobol_points(const StudyTable& table) {
         throw InputError(table.position(), "[[sobol]] has no range; write key = [least, greatest]");
     }
     boost::random::sobol sequence(ranges.size());
-    sequence.discard(ranges.size());  // the corner of all least values
+    sequence.discard(ranges.size());  // the point where all values are least
     const double scale = std::ldexp(1.0, -64);
     std::vector<Point> points(wanted);
     for (Point& point : points) {
@@ -229,7 +231,7 @@ dem::RunParameters run_at(const Point& point) {
     return run.parameters;
 }
 
-/// Fingerprint of all that determines a run except its seed.
+/// Returns the fingerprint of all parameters that determine a run except its seed.
 std::uint64_t own_fingerprint(dem::RunParameters run) {
     run.seed = 0;
     return fingerprint(run_description(run));

@@ -7,9 +7,10 @@
 
 namespace pendular {
 
-/// Runs that a campaign file requests, in its order, each once.
+/// Reads a campaign file and returns the runs that it requests, without duplicates: first all runs
+/// of the [[grid]] tables, then of [[list]], then of [[sobol]].
 ///
-///     seed = 1                            # of all its runs
+///     seed = 1                            # from which the seed of every run follows
 ///     [[grid]]                            # every combination
 ///     friction = [0.05, 0.09, 0.15]
 ///     inertial_number = [0.003, 0.01]
@@ -22,15 +23,17 @@ namespace pendular {
 ///     inertial_number = [1e-3, 0.1]
 ///     logarithmic = ["inertial_number"]
 ///
-/// Keys of each table: the columns that determine a run (`reduced_pressure` makes grains wet),
-/// numbers or arrays, 1 throughout; `repeats`: runs of each that differ in their seed alone. A
-/// run's seed follows from the file's seed and from its own parameters, so that a longer campaign
-/// repeats no run of a shorter one under another seed.
-/// @throws InputError at the line of what is wrong: syntax, an unknown key, a value out of range
+/// Keys of each table are numeric columns that determine a run (`reduced_pressure` makes the grains
+/// wet), as dimensionless numbers or arrays, effects on grains, as tables of their parameters, and
+/// `repeats`, the number of runs at each point that differ only in their seed. The seed of a run
+/// follows from the file's seed and the run's parameters, so that a campaign that is extended
+/// requests its earlier runs with their earlier seeds.
+/// @throws InputError at the line of a syntax error, an unknown key, a value out of range or a run
+///         that cannot be simulated, and where the file requests no run or too many
 std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file);
 
-/// Runs of one of several shares of about equal cost; the shares do not depend on the stored runs.
-/// `share` counts from 1.
+/// Divides `runs` into `shares` shares of about equal cost and returns share number `share`,
+/// counted from 1. The division does not depend on which runs a store already holds.
 std::vector<dem::RunParameters> share_of(const std::vector<dem::RunParameters>& runs, int share,
                                          int shares);
 

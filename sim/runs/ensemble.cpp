@@ -23,7 +23,7 @@ double expected_cost(const dem::RunParameters& run) {
 
 std::optional<double> expected_seconds(const std::vector<dem::RunParameters>& runs,
                                        const std::vector<dem::RunResult>& measured, int threads) {
-    // Bridges and effects make a step dearer.
+    // Bridges and effects make a time step more expensive.
     const auto kind = [](const dem::RunParameters& p) {
         return std::pair(p.wetting.has_value(), !p.effects.empty());
     };
@@ -67,7 +67,7 @@ dem::RunResult run_one(const dem::RunParameters& run, const dem::RunOptions& opt
     try {
         return simulate(run, options);
     } catch (const dem::SimulationError& error) {
-        // One sample that fails costs itself only.
+        // The failure of one sample must not end the other runs.
         return {.parameters = run, .failure = error.what()};
     }
 }
@@ -110,7 +110,7 @@ class Ensemble {
     }
 
   private:
-    /// Takes the runs that the store has; the remaining ones are the work.
+    /// Reads the runs that the store has, so that only the remaining runs are carried out.
     void take_stored() {
         std::erase_if(order_, [&](std::size_t k) {
             auto stored = workers_.store->find(runs_[k]);
@@ -153,7 +153,7 @@ class Ensemble {
 
     void note(std::size_t k, double fraction) {
         const std::lock_guard lock(mutex_);
-        // A run may find that it needs more strain; the progress shown never goes back.
+        // A run may find that it needs more strain; the reported progress never decreases.
         done_[k] = std::max(done_[k], fraction);
         if (!workers_.report) {
             return;

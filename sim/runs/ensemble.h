@@ -11,46 +11,53 @@ namespace pendular {
 
 class RunStore;
 
-/// Progress of a group of runs.
+/// Progress of a group of runs that are carried out together.
 struct EnsembleProgress {
     std::size_t runs_done = 0;
-    std::size_t runs = 0;
-    double fraction = 0;      ///< of the work, by grain-steps expected
-    double seconds_left = 0;  ///< estimated from the speed so far; 0 while not known
+    std::size_t runs = 0;     ///< number of runs in the group
+    double fraction = 0;      ///< completed fraction of the work, by `expected_cost` [1]
+    double seconds_left = 0;  ///< estimate from the speed so far [s]; 0 while unknown
 };
+/// Callback that receives the progress.
 using EnsembleReport = std::function<void(const EnsembleProgress&)>;
 
-/// Execution of runs: number of threads, stop flag, progress callback and store.
+/// How runs are carried out: number of threads, stop flag, progress callback and store.
 struct Workers {
     int threads = 1;
     std::stop_token stop;
-    EnsembleReport report;      ///< called from one thread at a time
-    RunStore* store = nullptr;  ///< receives every run as it ends, with its time series and final
-                                ///< state, which are then not among the results
-    bool reads_store = true;    ///< runs that are in the store are not carried out again
+    EnsembleReport report;  ///< called from one thread at a time
+    /// Store that receives every run as it ends, with its time series and final state, which are
+    /// then omitted from the results; null: no store.
+    RunStore* store = nullptr;
+    /// Whether a run that is in the store is read from it instead of being simulated again.
+    bool reads_store = true;
 };
 
-/// Carries out independent runs side by side, one core each, the longest first. The results come in
-/// the order asked for and do not depend on the number of threads. A run whose simulation fails has
-/// RunResult::failure set and nothing else. One taken from a store has no profiles.
-/// @throws std::invalid_argument, dem::Interrupted and what the store throws: the first of them,
-/// after the others have stopped
+/// Carries out independent runs in parallel, one thread each, the longest first. Returns the
+/// results in the order of `runs`; they do not depend on the number of threads. The result of a run
+/// whose simulation fails holds only its parameters and RunResult::failure. A run read from a store
+/// has no profiles.
+/// @throws std::invalid_argument for a run that cannot be simulated, dem::Interrupted on a stop
+///         request, and whatever the store throws; the first error ends the other runs
 std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers);
 
-/// Carries out one run. If its simulation fails, only RunResult::failure is set.
+/// Carries out one run. If its simulation fails, the result holds only the parameters of the run
+/// and RunResult::failure.
 dem::RunResult run_one(const dem::RunParameters& run, const dem::RunOptions& options);
 
-/// Order in which to start the runs: the costliest first, so that the last ones to end are short.
+/// Returns the indices of `runs` by decreasing expected cost: the order in which to start them, so
+/// that no long run is left to the end.
 std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& runs);
 
-/// Expected cost of a run [grains times time steps], transient included; meant for comparison of
-/// runs only.
+/// Returns the expected cost of a run, transient included, in arbitrary units proportional to
+/// grains times time steps; for comparison between runs.
 double expected_cost(const dem::RunParameters& run);
 
-/// Time that runs will take on so many threads, a run on each [s]: `expected_cost` at the median
-/// speed of measured runs, with or without bridges and effects like them where there are such, in
-/// all no less than the longest run. Empty where no run was measured.
+/// Returns the wall time [s] that `runs` are expected to take on `threads` threads, one run per
+/// thread, from their `expected_cost` and the median speed of the `measured` runs. The speed of a
+/// run is taken from measured runs that also have bridges or none and effects or none, if there are
+/// any, else from all. The time is at least that of the longest run; empty if no run was measured.
 std::optional<double> expected_seconds(const std::vector<dem::RunParameters>& runs,
                                        const std::vector<dem::RunResult>& measured, int threads);
 

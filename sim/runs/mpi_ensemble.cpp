@@ -65,7 +65,8 @@ struct Received {
     std::string bytes;
 };
 
-/// Waits for a message without keeping a core busy, as MPI itself would.
+/// Waits for a message and returns it. Unlike MPI_Recv, the wait does not keep a core busy.
+/// @throws dem::Interrupted when a stop is requested
 Received receive(const std::stop_token& stop) {
     for (;;) {
         int there = 0;

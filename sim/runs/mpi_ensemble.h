@@ -6,12 +6,12 @@
 
 namespace pendular {
 
-/// The processes that mpirun started this one with, for the life of this object: rank 0 manages,
-/// the others carry out runs it hands them.
+/// MPI processes of this program. The constructor initialises MPI and the destructor finalises it.
+/// Rank 0 distributes runs to the other ranks, which carry them out.
 class MpiProcesses {
   public:
-    /// Whether this process was started by mpirun, mpiexec or srun with MPI. Costs nothing, so that
-    /// MPI is only initialised where it is used.
+    /// Whether mpirun, mpiexec or srun started this process with MPI. Reads environment variables
+    /// only, so that MPI need not be initialised to find out.
     static bool there();
 
     MpiProcesses();
@@ -19,19 +19,25 @@ class MpiProcesses {
     MpiProcesses(const MpiProcesses&) = delete;
     MpiProcesses& operator=(const MpiProcesses&) = delete;
 
+    /// Whether this process is rank 0, which distributes the runs.
     bool manager() const { return rank_ == 0; }
+    /// Number of ranks that carry out runs.
     int workers() const { return size_ - 1; }
 
-    /// Rank 0: has the runs carried out, the longest first, a worker each, and keeps every one as
-    /// it comes back. Of `workers` only `stop`, `report` and `store` are used; the store is this
-    /// process's alone, so that machines need share no disk.
-    /// @throws dem::Interrupted, and what the store throws; the others must then be ended
+    /// On rank 0: distributes the runs to the other ranks, the longest first, one at a time to each
+    /// rank, and adds each result to the store when it arrives. Only `stop`, `report` and `store`
+    /// of `workers` are used; `store` must be set. Only rank 0 accesses the store, so that the
+    /// machines need no shared disk.
+    /// @throws dem::Interrupted on a stop request, std::runtime_error where another rank runs
+    ///         another version of the program, and whatever the store throws; the caller must then
+    ///         end the other ranks with `abort`
     void manage(const std::vector<dem::RunParameters>& runs, const Workers& workers) const;
 
-    /// Other ranks: carries out what rank 0 sends until it sends no more.
+    /// On other ranks: carries out the runs that rank 0 sends, until rank 0 sends the end.
+    /// @throws dem::Interrupted when a stop is requested
     void work(const std::stop_token& stop) const;
 
-    /// Ends every process, this one included.
+    /// Aborts all MPI processes of the ensemble, including this one, by MPI_Abort; does not return.
     [[noreturn]] void abort(int exit_code) const;
 
   private:

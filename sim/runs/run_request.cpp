@@ -16,7 +16,8 @@
 namespace pendular {
 namespace {
 
-/// @throws std::invalid_argument
+/// Checks that an effect with these values, in the units of a run, can act on a dry or wet run.
+/// @throws std::invalid_argument where it cannot
 void check_effect(const Effect& effect, const std::vector<double>& values, bool wet) {
     if (!effect.of_grains()) {
         throw std::invalid_argument(
@@ -30,7 +31,7 @@ void check_effect(const Effect& effect, const std::vector<double>& values, bool 
     }
     for (std::size_t k = 0; k < values.size(); ++k) {
         const EffectParameter& p = effect.parameters[k];
-        // In the units of a run there is no upper bound but for pure numbers.
+        // In the units of a run only dimensionless parameters have an upper bound.
         const bool pure = p.unit == "1";
         if (!(values[k] >= p.lower) || (pure && values[k] > p.upper) || !std::isfinite(values[k])) {
             throw std::invalid_argument(fmt::format("{}.{} = {} is beyond its bounds, {} to {}",

@@ -4,15 +4,16 @@
 
 namespace pendular {
 
-/// Purpose of random numbers. Each purpose has its own seeds: a calibration whose runs started from
-/// the same samples as its measurement would test nothing.
+/// Purpose of random numbers. Each purpose has its own seeds, so that a calibration never starts
+/// its runs from the same samples as the virtual measurement that it is tested on.
 enum class SeedDomain : std::uint64_t { calibration, instrument, virtual_lab, run_places };
 
-/// Seed of one of many runs, well mixed from the user's seed and the run's number.
+/// Returns the seed of run number `run`, a hash of the user's seed, this number and the purpose.
 ///     z = seed x A + (run + 1) x B + domain x 2^62 (mod 2^64), A and B odd, then the finalizer of
 ///     splitmix64, which maps no two z to the same seed
-/// At equal `seed`, runs of one domain never share a seed, and runs of two domains could only where
-/// their numbers differ by a multiple of 2^62: B being odd, B n = k 2^62 demands n = k' 2^62.
+/// At equal `seed`, two runs of one domain never have the same seed. Runs of two domains can have
+/// the same seed only where their numbers differ by a multiple of 2^62, since B is odd:
+///     B n = k 2^62 requires n = k' 2^62
 /// Source: Steele, Lea and Flood, OOPSLA (2014) 453, "Fast splittable pseudorandom number
 /// generators".
 constexpr std::uint64_t seed_of_run(std::uint64_t seed, std::uint64_t run,

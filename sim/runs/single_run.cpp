@@ -8,7 +8,8 @@
 namespace pendular {
 namespace {
 
-/// Condition of a run as effects see it. Effects may only reduce its liquid content.
+/// Returns the condition of a run, to which effects are applied. Its liquid content is approximate;
+/// effects may only set it to 0.
 EffectiveCondition condition_of(const dem::RunParameters& run, const RunScale& scale) {
     EffectiveCondition condition;
     condition.normal_stress = scale.normal_stress;
@@ -81,7 +82,7 @@ dem::RunParameters changed_run(dem::RunParameters run, const std::vector<ActiveE
     if (condition.dry()) {
         run.wetting.reset();
     } else {
-        // At the same normal stress; the ratio is 1 to the last bit where no effect changes it.
+        // The normal stress is unchanged; the ratio is exactly 1 where no effect changes the force.
         run.wetting->reduced_pressure *=
             pull_off_force(own.grains, own.liquid) / pull_off_force(own.grains, *condition.liquid);
     }

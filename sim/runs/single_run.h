@@ -9,27 +9,29 @@
 
 namespace pendular {
 
-/// Grains, liquid and stress that a single run in reduced units stands for, where an effect has
-/// parameters in SI units.
+/// Grains, liquid and normal stress that convert between SI units and the reduced units of a single
+/// run, for effects with parameters in SI units.
 struct RunScale {
     GrainProperties grains{.diameter = 500e-6, .density = 1050};
     Liquid liquid{.surface_tension = 20.6e-3};
-    double normal_stress = 1000;  ///< [Pa] of dry grains
+    double normal_stress = 1000;  ///< normal stress on dry grains [Pa]
 
-    /// Scale with the normal stress [Pa] of a wet run: s22 = P* F0/a^2.
+    /// Returns the scale of a run. For a wet run the normal stress [Pa] follows from its reduced
+    /// pressure, s22 = P* F0/a^2; for a dry run it is unchanged.
     RunScale of(const dem::RunParameters& run) const;
 };
 
-/// Why a single run cannot have an effect, for messages; empty where it can.
+/// Returns the reason why an effect cannot act on a single run, for messages; empty where it can.
 std::string why_no_run_has(const Effect& effect);
 
-/// Whether what an effect does to a run depends on its scale.
+/// Whether an effect has a parameter with a unit that RunScale must convert for a run.
 bool needs_scale(const Effect& effect);
 
-/// A run as effects on its grains and its liquid make it, at its scale: those of type
-/// ChangeCondition change friction and reduced pressure, those on grains are brought to its units.
-/// @throws std::invalid_argument for an effect that a single run cannot have or that does not touch
-///         its grains, dry or wet as they are
+/// Returns a run as changed by effects. Effects of type ChangeCondition change friction and reduced
+/// pressure; effects on grains are added with their values, in SI units, converted to the units of
+/// the run. `scale`: grains, liquid and normal stress of the conversion.
+/// @throws std::invalid_argument for an effect that cannot act on a single run, acts on wet grains
+///         where the run is dry, or acts on dry grains where the run is wet
 dem::RunParameters changed_run(dem::RunParameters run, const std::vector<ActiveEffect>& effects,
                                const RunScale& scale);
 

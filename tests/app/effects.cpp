@@ -65,7 +65,7 @@ TEST(Effects, ShowsOneEntryWhole) {
     const Outcome run = run_pendular("effects torque-offset");
     EXPECT_EQ(run.code, 0) << run.errors;
     for (const char* part :
-         {"T_shown = T + torque",
+         {"T_shown = T + T_drag",
           "torque [N m], -0.1 to 0.1, neutral at 0, smallest of interest 0.0001", "1/normal_stress",
           "Schulze", "effects = [\"torque-offset\"]",
           "pendular virtual-lab OUT --torque-offset.torque 0.0001", "all readings"})

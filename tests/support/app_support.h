@@ -12,6 +12,7 @@
 
 #include "tests/support/data_support.h"
 
+/// Content of a file; empty where there is none.
 inline std::string content_of(const std::filesystem::path& file) {
     std::ifstream stream(file);
     std::ostringstream text;
@@ -19,13 +20,14 @@ inline std::string content_of(const std::filesystem::path& file) {
     return text.str();
 }
 
-/// Result of a run of the real program.
+/// Result of a run of the `pendular` program: exit code, standard output and standard error.
 struct Outcome {
-    int code = -1;
+    int code = -1;  ///< exit code; -1: the program was ended by a signal
     std::string output, errors;
 };
 
-/// A store of this process's own, so that no test touches the user's.
+/// SQLite file for the runs that tests store, in a temporary folder of this process. Names the file
+/// in $PENDULAR_STORE, so that no test changes the user's store.
 inline const std::filesystem::path& test_store() {
     static const pendular::TemporaryFolder folder;
     static const std::filesystem::path file = [] {
@@ -36,7 +38,7 @@ inline const std::filesystem::path& test_store() {
     return file;
 }
 
-/// Runs `pendular` with these words as a user's shell would.
+/// Runs `pendular` with `words` in a shell, as a user would.
 inline Outcome run_pendular(const std::string& words) {
     test_store();
     const pendular::TemporaryFolder folder;
@@ -48,7 +50,7 @@ inline Outcome run_pendular(const std::string& words) {
             content_of(folder.path() / "err")};
 }
 
-/// Expects that `pendular` calls these words wrong and says why.
+/// Expects that `pendular` refuses `words` with exit code 2 and prints `why` on standard error.
 inline void expect_refused(const std::string& words, const std::string& why) {
     const Outcome run = run_pendular(words);
     EXPECT_EQ(run.code, 2) << words;

@@ -15,7 +15,7 @@
 
 namespace pendular {
 
-/// A folder of its own for each test, removed at its end.
+/// New temporary folder, removed with all files at the end of the object's life.
 class TemporaryFolder {
   public:
     TemporaryFolder()
@@ -29,6 +29,7 @@ class TemporaryFolder {
 
     const std::filesystem::path& path() const { return path_; }
 
+    /// Writes a file in the folder and returns its path.
     std::filesystem::path write(const std::string& name, const std::string& content) const {
         std::ofstream(path_ / name, std::ios::binary) << content;
         return path_ / name;
@@ -43,7 +44,8 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-/// Message of the InputError that an action ends in; a failure and "" if there is none.
+/// Runs an action and returns the message of the InputError that it throws. Where it throws none,
+/// the test fails and the message is empty.
 inline std::string input_error(const std::function<void()>& action) {
     try {
         action();
@@ -54,8 +56,8 @@ inline std::string input_error(const std::function<void()>& action) {
     return "";
 }
 
-/// x_t = rho x_(t-1) + noise, of standard deviation 1: its mean's variance is about
-/// (1 + rho)/(1 - rho)/n.
+/// Autoregressive series x_t = rho x_(t-1) + noise of `n` values with standard deviation 1. The
+/// variance of its mean is about (1 + rho)/(1 - rho)/n.
 inline std::vector<double> autoregressive(std::size_t n, double rho, std::mt19937_64& random) {
     std::normal_distribution<double> normal;
     std::vector<double> series(n);

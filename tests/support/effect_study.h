@@ -11,11 +11,15 @@
 #include "calib/model/rumpf.h"
 #include "tests/support/emulator_support.h"
 
-// A study as the virtual laboratory would measure it, and the emulator of the atlas as its model.
+// A study like the virtual laboratory's. Its model is the emulator of the atlas, the runs that come
+// with the program.
 namespace pendular {
 
+/// Friction coefficient that tests take as the truth [1].
 constexpr double planted_friction = 0.12;
 
+/// Study without readings: 500 um grains, a liquid and an annular cell. `base` is the base model,
+/// "dem" or "rumpf".
 inline Study study_with(const std::string& base) {
     Study study;
     study.grains = {.diameter = 500e-6, .density = 1050};
@@ -25,7 +29,8 @@ inline Study study_with(const std::string& base) {
     return study;
 }
 
-/// Conditions of the virtual laboratory, and some lower contents besides.
+/// Conditions of the virtual laboratory at two inertial numbers, dry and wet, and conditions at a
+/// lower liquid content.
 inline std::vector<Condition> conditions() {
     std::vector<Condition> all;
     double time = 0;
@@ -50,7 +55,7 @@ inline std::vector<Condition> conditions() {
     return all;
 }
 
-/// The emulator of the atlas with all its effects.
+/// Models of a study with any effects, predicted by the emulator of all atlas runs.
 class Laboratory {
   public:
     explicit Laboratory(const std::string& base, const closures::Terms& terms = {})
@@ -68,19 +73,22 @@ class Laboratory {
             inside_ = std::make_shared<RumpfModel>(simulation, study_, terms);
         }
     }
+    /// Predictor of readings with these effects.
     EffectModel predictor(std::vector<const Effect*> effects) const {
         return {inside_, study_, std::move(effects)};
     }
+    /// Model with these effects of the readings at `conditions()`.
     ModelOfReadings with(std::vector<const Effect*> effects) const {
         return {std::make_shared<EffectModel>(predictor(std::move(effects))), conditions()};
     }
 
   private:
     Study study_;
-    std::shared_ptr<const FlowPredictor> inside_;
+    std::shared_ptr<const FlowPredictor> inside_;  ///< model of the true flow without effects
 };
 
-/// Whether it can be predicted: an effect on grains needs runs in the atlas.
+/// Whether the emulator of the atlas can predict an effect: an effect on grains needs atlas runs
+/// with this effect alone.
 inline bool predictable(const Effect& effect) {
     static const std::vector<dem::RunResult> runs = all_shipped_runs();
     return !effect.of_grains() || std::ranges::any_of(runs, [&](const dem::RunResult& run) {
@@ -89,6 +97,7 @@ inline bool predictable(const Effect& effect) {
     });
 }
 
+/// Laboratory with base "dem" that all tests of a process share.
 inline Laboratory& laboratory() {
     static Laboratory shared("dem");
     return shared;

@@ -13,7 +13,7 @@
 
 namespace pendular {
 
-/// The runs that come with the program, those with effects on grains included.
+/// All runs of the atlas, which comes with the program, with and without effects on grains.
 inline std::vector<dem::RunResult> all_shipped_runs() {
     std::vector<dem::RunResult> runs;
     for (const StoredRun& stored : read_runs(PENDULAR_SOURCE_DIR "/sim/atlas/atlas.csv")) {
@@ -22,19 +22,20 @@ inline std::vector<dem::RunResult> all_shipped_runs() {
     return runs;
 }
 
-/// Atlas runs of grains without effects.
+/// Runs of the atlas, which comes with the program, without effects on grains.
 inline std::vector<dem::RunResult> shipped_runs() {
     std::vector<dem::RunResult> runs = all_shipped_runs();
     std::erase_if(runs, [](const auto& run) { return !run.parameters.effects.empty(); });
     return runs;
 }
 
+/// Hyperparameters of the emulator that come with the atlas.
 inline EmulatorHyperparameters shipped_hyperparameters() {
     return read_hyperparameters(std::filesystem::path(PENDULAR_SOURCE_DIR "/sim/atlas") /
                                 hyperparameters_name);
 }
 
-/// A flow law of this file's own, smooth in all that determines a state.
+/// Invented flow law: stress ratio [1] and solid fraction [1] as smooth functions of the state.
 struct InventedLaw {
     static double stress_ratio(const FlowState& s) {
         const double dry =
@@ -50,7 +51,9 @@ struct InventedLaw {
     }
 };
 
-/// Runs as that law would give them, with standard errors of 0.002 and 0.0004 correlated by -0.5.
+/// Runs at random states, wet and dry in turn. Their averages follow InventedLaw with random
+/// errors: standard errors of 0.002 (stress ratio) and 0.0004 (solid fraction), correlated by -0.5.
+/// The stress ratio of the law is multiplied by `factor`.
 inline std::vector<dem::RunResult> invented_runs(std::size_t count, std::uint64_t seed,
                                                  double factor = 1) {
     using enum dem::Observable;

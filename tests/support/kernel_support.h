@@ -9,13 +9,14 @@
 
 namespace pendular {
 
+/// Name of a kernel's domain for the name of a test.
 inline std::string name_of(Domain domain) {
     return domain == Domain::all_flow   ? "AllFlow"
            : domain == Domain::contacts ? "Contacts"
                                         : "Bridges";
 }
 
-/// No two of them equal, so that none can stand in for another.
+/// Hyperparameters that all differ, so that a test shows where two are confused.
 inline Hyperparameters uneven_hyperparameters() {
     return {.dry_amplitude = 0.3,
             .dry_x = 0.7,
@@ -29,7 +30,7 @@ inline Hyperparameters uneven_hyperparameters() {
             .between_run_scatter = 0.01};
 }
 
-/// Wet places over the range of the emulator.
+/// Random coordinates of wet states over the range of the emulator.
 inline std::vector<Coordinates> scattered_places(std::size_t count, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> uniform;
@@ -42,14 +43,14 @@ inline std::vector<Coordinates> scattered_places(std::size_t count, std::uint64_
     return places;
 }
 
-/// A place moved along one of the coordinates, by its number.
+/// Coordinates with one of them (0: x, 1: q, 2: u, 3: v) increased by `by`.
 inline Coordinates moved(Coordinates at, int coordinate, double by) {
     double* const all[] = {&at.x, &at.q, &at.u, &at.v};
     *all[coordinate] += by;
     return at;
 }
 
-/// At each place the value, then the derivative by each coordinate.
+/// Prepared functionals at each place: the value, then the derivative by each coordinate.
 inline std::vector<Kernel::Prepared> prepared_with_derivatives(
     const Kernel& kernel, const std::vector<Coordinates>& places) {
     std::vector<Kernel::Prepared> prepared;

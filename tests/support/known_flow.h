@@ -7,7 +7,8 @@
 
 namespace pendular {
 
-/// Base of models of flow in closed form: parameters whose whole range is supported.
+/// Base class of models in closed form for tests: any parameter value within the parameter's own
+/// range can be predicted. `Kind` is the interface, such as Predictor.
 template <typename Kind>
 class Known : public Kind {
   public:
@@ -26,6 +27,7 @@ class Known : public Kind {
   private:
     std::vector<Parameter> parameters_;
 };
+/// Base class of predictors in closed form.
 using KnownFlow = Known<Predictor>;
 
 }  // namespace pendular

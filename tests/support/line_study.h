@@ -11,27 +11,31 @@
 #include "analysis/diagnosis/diagnosis.h"
 #include "tests/support/linear_space.h"
 
-// Readings along a line with errors of 1, and what a line may lack: every answer is known.
+// Readings about a straight line with standard errors of 1, and a model space of curves that the
+// line may lack, so that the right result of every diagnosis is known.
 namespace pendular {
 
 constexpr int line_conditions = 15, replicates = 2, entries = line_conditions * replicates;
 
-/// Where entry k was measured, from -1 to 1; replicates follow one another.
+/// Place x of entry k of the readings, from -1 to 1. Replicates at one place follow each other.
 inline double place(Eigen::Index k) {
     return -1 + 2.0 * static_cast<double>(k / replicates) / (line_conditions - 1);
 }
 
+/// Values of a function of x at the places of all entries.
 template <typename Function>
 Eigen::VectorXd over_places(Function function) {
     return Eigen::VectorXd::NullaryExpr(entries,
                                         [&](Eigen::Index k) { return function(place(k)); });
 }
 
+/// Candidate with a given shape over x.
 inline LinearSpace::Column column(const std::string& name, double (*shape)(double)) {
     return {.name = name, .values = over_places(shape)};
 }
 
-/// A line, which may lack a parabola, a cubic, a wave, or a jump.
+/// Model space of a straight line with the candidates parabola, wave and jump, and with `more`
+/// candidates.
 inline LinearSpace line_and(std::vector<LinearSpace::Column> more = {}) {
     Eigen::MatrixXd base(entries, 2);
     base << Eigen::VectorXd::Ones(entries), over_places([](double x) { return x; });
@@ -43,12 +47,13 @@ inline LinearSpace line_and(std::vector<LinearSpace::Column> more = {}) {
     return {base, columns};
 }
 
+/// Makes readings with random errors.
 class Measuring {
   public:
     explicit Measuring(std::uint64_t seed) : random_(seed) {}
 
-    /// Readings with errors of 1 about the truth; `estimated`: believed to have the errors that
-    /// replicates show.
+    /// Readings with random errors of standard deviation 1 about `truth`. The stated errors are 1
+    /// or, if `estimated`, the scatter of the replicates.
     Evidence of(const Eigen::VectorXd& truth, bool estimated = false) {
         Evidence evidence;
         evidence.measured.value = truth;
@@ -81,11 +86,13 @@ class Measuring {
     std::normal_distribution<double> normal_;
 };
 
-/// The fewer draws, the more the limits of one seed are off: each study has its own.
+/// Options of a quick diagnosis with 1000 draws. So few draws make the limits depend on the seed:
+/// give each study another seed.
 inline DiagnosisOptions quickly(std::uint64_t seed = 1) {
     return {.draws = 1000, .seed = seed};
 }
 
+/// Values of the straight line 5 + 2 x, which lacks no candidate.
 inline Eigen::VectorXd plain() {
     return over_places([](double x) { return 5 + 2 * x; });
 }

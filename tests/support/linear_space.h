@@ -11,9 +11,11 @@
 
 namespace pendular {
 
-/// f = X theta + sum of candidate columns times their values: every answer of a diagnosis is known.
+/// Model space of linear models, f = X theta + sum of (candidate's column x candidate's value), so
+/// that the right result of every diagnosis is known.
 class LinearSpace : public ModelSpace {
   public:
+    /// Candidate, with the change of all entries by its value 1.
     struct Column {
         std::string name;
         Eigen::VectorXd values;
@@ -22,7 +24,7 @@ class LinearSpace : public ModelSpace {
                                      .upper = 1e6,
                                      .neutral = 0,
                                      .smallest_of_interest = 1};
-        double possible = 1e9;  ///< beyond this size nothing real could be measured
+        double possible = 1e9;  ///< largest magnitude of the value that the model can predict
     };
     LinearSpace(Eigen::MatrixXd base, std::vector<Column> columns)
         : base_(std::move(base)), columns_(std::move(columns)) {

@@ -10,29 +10,31 @@
 
 #include "analysis/misfit/weighted_residuals.h"
 
-// Linear models with normal errors, and tests of distributions.
+// Linear models with normal errors, and tests of random samples against distributions.
 namespace pendular {
 
+/// Matrix of independent standard normal random numbers.
 inline Eigen::MatrixXd normal_matrix(Eigen::Index rows, Eigen::Index columns, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
     return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
 }
 
-/// A covariance with unequal variances of order 1 and correlations of either sign.
+/// Random covariance matrix with unequal variances of order 1 and correlations of either sign.
 inline Eigen::MatrixXd some_covariance(Eigen::Index n, std::uint64_t seed) {
     const Eigen::MatrixXd half = normal_matrix(n, n, seed);
     return half * half.transpose() / static_cast<double>(n) + 0.3 * Eigen::MatrixXd::Identity(n, n);
 }
 
-/// A prediction without errors of its own.
+/// Prediction by an exact model: its own covariance is zero.
 inline Prediction exact_prediction(const Eigen::VectorXd& value, const Eigen::MatrixXd& jacobian) {
     const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(value.size(), value.size());
     return {value, jacobian, none, none};
 }
 
-/// Largest distance of the distribution of a sample from a law, times the root of its size.
-/// Kolmogorov: above 1.95 in 1 of 1000 samples of that law.
+/// Kolmogorov statistic: largest distance between the cumulative distribution of a sample and
+/// `distribution`, times sqrt(sample size) [1]. It exceeds 1.95 in 1 of 1000 samples drawn from
+/// `distribution`.
 template <typename Law>
 double kolmogorov_distance(const Eigen::VectorXd& sample, const Law& distribution) {
     std::vector<double> sorted(sample.begin(), sample.end());
@@ -46,10 +48,10 @@ double kolmogorov_distance(const Eigen::VectorXd& sample, const Law& distributio
     }
     return largest * std::sqrt(n);
 }
-constexpr double kolmogorov_limit = 1.95;  ///< at a significance of 0.001
+constexpr double kolmogorov_limit = 1.95;  ///< limit of the statistic at a significance of 0.001
 
-/// 3.3 standard deviations of the share of `count` draws that an event of this probability has:
-/// exceeded by chance in 1 of 1000 cases.
+/// Largest plausible error of the observed share of an event of this probability in `count` draws
+/// [1]: 3.3 standard deviations, exceeded by chance in 1 of 1000 cases, plus the share of one draw.
 inline double binomial_error(double probability, double count) {
     return 3.3 * std::sqrt(probability * (1 - probability) / count) + 1 / count;
 }

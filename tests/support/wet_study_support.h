@@ -10,8 +10,8 @@
 #include "calib/fit/study_model.h"
 #include "tests/support/emulator_support.h"
 
-/// A calibrated wet study whose runs and readings follow a law made up for the purpose, close to
-/// Badetti et al.'s numbers, so that no simulation is needed and every answer is known.
+/// Calibrated wet study whose runs and readings follow an invented flow law, close to the values of
+/// Badetti et al. (2018), so that no simulation is needed and every right result is known.
 namespace planted {
 
 using namespace pendular;
@@ -20,7 +20,7 @@ constexpr double friction = 0.09, bridge_volume_unit = 2e-3;
 inline const std::vector<double> contents = {0.003, 0.007, 0.014, 0.030, 0.063};
 inline const std::vector<double> pressures = {0.8, 1.5, 2.3, 4, 8, 16};
 
-/// 0 at the friction of the study.
+/// Logarithmic coordinate of a friction coefficient [1]: 0 at the friction of the study.
 inline double friction_coordinate(double mu) {
     return std::log((mu + 0.05) / (friction + 0.05));
 }
@@ -33,23 +33,24 @@ inline double contact_coordination(double mu) {
 inline double distant_coordination(double volume) {
     return 2 + 0.7 * std::log(volume / bridge_volume_unit);
 }
-/// Z* = Z_c + 0.5 Z_d.
+/// Effective coordination number Z* = Z_c + 0.5 Z_d [1].
 inline double effective_coordination(double mu, double volume) {
     return contact_coordination(mu) + 0.5 * distant_coordination(volume);
 }
-/// a^2 s12cap/F0.
+/// Capillary shear stress a^2 s12cap/F0 [1].
 inline double capillary_shear_stress(double mu, double volume) {
     return 0.05 - 0.03 * std::log(volume / bridge_volume_unit) + 0.02 * friction_coordinate(mu);
 }
 inline double solid_fraction(double mu, double u) {
     return 0.615 - 0.02 * friction_coordinate(mu) - 0.021 * u;
 }
-/// Bends below a straight line as Badetti et al.'s data do below P* = 2.3.
+/// Stress ratio [1] at friction `mu`, u = 1/P* and bridge volume `volume` [a^3]. It bends below a
+/// straight line in u, as the data of Badetti et al. (2018) do below P* = 2.3.
 inline double stress_ratio(double mu, double u, double volume) {
     const double cohesion = 0.29 + 0.035 * std::log(volume / bridge_volume_unit);
     return dry_ratio(mu) + cohesion * u - 0.028 * u * u;
 }
-/// V0/a^3 of a liquid content at the friction of the study: the solution of
+/// Bridge volume V0/a^3 [1] at a liquid content and the friction of the study: the solution of
 /// content = 3 Z(V0) V0/pi.
 inline double volume_of(double content) {
     double volume = bridge_volume_unit;
@@ -60,17 +61,20 @@ inline double volume_of(double content) {
     return volume;
 }
 
+/// Study of 500 um grains with a liquid, without readings.
 inline Study study() {
     Study s;
     s.grains = {.diameter = 5e-4, .density = 1050};
     s.liquid = Liquid{.surface_tension = 20.6e-3};
     return s;
 }
+/// Normal stress [Pa] at a reduced pressure P* in the study.
 inline double normal_stress(double pressure) {
     const Study s = study();
     return pressure / reduced_pressure(1, s.grains, *s.liquid);
 }
 
+/// Run whose averages follow the law, with standard errors; dry for u = 0.
 inline dem::RunResult run(double mu, double u, double volume) {
     dem::RunResult r;
     r.parameters.friction = mu;
@@ -92,6 +96,7 @@ inline dem::RunResult run(double mu, double u, double volume) {
     return r;
 }
 
+/// Runs, dry and wet, at five frictions about that of the study.
 inline std::vector<dem::RunResult> runs() {
     std::vector<dem::RunResult> result;
     for (const double mu : {0.06, 0.075, 0.09, 0.11, 0.13}) {
@@ -105,7 +110,8 @@ inline std::vector<dem::RunResult> runs() {
     return result;
 }
 
-/// A reading of the law with a little noise: one standard error of 2 % and 0.002.
+/// Reading that follows the law with random errors: standard errors of 2 % of the shear stress and
+/// of 0.002 in the solid fraction. `content` 0: dry.
 inline Reading reading(double pressure, double content, std::mt19937_64& random,
                        double inertial_number = 3e-3) {
     std::normal_distribution<double> noise;
@@ -123,7 +129,7 @@ inline Reading reading(double pressure, double content, std::mt19937_64& random,
     return r;
 }
 
-/// Dry readings and, for each content, one at every pressure.
+/// Three dry readings and, for each liquid content, a wet reading at each of `pressures`.
 inline std::vector<Reading> readings(const std::vector<double>& wet_contents = contents) {
     std::mt19937_64 random(3);
     std::vector<Reading> result;
@@ -138,7 +144,7 @@ inline std::vector<Reading> readings(const std::vector<double>& wet_contents = c
     return result;
 }
 
-/// The calibration of these readings by these runs, at the friction of the law.
+/// Calibration of readings by the runs of the law, with the fitted friction set to that of the law.
 inline Calibration calibration(const std::vector<Reading>& readings,
                                const CohesionOptions& cohesion = {}) {
     Calibration c{.readings = readings,

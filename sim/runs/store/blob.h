@@ -4,9 +4,10 @@
 
 namespace pendular {
 
-/// Bytes by zlib, and back.
-/// @throws std::runtime_error where they are no such bytes
+/// Returns bytes compressed with zlib.
 std::string compressed(const std::string& bytes);
+/// Returns the original bytes of a string from `compressed`.
+/// @throws std::runtime_error where the bytes are not valid zlib data
 std::string expanded(const std::string& bytes);
 
 }  // namespace pendular

@@ -26,7 +26,7 @@ bool empty(const RunCell& cell) {
     return std::holds_alternative<std::monostate>(cell);
 }
 
-/// Table under construction; one call per column.
+/// List of columns under construction; each call adds a column.
 class Columns {
   public:
     std::vector<RunColumn> all;
@@ -34,7 +34,7 @@ class Columns {
     void add(std::string name, RunColumn::Type type, bool determines, auto get, auto set) {
         all.push_back({std::move(name), type, determines, get, set});
     }
-    /// `at(result)` is a reference to the number.
+    /// Adds a column of a number; `at(result)` returns a reference to it.
     void number(const std::string& name, bool determines, auto at) {
         using Number = std::remove_cvref_t<decltype(at(std::declval<RunResult&>()))>;
         if constexpr (std::is_floating_point_v<Number>) {

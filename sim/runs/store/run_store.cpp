@@ -19,16 +19,17 @@
 namespace pendular {
 namespace {
 
-/// "pend" in the header of the file, by which it is known for a store.
+/// Application id "pend" in the header of an SQLite file, which marks it as a store.
 constexpr int application_id = 0x70656e64;
-constexpr int patience_ms = 120'000;  ///< for other processes that are writing
+constexpr int patience_ms = 120'000;  ///< longest wait for other processes to finish writing [ms]
 
 std::string key_of(const dem::RunResult& run, int version) {
     return fmt::format("{}physics version = {}\n", run_description(run.parameters, run.threads),
                        version);
 }
 
-/// Says what an error of SQLite means to a user.
+/// Throws the error for a user that an error of SQLite means: InputError where the file
+/// cannot be opened or is not a valid store, else std::runtime_error.
 [[noreturn]] void explain(const std::filesystem::path& file, const SQLite::Exception& error) {
     const std::string name = fmt::format("store {}", file.string());
     switch (error.getErrorCode()) {
@@ -88,8 +89,8 @@ std::vector<const RunColumn*> missing_columns(SQLite::Database& database) {
     return missing;
 }
 
-/// Creates the table, or adds the columns that this version has beyond the file's. Another process
-/// may be doing the same: what is there is looked at once no other can write.
+/// Creates the table of runs, or adds the columns that the file lacks. Another process may be doing
+/// the same, so that the file is inspected only after this process has locked it for writing.
 void make_table(SQLite::Database& database, const std::string& name) {
     SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
     const int id = pragma(database, "application_id"), version = pragma(database, "user_version");
@@ -146,7 +147,7 @@ RunCell cell_of(const SQLite::Column& column) {
     return column.isText() ? RunCell(column.getString()) : RunCell();
 }
 
-/// A row of "id, physics_version, columns...".
+/// Returns the run of a row of "id, physics_version, columns...".
 StoredRun run_of(SQLite::Statement& row) {
     StoredRun stored{row.getColumn(0).getInt64(), row.getColumn(1).getInt(), {}};
     int at = 2;

@@ -16,27 +16,27 @@ class Database;
 
 namespace pendular {
 
-/// A run in a store.
+/// A run as read from a store.
 struct StoredRun {
-    std::int64_t id = 0;
-    int physics_version = 0;
-    dem::RunResult run;  ///< without trace and final state
+    std::int64_t id = 0;      ///< number of the run in the store
+    int physics_version = 0;  ///< version of the solver that gave the run
+    dem::RunResult run;       ///< trace and final state only from `get` and `nearest`
 };
 
-/// Every run that was ever carried out, in one SQLite file. A run is keyed by all that determines
-/// it
-/// (`dem::run_description` and the physics version) and never stored twice. Several processes and
-/// threads may read and write at once; each run is one transaction, so that a process killed at any
-/// instant loses the run it was at and nothing else.
+/// The store: the user's SQLite file of all runs that were carried out. The key of a run is all
+/// that determines it (`run_description` and the physics version), and no run is stored twice.
+/// Several processes and threads may read and write at once. Each run is added in one transaction,
+/// so that a process that is killed loses only the run that it was carrying out.
 ///
 /// The table `runs` has a column for each of `run_columns()`, so that any SQLite tool can query it.
 ///
-/// Everything throws InputError for a file that is no store, is corrupt or was written by a newer
-/// version, and std::runtime_error, naming the file and the reason, where it cannot be written.
+/// All functions throw InputError for a file that is not a store, is corrupt or was written by a
+/// newer version, and std::runtime_error, naming the file and the reason, for a file that cannot be
+/// written.
 class RunStore {
   public:
-    /// Opens the store, creating it and its folder where there is none. `must_exist`: throws
-    /// InputError instead.
+    /// Opens the store, and creates the file and its folder if missing.
+    /// @throws InputError where the file is missing and `must_exist` is true
     explicit RunStore(const std::filesystem::path& file, bool must_exist = false);
     ~RunStore();
     RunStore(const RunStore&) = delete;
@@ -44,39 +44,46 @@ class RunStore {
 
     const std::filesystem::path& file() const { return file_; }
 
-    /// The run that these parameters give with this physics, without trace and final state; empty
-    /// where it was never carried out.
+    /// Returns the stored run with these parameters, number of threads and the current physics
+    /// version, without trace and final state; empty where there is none.
     std::optional<dem::RunResult> find(const dem::RunParameters& parameters, int threads = 1) const;
-    /// Keeps a run. @return false where it is there already, which leaves the store as it is
+    /// Adds a run. Returns false, and changes nothing, where the store already has it.
     bool add(const dem::RunResult& run, int physics_version = dem::physics_version);
 
-    /// The steady run of as many grains, dry or wet like this one, whose flow is nearest to it,
-    /// with its final state; empty where there is none. The measure is
+    /// Returns the stored run, with its final state, whose parameters are nearest to `parameters`,
+    /// among steady runs with the same number of grains that are dry or wet as `parameters` is;
+    /// empty where there is none. The squared distance is, with the last two terms for wet runs,
     ///     (d friction/0.1)^2 + (d ln I)^2 + (d ln kappa)^2 + (d ln P*)^2 + (d ln V0)^2.
     std::optional<StoredRun> nearest(const dem::RunParameters& parameters) const;
 
+    /// Number of stored runs.
     std::size_t size() const;
-    /// Stored runs for which an SQL condition on the columns holds ("friction = 0.09 AND
-    /// reduced_pressure IS NULL"), all where it is empty, as they were added.
+    /// Returns the stored runs, without trace and final state, that satisfy an SQL condition on the
+    /// columns ("friction = 0.09 AND reduced_pressure IS NULL"), in the order in which they were
+    /// added. An empty condition selects all runs.
     /// @throws InputError for a condition that SQLite does not understand
     std::vector<StoredRun> select(const std::string& condition = "") const;
-    /// One run, whole. @throws InputError where there is none
+    /// Returns the run with this id, including trace and final state.
+    /// @throws InputError where there is none
     StoredRun get(std::int64_t id) const;
-    /// Removes these runs. @return how many were there
+    /// Removes the runs with these ids. Returns the number of removed runs.
     std::size_t remove(const std::vector<std::int64_t>& ids);
-    /// Adds the runs of another store that are missing here, whole. @return how many
+    /// Adds the runs of another store that are missing in this store, including traces and final
+    /// states. Returns the number of added runs.
     std::size_t merge(const RunStore& other);
 
-    /// $PENDULAR_STORE, else $XDG_DATA_HOME/pendular/runs.sqlite, else the same in ~/.local/share.
+    /// Path of the user's store: $PENDULAR_STORE, else $XDG_DATA_HOME/pendular/runs.sqlite, else
+    /// ~/.local/share/pendular/runs.sqlite.
     static std::filesystem::path standard_file();
 
-    static constexpr int format = 1;
-    static constexpr const char* in_memory = ":memory:";  ///< a store without a file
+    static constexpr int format = 1;  ///< version of the file format
+    /// File name of a store in memory, without a file.
+    static constexpr const char* in_memory = ":memory:";
 
   private:
     std::filesystem::path file_;
     std::unique_ptr<SQLite::Database> database_;
-    mutable std::mutex mutex_;  ///< the threads of this process take turns
+    mutable std::mutex mutex_;  ///< serialises access by the threads of this process
 };
 
 }  // namespace pendular

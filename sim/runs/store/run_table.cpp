@@ -63,7 +63,7 @@ RunCell cell_of(const Table& table, const Row& row, std::size_t at, RunColumn::T
     }
 }
 
-/// A column of the file and what it stands for; null: the physics version.
+/// Column of runs that a column of the file holds; null: the physics version.
 using Meaning = const RunColumn*;
 
 std::vector<Meaning> meanings_of(const Table& table) {
@@ -83,7 +83,7 @@ std::vector<Meaning> meanings_of(const Table& table) {
         there.push_back(name);
     }
     for (const RunColumn& column : run_columns()) {
-        // Tables of versions that knew no effects have none.
+        // Tables from program versions without effects do not have this column.
         const bool needed = column.determines && column.name != "effects";
         if (needed && std::ranges::find(there, column.name) == there.end()) {
             throw InputError(table.at_header(0),

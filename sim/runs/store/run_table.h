@@ -8,22 +8,24 @@
 
 namespace pendular {
 
-/// Writes runs as CSV, a row each: physics_version and every one of `run_columns()`, numbers as
-/// short as gives the same number back. Traces and final states are left out.
-/// @throws std::runtime_error where it cannot be written
+/// Writes runs to a CSV file, one row each: the physics version and all `run_columns()`. Numbers
+/// have the fewest digits that read back as the same number. Traces and final states are not
+/// written.
+/// @throws std::runtime_error where the file cannot be written
 void write_runs(const std::filesystem::path& file, const std::vector<StoredRun>& runs);
 
-/// Fingerprint of such a row, 16 hexadecimal digits: the same for the same run with the same
-/// results, whether it comes from a table, from a store or from the simulation.
+/// Returns a hash, 16 hexadecimal digits, of the row that `write_runs` writes for a run. It does
+/// not depend on whether the run comes from a CSV file, from a store or from the simulation.
 std::string run_fingerprint(const StoredRun& stored);
 
-/// Reads runs back from a table. Columns may stand in any order; columns that do not determine a
-/// run may be missing.
-/// @throws InputError at the cell that is wrong
+/// Reads runs from a CSV file with the columns that `write_runs` writes, in any order. Columns of
+/// results, and the column of effects, may be missing.
+/// @throws InputError at a cell with an invalid value, and at the header for an unknown column or a
+///         missing input column
 std::vector<StoredRun> read_runs(const std::filesystem::path& file);
 
-/// The runs that come with the program: $PENDULAR_ATLAS, else where it is installed, else in the
-/// source. Empty where there is none.
+/// Path of the atlas, the CSV file of runs that come with the program: $PENDULAR_ATLAS, else the
+/// installed file, else the file in the repository. Empty where there is none.
 std::filesystem::path atlas_file();
 
 }  // namespace pendular
