@@ -91,6 +91,9 @@ int diagnose(const std::vector<std::string>& arguments) {
             console.line(line);
         }
     }
+    if (const std::string line = discrepancy_line(remaining_discrepancy(d)); !line.empty()) {
+        console.line(line);
+    }
     console.table(unseen_table(diagnosis, models), 3);
     for (const std::string& line : advice_on(diagnosis, models)) {
         console.line(line);

@@ -270,6 +270,14 @@ std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<d
     return lines;
 }
 
+std::string discrepancy_line(double size) {
+    if (size == 0) return "";
+    return fmt::format(
+        "A smooth error of the model of about {:.1f} % of the shear stress would account for what "
+        "remains. If the model may be wrong by that much, write discrepancy = {:.2g} in [model].",
+        100 * size, size);
+}
+
 std::string suspects_line(const Diagnosis& d, const Evidence& evidence) {
     std::vector<std::pair<std::string, double>> measurements;
     for (std::size_t k = 0; k < d.suspect_p.size(); ++k) {

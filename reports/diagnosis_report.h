@@ -30,6 +30,10 @@ std::vector<std::string> incomplete_lines(const Diagnosis& diagnosis,
                                           const std::array<double, 2>& after,
                                           const Checks& remaining);
 
+/// Sentence on a smooth error of the model, relative to the shear stress [1], that would account for
+/// a remaining misfit; empty for 0.
+std::string discrepancy_line(double size);
+
 /// Sentence that names the suspect measurements, conditions or files, that deviate from the rest
 /// with p < 0.05; empty without such measurements.
 std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);

@@ -162,7 +162,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 std::vector<Reading> Session::readings() const {
     std::vector<Reading> result;
-    for (const pendular::Reading& reading : dry_first(inside_->session->measurements())) {
+    for (const pendular::Reading& reading : dry_first(inside_->session->measurements(), {})) {
         result.push_back(reading_of(reading));
     }
     return result;

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
 
+#include "analysis/diagnosis/likely_discrepancy.h"
 #include "analysis/diagnosis/study_evidence.h"
 #include "analysis/misfit/compare.h"
 #include "calib/fit/calibrate_study.h"
@@ -93,7 +95,7 @@ void check_readings(const std::vector<Reading>& readings, const Study& study,
 
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session) {
-    StudyDiagnosis result{.readings = dry_first(measurements)};
+    StudyDiagnosis result{.readings = dry_first(measurements, study.study().model)};
     check_readings(result.readings, study, session.fidelity);
     result.models = std::make_unique<StudyModels>(study, conditions_of(result.readings),
                                                   session.fidelity, known_for(study, session));
@@ -138,6 +140,16 @@ std::optional<Checks> remaining_checks(const StudyDiagnosis& d, std::uint64_t se
     if (!d.diagnosis.leaders) return {};
     const Explanation& model = d.diagnosis.leaders->model;
     return checks_of(d, model.chosen, model.fit.prediction, seed);
+}
+
+double remaining_discrepancy(const StudyDiagnosis& d) {
+    const Diagnosis& diagnosis = d.diagnosis;
+    if (diagnosis.complete) return 0;
+    const auto best = std::ranges::min_element(diagnosis.tried, {}, &Explanation::chi2);
+    const Fit& fit = diagnosis.leaders               ? diagnosis.leaders->model.fit
+                     : best != diagnosis.tried.end() ? best->fit
+                                                     : diagnosis.fit;
+    return likely_discrepancy(d.evidence.measured, fit.prediction, d.readings);
 }
 
 std::array<double, 2> rms_errors(const StudyDiagnosis& d, const Prediction& prediction) {

@@ -47,6 +47,11 @@ std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uin
 /// 100 sqrt(mean((predicted/measured - 1)^2)).
 std::array<double, 2> rms_errors(const StudyDiagnosis& diagnosis, const Prediction& prediction);
 
+/// Smooth error of the model, relative to the shear stress [1], that would account for what the
+/// named effects leave, or for what the best refitted model leaves where none is named; 0 where the
+/// model fits or no such error is likely.
+double remaining_discrepancy(const StudyDiagnosis& diagnosis);
+
 /// Returns the models that fit the readings according to a diagnosis, between which the next
 /// measurement should decide. Where no model fits: the model with the leading effects, if there are
 /// any, else the model without further effects.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "calib/fit/discrepancy.h"
+
 namespace pendular {
 
 std::size_t dry_count(const std::vector<Reading>& readings) {
@@ -14,9 +16,10 @@ std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from
             readings.begin() + static_cast<std::ptrdiff_t>(to)};
 }
 
-std::vector<Reading> dry_first(const Measurements& measurements) {
+std::vector<Reading> dry_first(const Measurements& measurements, const ModelSettings& model) {
     auto readings = measurements.readings;
     std::ranges::stable_partition(readings, [](const Reading& r) { return r.condition.dry(); });
+    add_discrepancy(readings, model.discrepancy);
     return readings;
 }
 

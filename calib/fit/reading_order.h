@@ -9,8 +9,8 @@
 namespace pendular {
 
 /// Readings of a study in the order of a calibration: dry readings, then wet readings, each in run
-/// order.
-std::vector<Reading> dry_first(const Measurements& measurements);
+/// order. Their errors include the discrepancy of the model (`add_discrepancy`).
+std::vector<Reading> dry_first(const Measurements& measurements, const ModelSettings& model);
 
 /// Number of dry readings among `readings`.
 std::size_t dry_count(const std::vector<Reading>& readings);

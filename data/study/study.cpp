@@ -22,11 +22,12 @@ const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volum
                         "torque_formula"};
 const Keys source_keys = {"file", "liquid_content", "bead_mass", "bead_volume"};
 const Keys import_keys = {"keep_implausible", "least_strain"};
-const Keys model_keys = {"base", "calibrate", "fit_to", "effects", "bridge_force"};
+const Keys model_keys = {"base", "calibrate", "fit_to", "effects", "bridge_force", "discrepancy"};
 
 const Keys scatter_keys = {"shear_stress", "solid_fraction", "shear_stress_of_filling",
                            "solid_fraction_of_filling"};
 constexpr double largest_scatter = 0.5;
+constexpr double largest_discrepancy = 0.2;
 
 constexpr double right_angle = 1.5707963267948966;
 
@@ -210,6 +211,25 @@ std::vector<ListedEffect> read_listed_effects(const StudyTable& model) {
     return effects;
 }
 
+/// Expected error of the model: one number for the stress ratio, or two.
+std::array<double, 2> read_discrepancy(const StudyTable& table) {
+    const std::vector<double> numbers = table.numbers("discrepancy");
+    if (numbers.empty() && !table.has("discrepancy")) return {0, 0};
+    if (numbers.empty() || numbers.size() > 2) {
+        table.refuse("discrepancy",
+                     "must be one number (of the stress ratio) or two (of stress ratio and solid "
+                     "fraction), as in [0.005, 0.001]");
+    }
+    for (const double number : numbers) {
+        if (number < 0 || number > largest_discrepancy) {
+            table.refuse("discrepancy",
+                         fmt::format("must be between 0 and {}, relative to the value",
+                                     largest_discrepancy));
+        }
+    }
+    return {numbers[0], numbers.size() == 2 ? numbers[1] : 0};
+}
+
 ModelSettings read_model(const StudyTable& root) {
     ModelSettings model;
     const auto table = root.table("model", model_keys);
@@ -221,6 +241,7 @@ ModelSettings read_model(const StudyTable& root) {
     model.fit_to = table->choice("fit_to", {"dry", "all"});
     model.effects = read_listed_effects(*table);
     model.bridge_force = form(*table, "bridge_force");
+    model.discrepancy = read_discrepancy(*table);
     return model;
 }
 

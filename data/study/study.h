@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -45,6 +46,8 @@ struct ModelSettings {
     /// Effects in the model, each once. The names are not checked to exist.
     std::vector<ListedEffect> effects;
     FormulaVariant bridge_force = FormulaVariant::derived;  ///< formula of the bridge force
+    /// Expected error of the model, relative to (stress ratio, solid fraction) [1]; 0: exact.
+    std::array<double, 2> discrepancy = {0, 0};
 };
 
 /// Settings for the conversion of recordings to readings: [import] in study.toml.

@@ -227,6 +227,19 @@ TEST_F(ReadStudy, RefusesModelsItDoesNotHave) {
     EXPECT_THAT(error(start + "calibrate = \"friction\"\n"),
                 AllOf(at(":7:13: 'calibrate': "), HasSubstr("list")));
     EXPECT_THAT(error(start + "effects = [3]\n"), at(":7:12: must be a name"));
+    EXPECT_THAT(error(start + "discrepancy = -0.01\n"),
+                AllOf(at(":7:15: 'discrepancy': "), HasSubstr("between 0 and 0.2")));
+    EXPECT_THAT(error(start + "discrepancy = [0.01, 0.01, 0.01]\n"),
+                AllOf(at(":7:15: 'discrepancy': "), HasSubstr("one number")));
+}
+
+TEST_F(ReadStudy, TakesTheExpectedErrorOfTheModel) {
+    const std::string start = grains + readings + "[model]\n";
+    using Pair = std::array<double, 2>;
+    EXPECT_EQ(read(start + "discrepancy = 0.005\n").model.discrepancy, (Pair{0.005, 0}));
+    EXPECT_EQ(read(start + "discrepancy = [0.005, 0.001]\n").model.discrepancy,
+              (Pair{0.005, 0.001}));
+    EXPECT_EQ(read(start).model.discrepancy, (Pair{0, 0}));
 }
 
 }  // namespace pendular::data_study_test
