@@ -27,8 +27,8 @@ struct LadderStep {
     double chi2 = 0;  ///< chi2 of all readings, fitted and predicted, and of direct measurements
     int dof = 0;      ///< degrees of freedom of `chi2`
     std::array<double, 2> rms_percent{};  ///< RMS errors of (shear stress, solid fraction) [%]
-    /// RMS errors of (shear stress, solid fraction) at conditions left out of the fit [%]; empty
-    /// where fewer than two conditions are fitted.
+    /// Cross-validation: RMS errors of (shear stress, solid fraction) [%], each condition predicted
+    /// by a fit to the other conditions; empty where fewer than two conditions are fitted.
     std::optional<std::array<double, 2>> left_out_percent;
 
     double chi2_per_dof() const { return chi2 / dof; }

@@ -27,6 +27,11 @@ std::string basis_of(const Calibration& c) {
         ordered += order.runs;
         why += fmt::format("{}{} {}", why.empty() ? ": " : ", ", order.runs, order.why);
     }
+    if (ordered == 0) {
+        return fmt::format(
+            "The emulator was trained on {} runs, none of them simulated for this study.",
+            c.runs.size());
+    }
     return fmt::format(
         "The emulator was trained on {} runs; {} of them were simulated for this study at {} "
         "fidelity{}.",

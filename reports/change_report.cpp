@@ -158,10 +158,11 @@ std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& 
     for (const LadderParameter& p : before.parameters) {
         const LadderParameter* const later = after.find(p.name);
         if (later && std::abs(drift(p, *later)) > 3) {
-            lines.push_back(fmt::format(
-                "The fitted {} changed by {:.1f} standard errors: without {}, another value of it "
-                "compensates for the missing effect.",
-                p.name, std::abs(drift(p, *later)), change.effect));
+            lines.push_back(
+                fmt::format("The fitted {0} changed by {1:.1f} standard errors: without {2} in the "
+                            "model, the fit "
+                            "shifts {0} to compensate.",
+                            p.name, std::abs(drift(p, *later)), change.effect));
         }
     }
     return lines;

@@ -291,7 +291,7 @@ std::string suspects_line(const Diagnosis& d, const Evidence& evidence) {
 std::string fit_line(const Diagnosis& d) {
     return fmt::format(
         "Fitted to all readings, the present model has chi2 = {:.1f} for {} degrees of freedom "
-        "(lack of fit: p {}; any known effect missing: p {}).",
+        "(test for lack of fit: p {}; test for a missing known effect: p {}).",
         d.chi2, d.dof, p_text(d.lack_of_fit_p), p_text(d.further_p));
 }
 
@@ -325,7 +325,9 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space) 
     std::vector<std::string> lines;
     if (d.verdict == Verdict::indistinguishable) lines.push_back(alike_line(d));
     if (d.verdict == Verdict::inconclusive) {
-        lines.push_back("More readings, replicates or conditions would decide.");
+        lines.push_back(
+            "More readings, replicates or conditions would tell whether one of these effects is "
+            "missing.");
     }
     if (d.verdict == Verdict::unknown) {
         if (const Explanation* best = best_of(d.tried); best && !best->suspect) {

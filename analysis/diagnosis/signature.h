@@ -34,8 +34,9 @@ class Addition {
     Addition(const ModelSpace& space, EffectSet chosen, std::size_t added,
              Eigen::VectorXd parameters, Eigen::VectorXd values);
 
-    /// Signature of the candidate, from the step between its neutral value and the smallest effect
-    /// of interest. `with_errors`: whether to compute its covariances.
+    /// Signature of the candidate effect: change of the predicted readings when its parameter goes
+    /// from the neutral value (no effect) to the smallest effect of interest. `with_errors`:
+    /// whether to compute the covariances of the change.
     Signature signature(bool with_errors) const;
     /// Computes the change of a signature again at another amplitude, limited to the bounds of the
     /// parameter. The signature stays as it is where that amplitude is zero or impossible for the

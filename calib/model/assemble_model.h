@@ -19,7 +19,7 @@ std::shared_ptr<const EffectModel> assemble_model(
     const Study& study, std::shared_ptr<const EmulatedSimulation> simulation,
     const std::vector<const Effect*>& effects);
 
-/// Terms of the closure of base `rumpf` that these effects switch on.
+/// Terms that these effects switch on in the closure of the base model `rumpf`.
 closures::Terms terms_of(const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

@@ -16,10 +16,11 @@ double inverse_pressure_of(const EffectiveCondition& condition, const Study& stu
 /// number and strain of the fidelity. The seed is not set.
 dem::RunParameters run_at(const FlowState& state, const Study& study, const Fidelity& fidelity);
 
-/// Part of the rigidity shift of the solid fraction (`dem::rigidity_shift`) in runs of stiffness
-/// number `simulated` that separates them from the study's grains at a condition [1]: 1 -
-/// simulated/kappa, with kappa the stiffness number of the grains or, where the study states no
-/// modulus, of the fidelity.
+/// Share of the rigidity shift (change of solid fraction from rigid to soft grains) by which grains
+/// of stiffness number `simulated` differ from the study's grains at a condition [1]:
+///     1 - simulated/kappa,
+/// with kappa the stiffness number of the study's grains or, where the study states no Young's
+/// modulus, the stiffness number of the fidelity.
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity);
 

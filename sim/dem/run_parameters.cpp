@@ -25,7 +25,7 @@ void check_wetting(const Wetting& w, double rupture_distance, double edge) {
            fmt::format("bridge volume {} a^3 is not at least 1e-6", w.bridge_volume));
     demand(
         rupture_distance <= edge / 4,
-        fmt::format("a bridge of volume {} a^3 ruptures at a gap of {:.3g} a, above the limit of "
+        fmt::format("a bridge of volume {:.3g} a^3 ruptures at a gap of {:.3g} a, above the limit of "
                     "{:.3g} a, a quarter of the box: use more beads or a smaller bridge volume",
                     w.bridge_volume, rupture_distance, edge / 4));
 }

@@ -217,7 +217,7 @@ TEST(VirtualLab, RefusesWhatItCannotDoBeforeSimulating) {
     EXPECT_THAT(refusal([](LabPlan& p) { p.wet_normal_stresses = {1}; }),
                 HasSubstr("reduced pressure"));
     EXPECT_THAT(refusal([](LabPlan& p) { p.liquid_contents = {30}; }),
-                HasSubstr("rupture distance"));
+                HasSubstr("a quarter of the box"));
     EXPECT_THAT(refusal([](LabPlan& p) { p.liquid_contents = {std::nan("")}; }),
                 HasSubstr("liquid content"));
     EXPECT_THAT(refusal([](LabPlan& p) { p.replicates = 0; }), HasSubstr("--replicates 0"));
