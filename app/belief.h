@@ -7,12 +7,13 @@
 
 namespace pendular::app {
 
-/// End of the sentence that states a fitted value: the basis of its error where the fit can be
-/// believed, else the most serious reason not to use the value.
+/// End of a sentence that states a fitted value, from "; " on: where `belief` has no reason against
+/// the fit, the text `basis`, which says where the value's standard error comes from; else "do not
+/// use this value" with the most serious reason.
 std::string verdict_on(const Belief& belief, const std::string& basis);
 
-/// Prints the reasons not to believe a fit, one per line after `heading`. Leaves out the first
-/// `named_already` reasons, which the answer has named.
+/// Prints the reasons in `belief` not to believe a fit, one per line, each after the text
+/// `heading`. Leaves out the first `named_already` reasons, which the command has printed before.
 void print_doubts(Console& console, const Belief& belief, std::size_t named_already = 0,
                   const std::string& heading = "Doubt: ");
 

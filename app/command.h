@@ -11,12 +11,13 @@
 
 namespace pendular::app {
 
-/// Subcommand of the program. Its source file declares its options once; parser, checks and help
-/// text follow from this declaration.
+/// Subcommand of the program `pendular`, such as `calibrate`: name and summary for the help text,
+/// and the function that runs it.
 struct Command {
     std::string_view name;
     std::string_view summary;
-    /// Runs the command with the words after its name and returns its exit code.
+    /// Runs the command with the words after its name on the command line and returns the exit code
+    /// of the program, an `ExitCode`. Throws InputError for wrong input.
     int (*run)(const std::vector<std::string>& arguments);
 };
 
@@ -37,7 +38,8 @@ int campaign(const std::vector<std::string>& arguments);
 int runs(const std::vector<std::string>& arguments);
 int virtual_lab(const std::vector<std::string>& arguments);
 
-/// Exit codes of every command.
+/// Exit codes of the program `pendular`, equal for all its commands. `not_converged`: the fit did
+/// not converge or is meaningless; `interrupted`: a signal stopped the work.
 enum ExitCode {
     done = 0,
     program_failed = 1,
@@ -46,8 +48,9 @@ enum ExitCode {
     interrupted = 130
 };
 
-/// Runs `pendular` with the words after the program's name and returns the exit code; reports every
-/// error on standard error.
+/// Runs the program `pendular` with the words after its name on the command line, the command's
+/// name first, and returns the exit code. Throws no std::exception: prints its text on standard
+/// error.
 int run_program(const std::vector<std::string>& arguments);
 
 }  // namespace pendular::app

@@ -20,42 +20,46 @@ namespace pendular::app {
 class Console {
   public:
     explicit Console(const CommonOptions& options) : options_(options) {}
-    /// Ends the progress line and prints the notes that were not printed yet.
+    /// Removes the progress bar from a terminal and prints the notes that were not printed yet.
     ~Console();
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
-    /// Prints the answer to the command's question, in bold on a terminal.
+    /// Prints the command's main result, one or more sentences, in bold on a terminal.
     void answer(const std::string& text);
-    /// Prints one line of text.
+    /// Prints one line of text on standard output, or on standard error with --json -.
     void line(const std::string& text);
     /// Prints a heading and at most `most_rows` rows below it, or all rows with --all; then the
     /// number of hidden rows. Rows that begin with "  (" explain the columns and are always
     /// printed.
     void table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows);
-    /// Keeps a note, which is printed after the evidence. Without --all, notes that differ only in
-    /// numbers and file names are printed once, with their number.
+    /// Keeps a remark for the user, printed as "Note: ..." before the figures and the next command.
+    /// Without --all, prints at most three notes, and of notes that differ only in words with
+    /// digits the first one, with the number of the others.
     void note(const std::string& text);
-    /// Prints the notes, then one line with the names of the figures in a folder.
+    /// Prints the notes, then one line with the names of the figure files in `folder`; the names
+    /// have no extension. No such line where `names` is empty.
     void figures(const std::filesystem::path& folder, const std::vector<std::string>& names);
-    /// Prints the notes, then the command that the user should give next, as the last line.
+    /// Prints the notes, then the line "Next: ..." with the command that the user should give next.
     void next(const std::string& command);
-    /// Writes JSON to the file that --json names, or to standard output for "-"; nothing without
-    /// --json.
+    /// Writes the command's result as JSON to the file that option --json names, or to standard
+    /// output for "-"; does nothing without --json.
     void json(const nlohmann::ordered_json& json);
 
-    /// Prints a progress bar with the time left, for the work that `what` names: on a terminal
-    /// always on the same line, else a line every ten per cent and at most every ten seconds.
+    /// Prints the progress of simulation runs as a bar with the time left, after the name `what` of
+    /// the work: on a terminal always on one line, else a new line for every ten per cent, but none
+    /// within ten seconds of the last. Prints nothing with --quiet.
     void progress(const std::string& what, const EnsembleProgress& progress);
     /// Removes the progress bar from a terminal.
     void end_progress();
-    /// Whether the user requested all rows and notes.
+    /// Whether the user gave --all: print all rows of tables and all notes.
     bool all() const { return options_.all; }
 
   private:
     void print_notes();
 
-    /// Note with its pattern: the text without numbers and file names, equal for similar notes.
+    /// Note for the user with its pattern: the text with "#" for each word that contains a digit,
+    /// such as a number or file name. Similar notes have equal patterns.
     struct Note {
         std::string text, pattern;
         int count = 1;  ///< number of notes with this pattern
@@ -64,15 +68,16 @@ class Console {
     std::vector<Note> notes_;
     bool drawn_ = false;          ///< whether a progress bar is on the terminal
     std::string stage_;           ///< name of the work in the last progress line
-    double fraction_shown_ = -1;  ///< share of the work done at the last progress line [1]
+    double fraction_shown_ = -1;  ///< share of the work done, by the last progress line [1]
     std::chrono::steady_clock::time_point last_{};
 };
 
-/// Text as a sentence: with a capital at its beginning, unless its first word is a name, and with a
-/// full stop at its end, unless it ends in a command.
+/// Text as a sentence: with a capital at its beginning if its first word has lower-case letters
+/// only, and with a full stop at its end unless it ends in ".", "?", a line end, or a command after
+/// ": pendular ".
 std::string as_sentence(std::string text);
 
-/// Text of a duration [s]: "40 s", "1 min 20 s", "3 h 5 min".
+/// Text of a duration given in seconds, for messages: "40 s", "1 min 20 s", "3 h 5 min".
 std::string duration(double seconds);
 
 }  // namespace pendular::app

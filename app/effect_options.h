@@ -10,33 +10,38 @@
 
 namespace pendular::app {
 
-/// Function that returns why a command cannot have an effect; an empty text where it can.
+/// Function that returns the reason why a physical effect cannot be switched on in a command, for
+/// messages; an empty text where it can.
 using WhyNot = std::function<std::string(const Effect&)>;
 
-/// Options --EFFECT.PARAMETER of a command, one for each parameter of every built-in effect that
-/// the command can have. The value is a number with its unit, or a plain number in the parameter's
-/// SI unit.
+/// Options --EFFECT.PARAMETER of a command, one for each parameter of every built-in physical
+/// effect that can be switched on in the command. An option's value is a number with its unit, or a
+/// plain number in the parameter's SI unit.
 class EffectOptions {
   public:
-    /// Declares the options in a section of the help text with the heading `meaning`.
-    /// @throws InputError where an argument names an effect or parameter that does not exist, with
-    ///         the nearest name, or an effect that the command cannot have, with the reason
+    /// Adds the options to `options`, in a section of the help text with the heading `meaning`, and
+    /// checks the names of the options in the command line `arguments`.
+    /// @param why_not reason why an effect has no option here; empty: every effect has options
+    /// @throws InputError where an argument names an effect or parameter that does not exist, or an
+    ///         effect for which `why_not` returns a reason
     EffectOptions(Options& options, const std::vector<std::string>& arguments,
                   const std::string& meaning, const WhyNot& why_not = {});
 
-    /// Returns the effects that the parsed options set to a value other than neutral, sorted by
-    /// name. An effect whose parameter is a property of the liquid (`given_by_liquid`) is returned
-    /// at neutral too, if its option was given.
-    /// @throws InputError for a value that is not a number, has the wrong dimension or is out of
-    ///         bounds
+    /// Returns the effects that the parsed options set to a value other than neutral (no effect),
+    /// in the order of `built_in_effects`. An effect whose parameter is a property of the liquid
+    /// (`given_by_liquid`) is returned at the neutral value too, if its option was given.
+    /// @throws InputError for an option whose value is not a number, has a unit of another
+    ///         dimension or is out of the parameter's bounds
     std::vector<ActiveEffect> effects() const;
 
   private:
-    std::map<std::string, std::string> words_;  ///< values as given, by "EFFECT.PARAMETER"
+    /// Texts of the options' values as the user gave them, by "EFFECT.PARAMETER"; empty: not given.
+    std::map<std::string, std::string> words_;
 };
 
-/// Option for the examples of a help text, "--EFFECT.PARAMETER VALUE", that sets the first built-in
-/// effect for which `wanted` holds to its smallest size of interest; empty where there is none.
+/// Text for the examples in a help text, "--EFFECT.PARAMETER VALUE": option that sets the first
+/// parameter of the first built-in effect for which `wanted` is true to its smallest size of
+/// interest; empty where `wanted` is true for no effect.
 std::string example_of(const std::function<bool(const Effect&)>& wanted);
 
 }  // namespace pendular::app

@@ -5,12 +5,12 @@
 
 namespace pendular::app {
 
-/// Turns Ctrl-C (SIGINT) and SIGTERM into a request to stop, so that runs end at a clean point and
-/// no file is left half-written. A second signal ends the program at once.
+/// Turns the signals SIGINT (Ctrl-C) and SIGTERM into a request to stop, so that simulation runs
+/// end at a clean point and no file is left half-written. A second signal ends the program at once.
 class InterruptGuard {
   public:
     InterruptGuard();
-    /// Token that requests a stop after the first signal.
+    /// Token for long work: a stop is requested within about 50 ms of the first signal.
     std::stop_token token() const { return stop_.get_token(); }
 
   private:

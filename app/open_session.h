@@ -13,17 +13,20 @@
 
 namespace pendular::app {
 
-/// Places that a command writes to: its results folder, `files` in this folder, and the file of
-/// --json.
+/// Paths that a command writes to: its folder for results, `files` in this folder, and the file of
+/// option --json.
 OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem::path> files);
 
-/// Session of a command on a study, with the user's store of runs and with progress on the console.
-/// Ctrl-C ends long work without half-written files.
+/// Session of a command on a study, with the user's store (the SQLite file that keeps simulation
+/// runs) and with progress on the console. Ctrl-C ends long work without half-written files.
 class OpenSession {
   public:
-    /// Reads the study and opens the store. `files`: what the command writes to its results folder.
+    /// Reads the study `options.study` and opens the store of simulation runs.
+    /// @param files paths in the folder for results that the command writes to
+    /// @param seed seed of all random numbers, 0 or more
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
+    /// @throws std::runtime_error where a store that the user named cannot be written
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1);
     OpenSession(const OpenSession&) = delete;

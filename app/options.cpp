@@ -44,8 +44,9 @@ void demand_writable(const std::filesystem::path& path, const std::string& optio
         throw InputError(fmt::format("{} needs a name", option));
     }
     if (fs::exists(path, error) && fs::is_directory(path, error) != folder) {
-        throw InputError(
-            fmt::format("{} {} is {} folder", option, path.string(), folder ? "no" : "a"));
+        throw InputError(fmt::format("option {} needs {}, but '{}' is {}", option,
+                                     folder ? "a folder" : "a file", path.string(),
+                                     folder ? "a file" : "a folder"));
     }
     fs::path there = fs::absolute(path, error);
     while (!fs::exists(there, error) && there.has_relative_path()) {

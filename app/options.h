@@ -13,40 +13,43 @@
 
 namespace pendular::app {
 
-/// Returns the seed of random numbers that the user gave.
+/// Returns the seed of random numbers that the user gave by option --seed, as an unsigned number.
 /// @throws InputError for a negative seed
 std::uint64_t checked_seed(std::int64_t seed);
 
-/// Checks before long work that a path can be written, as a folder if `folder`, else as a file.
-/// @throws InputError where it cannot, naming the option
+/// Checks before long work that `path` can be written, as a folder if `folder` is true, else as a
+/// file. Creates nothing.
+/// @throws InputError where `path` is empty or cannot be written; its text names `option`, the
+///         command-line option that gave the path
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);
 
-/// Values of the options that every command has.
+/// Values of the command-line options that every command has, and the study that it reads.
 struct CommonOptions {
     std::optional<std::string> json;           ///< file for JSON, or "-" for standard output
     std::optional<std::filesystem::path> out;  ///< folder for results, if --out was given
-    Fidelity fidelity;                         ///< size and accuracy of simulations
-    int threads = 1;                           ///< number of runs or refits at a time
-    bool quiet = false;                        ///< no progress on standard error
+    Fidelity fidelity;                         ///< size and accuracy of simulation runs
+    int threads = 1;                           ///< number of simulation runs or refits at a time
+    bool quiet = false;                        ///< print no progress on standard error
     bool all = false;                          ///< print every row of every table and every note
-    std::filesystem::path store;               ///< SQLite file that keeps every run
-    bool store_named = false;     ///< whether the user named the store: --store or $PENDULAR_STORE
+    std::filesystem::path store;               ///< SQLite file that keeps every simulation run
+    bool store_named = false;     ///< whether the user named `store`: --store or $PENDULAR_STORE
     std::filesystem::path study;  ///< study or other file to read; empty: the command reads none
 
-    /// Folder for results: the folder of --out, else STUDY/out.
+    /// Folder for results: the folder of option --out, else the folder `out` in the study's folder.
     std::filesystem::path out_folder() const;
 };
 
-/// Declares, parses and documents the options of one command.
+/// Declares, parses and documents the command-line options of one command of `pendular`.
 class Options {
   public:
     /// @param usage the line of the help text after "Usage: pendular"
-    /// @param about description of the command, the beginning of the help text
-    /// @param examples example commands, the end of the help text
+    /// @param about description of the command, after the usage line of the help text
+    /// @param examples example commands, the end of the help text, with line ends
     /// @param takes_study whether the command needs one word that names a study or another file
     Options(std::string usage, std::string about, std::string examples, bool takes_study);
 
-    /// Adds an option of this command; its description names the unit.
+    /// Adds the option --NAME of this command, whose value `parse` stores in `value`. The
+    /// description for the help text says in which unit the value is.
     template <typename T>
     void add(const char* name, T* value, const std::string& description) {
         sections_.back().add_options()(
@@ -54,24 +57,25 @@ class Options {
     }
     /// Begins a section of the help text, for the options that are added after this call.
     void begin_section(const std::string& heading) { sections_.emplace_back(heading, 100); }
-    /// Sets the default of --threads (0: all cores) and its description.
+    /// Sets the default of option --threads (0: one thread per core) and its text in the help.
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
     }
-    /// Sets the description of --out.
+    /// Sets the text on option --out, the folder for results, in the help text.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
-    /// Accepts any number of words that belong to no option, after the study if the command has
-    /// one. Parsing stores these words in `words`.
+    /// Makes the command accept any number of words that belong to no option, after the study if
+    /// the command reads one. `parse` stores these words in `words`.
     void take(std::vector<std::string>* words) { words_ = words; }
-    /// Adds an option without a value, which sets `value` to true.
+    /// Adds the option --NAME without a value: `parse` sets `value` to whether it was given.
     void add_switch(const char* name, bool* value, const std::string& description);
 
-    /// Parses the arguments. Returns the values of the common options; empty where the user
-    /// requested the help text, which is then printed.
+    /// Parses the words after the command's name. Returns the values of the options that every
+    /// command has; empty where the user gave --help, for which the help text is printed.
     /// @throws InputError for an unknown option (with the nearest known option), for a missing or
-    ///         malformed value, and for a file or folder that cannot be written
+    ///         malformed value or study, for too many words, and for a file of --json or a folder
+    ///         for results that cannot be written
     std::optional<CommonOptions> parse(const std::vector<std::string>& arguments);
-    /// Whether the user gave this option.
+    /// Whether the parsed arguments contain the option `name` (without "--").
     bool given(const std::string& name) const {
         return variables_.count(name) > 0 && !variables_[name].defaulted();
     }

@@ -11,23 +11,27 @@
 
 namespace pendular::app {
 
-/// Effects of a single run as the user gives them, with the scale for effects whose parameters are
-/// in SI units: diameter, density, normal stress and surface tension.
+/// Physical effects of a single simulation run as the user gives them by options, with the scale
+/// that converts parameters in SI units to the run's reduced units: diameter and density of the
+/// beads, normal stress, and surface tension.
 class RunEffects {
   public:
-    /// Declares the options for the effects and for the scale.
-    /// @throws InputError where an argument names an effect or parameter that does not exist, or an
-    ///         effect that a single run cannot have
+    /// Adds to `options` the options for the effects, --EFFECT.PARAMETER, and for the scale.
+    /// @throws InputError where one of the command line `arguments` names an effect or parameter
+    ///         that does not exist, or an effect that a single run cannot have
     RunEffects(Options& options, const std::vector<std::string>& arguments);
 
-    /// Returns the run with the effects of the parsed options.
-    /// @throws InputError for a value out of bounds, for a scale that contradicts the run, and for
-    ///         an effect that does not act on its grains, dry or wet as they are
+    /// Returns the parameters of a run, changed by the effects of the parsed options.
+    /// @throws InputError for an option's value that is malformed or out of bounds, for a scale
+    ///         that contradicts the run, and for an effect that cannot act on the run, such as an
+    ///         effect of liquid on dry grains
     dem::RunParameters changed(const dem::RunParameters& run, const Options& options);
 
-    /// Prints the effects of the run and, where an effect depends on it, the scale.
+    /// Prints one line with the effects that `RunEffects::changed` applied and the parameters that
+    /// they replaced in the run `changed`, and the scale if an effect has parameters in SI units.
     void print(Console& console, const dem::RunParameters& changed) const;
-    /// Adds the key `effects` and, where an effect depends on it, the key `scale` [SI units].
+    /// Adds to the JSON of a run the key `effects` and, if an effect has parameters in SI units,
+    /// the key `scale` in SI units. Adds nothing where the run has no effects.
     void add_to(nlohmann::ordered_json& json) const;
 
   private:
@@ -38,13 +42,13 @@ class RunEffects {
     EffectOptions options_;
     std::vector<ActiveEffect> effects_;
     RunScale scale_;
-    bool scaled_ = false;         ///< whether an effect depends on the scale
-    bool scale_given_ = false;    ///< whether the user gave a part of the scale
-    dem::RunParameters without_;  ///< run without the effects
+    bool scaled_ = false;         ///< whether an effect has parameters that `scale_` converts
+    bool scale_given_ = false;    ///< whether the user gave an option for a part of `scale_`
+    dem::RunParameters without_;  ///< parameters of the run without the effects
 };
 
-/// Option for the examples of the help text, "--EFFECT.PARAMETER VALUE", that sets an effect on
-/// grains to its smallest size of interest.
+/// Text for the examples of the help text, "--EFFECT.PARAMETER VALUE": option that sets the first
+/// built-in effect on grains that is not a switch to its smallest size of interest.
 std::string example_of_run();
 
 }  // namespace pendular::app

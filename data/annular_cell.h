@@ -8,10 +8,11 @@ namespace pendular {
 
 /// Annular shear cell with the grains in it.
 struct AnnularCell {
-    double inner_radius = 0;  ///< Ri [m]
-    double outer_radius = 0;  ///< Re > Ri [m]
+    double inner_radius = 0;  ///< Ri, inner radius of the annulus [m]
+    double outer_radius = 0;  ///< Re > Ri, outer radius of the annulus [m]
     double bead_volume = 0;   ///< V_S, solid volume of all grains in the cell [m^3]
-    /// Formula that converts a torque to a shear stress.
+    /// Formula that converts a torque to a shear stress: derived by integration over the annulus,
+    /// or as Badetti et al. (2018) print it, which gives twice the derived value.
     FormulaVariant torque_formula = FormulaVariant::derived;
 
     /// Area of the annulus [m^2]: pi (Re^2 - Ri^2).
@@ -32,8 +33,8 @@ double normal_stress(double normal_force, const AnnularCell& cell);
 /// Source: direct integration.
 double shear_stress(double torque, const AnnularCell& cell);
 
-/// Solid fraction [1] at a sample height H [m], the volume of the grains over that of the sample:
-/// V_S / (pi H (Re^2 - Ri^2)).
+/// Solid fraction [1] at a sample height H [m], the volume V_S of the grains over the volume of the
+/// sample: V_S / (pi H (Re^2 - Ri^2)).
 /// Source: Badetti et al. (2018), eq:exprheol.
 double solid_fraction(double height, const AnnularCell& cell);
 
@@ -45,8 +46,8 @@ double shear_rate(double angular_velocity, double height, const AnnularCell& cel
 /// Normal force on the lid [N] at a normal stress [Pa]; the inverse of `normal_stress`.
 double normal_force(double normal_stress, const AnnularCell& cell);
 
-/// Torque on the lid [N m] at a shear stress [Pa], by the formula that the cell has; the inverse of
-/// `shear_stress`.
+/// Torque on the lid [N m] at a shear stress [Pa], by the formula `cell.torque_formula`; the
+/// inverse of `shear_stress`.
 double torque(double shear_stress, const AnnularCell& cell);
 
 /// Height of the sample [m] at a solid fraction [1]; the inverse of `solid_fraction`.
@@ -57,8 +58,8 @@ double height(double solid_fraction, const AnnularCell& cell);
 double angular_velocity(double shear_rate, double height, const AnnularCell& cell);
 
 /// Covariance of (shear stress [Pa], solid fraction [1]) to first order, from the covariance C of
-/// (torque [N m], height [m]) at this height [m]: J C J^T, with J the derivatives of `shear_stress`
-/// and `solid_fraction`.
+/// (torque [N m], sample height [m]): J C J^T, with J the derivatives of `shear_stress` by the
+/// torque and of `solid_fraction` by the height, taken at `height` [m].
 Eigen::Matrix2d covariance_of_reading(double height,
                                       const Eigen::Matrix2d& torque_height_covariance,
                                       const AnnularCell& cell);

@@ -9,39 +9,41 @@ namespace pendular {
 
 /// Parameter of a physical effect that a model may lack, such as the coefficient of wall friction.
 struct EffectParameter {
-    std::string name;             ///< "on" for a switch, whose value is 0 or 1
+    std::string name;             ///< name; "on" for a switch, whose value is 0 or 1
     std::string unit = "1";       ///< SI unit; "1": dimensionless
-    double lower = 0, upper = 1;  ///< bounds of the value [unit]
+    double lower = 0, upper = 1;  ///< smallest and largest allowed value [unit]
     double neutral = 0;           ///< value at which the effect vanishes [unit]
-    /// Smallest difference from `neutral` that matters to a user [unit].
+    /// Smallest difference of the value from `neutral` that matters to a user [unit].
     double smallest_of_interest = 1;
     std::string meaning;  ///< meaning of the parameter in a few words
-    /// Amplitude to which the response is proportional, as a function of the parameter's value.
-    /// Needed for a response with zero slope at `neutral`, such as 1 - cos(angle). Null: the value
-    /// itself.
+    /// Function A of the parameter's value such that the effect is taken to change the observables
+    /// in proportion to A(value) - A(neutral). Needed for changes with zero slope at `neutral`,
+    /// such as 1 - cos(angle). Null: A is the value itself.
     double (*amplitude)(double value) = nullptr;
-    /// Effective amplitude at a given intergranular friction [1], for effects that friction limits;
-    /// 0 at `neutral`, largest at `upper`. The emulator (Gaussian processes trained on simulations)
-    /// takes the response to the effect as proportional to this amplitude. Null: `amplitude` is
-    /// used.
+    /// Function of the parameter's value and of the intergranular friction [1] to which the
+    /// emulator (Gaussian processes trained on simulations) takes the effect's change of the
+    /// observables as proportional, for effects that friction limits; 0 at `neutral`, largest at
+    /// `upper`. Null: `amplitude` is used.
     double (*effective_amplitude)(double value, double friction) = nullptr;
 
     /// Whether the effect is only on or off, with the parameter "on".
     bool is_switch() const { return name == "on"; }
 };
 
-/// Returns the parameter "on" of an effect that is only on or off.
+/// Returns the parameter "on" of an effect that is only on or off: dimensionless, 0 (off, neutral)
+/// or 1 (on), with this meaning.
 EffectParameter on_switch(std::string meaning);
 
-/// An effect with a value for each of its parameters.
+/// A physical effect, by name, with a value for each of its parameters.
 struct EffectValues {
     std::string effect;          ///< name of the effect
-    std::vector<double> values;  ///< one per parameter, in the order of the effect's parameters
+    std::vector<double> values;  ///< one per parameter, in its unit and in the effect's order
 
     bool operator==(const EffectValues&) const = default;
 };
 
-/// Access to the values of an effect's parameters by name. Refers to the arrays it was made from.
+/// Access to the values of an effect's parameters by name. Both arrays have one element per
+/// parameter, in the same order, and must outlive this object, which does not copy them.
 class Values {
   public:
     Values(std::span<const EffectParameter> parameters, std::span<const double> values)

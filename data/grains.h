@@ -11,12 +11,12 @@ constexpr double gravity = 9.80665;
 struct GrainProperties {
     double diameter = 0;  ///< mean diameter a [m]
     double density = 0;   ///< density of the grain material [kg/m^3]
-    /// Young's modulus E [Pa]. Without it, results hold for the stiffness number of the chosen
-    /// fidelity (size and duration of the simulations).
+    /// Young's modulus E [Pa]. If empty, results hold for the stiffness number (see
+    /// `stiffness_number`) that belongs to the chosen fidelity (size and duration of simulations).
     std::optional<double> youngs_modulus = {};
     double poisson_ratio = 0.3;  ///< Poisson ratio nu [1]
 
-    /// Mass of one grain [kg]: rho pi a^3/6.
+    /// Mass of one grain [kg]: rho pi a^3/6, with rho the density and a the mean diameter.
     double mass() const;
 };
 
@@ -39,8 +39,8 @@ double inertial_number(double shear_rate, double normal_stress, const GrainPrope
 /// `inertial_number`.
 double shear_rate_at(double inertial_number, double normal_stress, const GrainProperties& grains);
 
-/// Stiffness number kappa = (E~/s22)^(2/3) [1] at a normal stress s22 [Pa], E~ = E/(1 - nu^2);
-/// empty without a Young's modulus.
+/// Stiffness number kappa = (E~/s22)^(2/3) [1] at a normal stress s22 [Pa], E~ = E/(1 - nu^2), with
+/// E Young's modulus and nu the Poisson ratio of the grains; empty without a Young's modulus.
 std::optional<double> stiffness_number(double normal_stress, const GrainProperties& grains);
 
 /// Pull-off force F0 = pi a Gamma cos(theta) [N]: the attraction of two equal grains in contact,
@@ -48,8 +48,9 @@ std::optional<double> stiffness_number(double normal_stress, const GrainProperti
 /// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; Badetti et al. (2018), eq:Maugis.
 double pull_off_force(const GrainProperties& grains, const Liquid& liquid);
 
-/// Reduced pressure P* = a^2 s22/F0 [1] at a normal stress s22 [Pa], with F0 the pull-off force;
-/// infinite for a liquid without surface tension.
+/// Reduced pressure P* = a^2 s22/F0 [1] at a normal stress s22 [Pa], with a the grain diameter and
+/// F0 the pull-off force of two grains joined by a liquid bridge (`pull_off_force`); infinite for a
+/// liquid without surface tension.
 /// Source: Badetti et al. (2018), eq:defPstar.
 double reduced_pressure(double normal_stress, const GrainProperties& grains, const Liquid& liquid);
 

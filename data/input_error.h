@@ -12,7 +12,7 @@ struct Position {
     int column = 0;
 };
 
-/// Text "file:line:column"; parts that are unknown are left out.
+/// Text "file:line:column" of a position; an unknown line and an unknown column are left out.
 std::string to_string(const Position& position);
 
 /// Error in the user's input: what() is "file:line:column: what is wrong; what to do". The program

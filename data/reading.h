@@ -14,14 +14,14 @@ namespace pendular {
 
 /// Imposed conditions of a measured or simulated state of steady shear.
 struct Condition {
-    double normal_stress = 0;           ///< s22 [Pa]
-    double inertial_number = 0;         ///< I [1]; 0: the quasi-static limit
-    double liquid_content = 0;          ///< Phi_L/Phi_S [1]; 0: dry
+    double normal_stress = 0;           ///< normal stress s22 [Pa]
+    double inertial_number = 0;         ///< inertial number I [1]; 0: quasi-static limit
+    double liquid_content = 0;          ///< volume of liquid over that of grains [1]; 0: dry
     std::optional<double> height;       ///< height of the sample [m], if known
     std::optional<double> bead_volume;  ///< solid volume of the grains in the cell [m^3], if known
-    double time = 0;                    ///< time since the first recording began [s]
+    double time = 0;                    ///< time since the study's first recording began [s]
 
-    /// Whether there is no liquid.
+    /// Whether the grains are dry: the liquid content is 0.
     bool dry() const { return liquid_content == 0; }
     bool operator==(const Condition&) const = default;
 };
@@ -31,7 +31,8 @@ struct Condition {
 struct SharedError {
     /// Number of the error's source: errors with the same number are fully correlated.
     std::size_t source = 0;
-    Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< standard errors
+    /// Standard errors of (shear stress [Pa], solid fraction [1]).
+    Eigen::Vector2d size = Eigen::Vector2d::Zero();
     /// Standard errors before they were widened because few replicates determine them.
     Eigen::Vector2d estimated = Eigen::Vector2d::Zero();
     bool known = false;  ///< whether `size` is known, rather than estimated from replicates
@@ -46,29 +47,33 @@ struct Reading {
     double shear_rate = 0;  ///< shear rate [1/s]; 0: only the inertial number was given
     /// Magnitude of the shear stress [Pa], solid fraction [1].
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
-    /// Covariance of `value`, all errors included. The scatter between replicates is widened where
-    /// few replicates determine it.
+    /// Covariance of `value` (shear stress [Pa], solid fraction [1]), all errors included. The
+    /// scatter between replicates is widened where few replicates determine it.
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
     /// Part of `covariance` that the widening for few replicates added.
     Eigen::Matrix2d widened_by = Eigen::Matrix2d::Zero();
-    /// Parts of `covariance` that are shared with other readings.
+    /// Errors, contained in `covariance`, that are shared with other readings, such as the error of
+    /// one filling of the cell.
     std::vector<SharedError> shared;
-    /// Degrees of freedom with which the scatter of each observable was estimated; infinite: known.
+    /// Degrees of freedom of the estimated scatter between replicates of (shear stress, solid
+    /// fraction); infinite: the scatter is known.
     Eigen::Vector2d scatter_freedom = Eigen::Vector2d::Constant(INFINITY);
-    std::size_t scatter_group = 0;  ///< index in ReplicateScatter::groups
-    /// Step to which `value` was rounded in a table of readings [Pa, 1]; 0: not rounded.
+    std::size_t scatter_group = 0;  ///< index of the file's group in ReplicateScatter::groups
+    /// Rounding steps of (shear stress [Pa], solid fraction [1]): unit of the last digit that the
+    /// table of readings gives; 0: not rounded.
     Eigen::Vector2d resolution = Eigen::Vector2d::Zero();
     double sampled_seconds = 0;  ///< duration of the averaged steady part [s]; 0: unknown
     /// Whether the imported `covariance` contains only the scatter within a run, not the scatter
     /// between runs or fillings.
     bool within_run_only = false;
-    /// Whether an error is unknown and was assumed to be 2 % of the value.
+    /// Whether the error of shear stress or solid fraction is unknown, so that a standard error of
+    /// 2 % of the value was added.
     bool error_assumed = false;
-    /// Number of readings at this condition, this reading included.
+    /// Number of readings of the study at the reading's condition, itself included.
     int replicates = 1;
 
-    /// Covariance of `value` without the widening for few replicates, for tests that allow for the
-    /// number of replicates in another way.
+    /// Covariance of (shear stress [Pa], solid fraction [1]) without the widening for few
+    /// replicates, for statistical tests that allow for the number of replicates in another way.
     Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
     /// Shear stress over normal stress [1].
     double stress_ratio() const { return value(0) / condition.normal_stress; }
@@ -91,36 +96,39 @@ struct Doubt {
     bool set_aside = true;
 };
 
-/// Scatter between replicates in excess of the scatter within their runs. Variances and mean
-/// squares are relative to the squared values of (stress ratio, solid fraction) [1].
+/// Scatter between replicates (readings at the same condition) in excess of the scatter within the
+/// recorded steps that the readings average. Variances and mean squares are relative to the squared
+/// values of (stress ratio, solid fraction) [1].
 struct ReplicateScatter {
     /// Scatter from step to step in a group of files that have conditions in common.
     struct Group {
         std::vector<std::string> files;  ///< paths of the files
-        /// Covariance of the step scatter in excess of the scatter within runs, at
-        /// `reference_stress` [1].
+        /// Covariance of relative deviations of (stress ratio, solid fraction) [1] from step to
+        /// step, less the part that the scatter within a step explains, at `reference_stress`.
         Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();
-        /// Mean square between replicates, scatter within runs included [1]; equal for groups that
-        /// share one estimate.
+        /// Mean squares of the deviations between replicates, relative to squared (stress ratio,
+        /// solid fraction) [1], scatter within steps included; equal for groups that share one
+        /// estimate.
         Eigen::Vector2d mean_square = Eigen::Vector2d::Zero();
         Eigen::Vector2d freedom = Eigen::Vector2d::Zero();  ///< degrees of freedom of `mean_square`
     };
     std::vector<Group> groups;  ///< every file is in one group
-    /// Exponent of the step scatter of each observable [1]:
+    /// Exponents [1] of the scatter from step to step of (stress ratio, solid fraction):
     ///     standard deviation ~ (normal stress/reference_stress)^-exponent.
     Eigen::Vector2d load_exponent = Eigen::Vector2d::Zero();
     /// Standard errors of `load_exponent` [1]; 0: not estimated.
     Eigen::Vector2d load_exponent_error = Eigen::Vector2d::Zero();
-    /// Degrees of freedom of the correlation between the observables; infinite: known.
+    /// Degrees of freedom of the correlation between the deviations of stress ratio and of solid
+    /// fraction; infinite: known.
     double correlation_freedom = INFINITY;
     double reference_stress = 0;  ///< normal stress at which `Group::excess` holds [Pa]
 
     /// Error that all steps of one filling of the cell share, estimated by a two-way analysis of
     /// variance (conditions, files): variance = (between - within)/steps, widened for few fillings.
     struct Filling {
-        double variance = 0;  ///< relative variance, widened for few fillings [1]
-        double between = 0;   ///< relative mean square between files [1]
-        double within = 0;    ///< relative mean square between steps of a file [1]
+        double variance = 0;  ///< variance over squared value, widened for few fillings [1]
+        double between = 0;   ///< mean square between files, relative [1]
+        double within = 0;    ///< mean square between steps of a file, relative [1]
         /// Degrees of freedom of `between`; 0: no two files share a condition; infinite: `variance`
         /// is treated as known.
         double freedom_between = 0;
@@ -141,7 +149,7 @@ struct Measurements {
     std::vector<std::string> notes;
 };
 
-/// Condition of each reading, in the order of `readings`.
+/// Imposed condition of each reading, in the order of `readings`.
 inline std::vector<Condition> conditions_of(const std::vector<Reading>& readings) {
     std::vector<Condition> conditions;
     for (const auto& reading : readings) {

@@ -7,22 +7,23 @@
 
 namespace pendular {
 
-/// Returns a sentence on a change of the study's model, one effect added or dropped: chi2/dof and
-/// the RMS error of the shear stress [%] before and after.
+/// Sentence on a change of a study's model, one effect added or dropped: chi2 per degree of freedom
+/// and the RMS relative error of the predicted shear stress [%], before and after the change.
 std::string verdict_of(const StudyChange& change, const LadderStep& before,
                        const LadderStep& after);
 
-/// Table of the model's errors before and after a change: chi2/dof, RMS errors [%], and RMS errors
-/// at conditions that were left out of the fit [%].
+/// Table of a model's errors before and after one effect was added or dropped: chi2 per degree of
+/// freedom and the RMS relative errors [%] of shear stress and solid fraction, for the readings and
+/// in cross-validation (each condition predicted by a fit to the others). One row per string.
 std::vector<std::string> error_changes(const LadderStep& before, const LadderStep& after);
 
-/// Table of the fitted parameters before and after a change. The change of a parameter is given in
-/// units of its standard error before.
+/// Table of the fitted parameters before and after one effect was added to a model or dropped. The
+/// change of a parameter is in units of its standard error before. One row per string.
 std::vector<std::string> parameter_changes(const LadderStep& before, const LadderStep& after);
 
-/// Advice after a change, as sentences: on an added effect that does not improve the model, on a
-/// dropped effect, and on parameters that changed by more than three standard errors. `study` is
-/// the study's name as the user gave it, for commands in the text.
+/// Advice after an effect was added to a model or dropped, as sentences: on an added effect that
+/// does not improve the model, on a dropped effect, and on fitted parameters that changed by more
+/// than three standard errors. `study`: the study's name as the user gave it, for commands.
 std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before,
                                    const LadderStep& after, const std::string& study);
 

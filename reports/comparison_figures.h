@@ -11,7 +11,7 @@ namespace pendular {
 
 /// Returns the figures of `pendular compare`: dry readings (dry_figures.h), wet readings
 /// (wet_figures.h), predicted against measured values (`parity`), and residuals
-/// (residual_figures.h). The model in them is the fitted model with the study's effects.
+/// (residual_figures.h). The figures show the fitted model with all effects that the study lists.
 std::vector<Figure> comparison_figures(const StudyModel& model, const Calibration& calibration,
                                        const Comparison& comparison);
 

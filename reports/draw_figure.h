@@ -6,8 +6,8 @@
 
 namespace pendular {
 
-/// Draws a figure by gnuplot as NAME.svg, NAME.png and NAME.pdf in a folder, and writes its numbers
-/// as NAME.csv. Creates the folder where there is none.
+/// Draws a figure by gnuplot as NAME.svg, NAME.png and NAME.pdf in `folder`, and writes the drawn
+/// values as NAME.csv; NAME is the figure's `name`. Creates the folder where there is none.
 /// @throws std::runtime_error where gnuplot is missing or a drawing is incomplete
 void draw(const Figure& figure, const std::filesystem::path& folder);
 

@@ -9,35 +9,39 @@
 
 namespace pendular {
 
-/// Relation of an effect to a study.
+/// Relation of a physical effect to a study: whether the study lists it and whether it applies.
 struct EffectStatus {
-    bool listed = false;                 ///< whether the study's model has the effect
-    std::optional<std::string> why_not;  ///< why it does not apply to the study; empty: it applies
+    bool listed = false;  ///< whether the study's model has the effect
+    /// Reason why the effect does not apply to the study; empty: it applies.
+    std::optional<std::string> why_not;
 };
 
-/// Entry of the catalogue of effects.
+/// Entry of the catalogue of effects, the list of all known physical effects that `pendular
+/// effects` prints.
 struct EffectEntry {
     const Effect* effect;
     bool written = false;                     ///< whether the user wrote the effect in study.toml
-    std::optional<EffectStatus> status = {};  ///< empty without a study
+    std::optional<EffectStatus> status = {};  ///< relation to the user's study; empty: no study
 };
 
-/// Table of effects, one line per parameter, grouped by the part of the experiment that the effects
-/// change.
+/// Table of physical effects as lines of text, one line per parameter, grouped by the part of the
+/// experiment that the effects change.
 std::vector<std::string> effects_table(const std::vector<EffectEntry>& entries);
 
-/// Full description of one effect as lines of text, with the settings and options that switch the
-/// effect on.
+/// Full description of one physical effect as lines of text, with the settings in study.toml and
+/// the command-line options that switch the effect on.
 std::vector<std::string> effect_page(const EffectEntry& entry);
 
-/// Page of the manual on one effect, in Markdown; `figure` is the Markdown of its figure, or the
-/// reason why there is none.
+/// Page of the manual on one physical effect, in Markdown. `figure`: the Markdown of the figure of
+/// the effect's changes of the readings, or the reason why there is no such figure.
 std::string manual_page(const EffectEntry& entry, const std::string& figure);
 
-/// First page of the manual, in Markdown: all effects, one row per effect, with links to NAME.md.
+/// First page of the manual of effects, in Markdown: tables with one row per effect and a link to
+/// the effect's page, NAME.md.
 std::string manual_index(const std::vector<EffectEntry>& entries);
 
-/// JSON of an entry of the catalogue of effects.
+/// JSON of an entry of the catalogue of effects: name, equation, parameters with their bounds, and
+/// the effect's relation to the user's study if there is one.
 nlohmann::ordered_json to_json(const EffectEntry& entry);
 
 }  // namespace pendular

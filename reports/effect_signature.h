@@ -10,26 +10,29 @@
 
 namespace pendular {
 
-/// Study in which the signatures of effects, their changes of the readings, are drawn: the default
+/// Study for the figures of signatures, the changes of the readings by effects: with the default
 /// grains, liquid and cell of the virtual laboratory. The study lists the effects, so that its
-/// emulator uses runs with these effects too.
+/// emulator (interpolation between simulation runs) uses runs with these effects too.
 Study signature_study(const std::vector<Effect>& effects);
 
-/// Returns the dry and the wet condition about which the curves of signatures vary one quantity.
+/// Returns the dry and the wet condition of `study` from which each curve in the figures of
+/// signatures (changes of the readings by an effect) varies one quantity.
 std::vector<Condition> signature_conditions(const Study& study);
 
-/// Figure of the signature of an effect at its smallest size of interest (a switch: on), as the
-/// emulator predicts it. Above: change of the shear stress [%]; below: 1000 times the change of the
-/// solid fraction [1]; against reduced pressure, liquid content, inertial number and height of the
-/// sample. Effects on grains have a band of one standard error of the change.
+/// Figure of the signature of an effect: change of the predicted readings when its parameters go
+/// from neutral (no effect), or from the value of the study's liquid, by the smallest size of
+/// interest (a switch: on). Above: change of the shear stress [%]; below: 1000 times the change of
+/// the solid fraction [1]; against reduced pressure, liquid content, inertial number and height of
+/// the sample [mm]. Effects on grains have a band of one standard error of the change.
+/// @param simulation emulator, which interpolates between the study's simulation runs
 /// @throws std::invalid_argument where the emulator has no run with the effect
-/// @throws std::domain_error where, with the effect, no true state of the cell gives the shown
-///         reading
+/// @throws std::domain_error where, with the effect, no true state of the cell makes the instrument
+///         show a condition of the figure
 Figure signature_figure(const Effect& effect, const Study& study,
                         const std::shared_ptr<const EmulatedSimulation>& simulation);
 
-/// Caption of the figure of `signature_figure`, with the conditions that stay constant along its
-/// curves.
+/// Caption of the figure that `signature_figure` returns for the effect, with the values of the
+/// quantities that stay constant along the curves.
 std::string signature_caption(const Effect& effect, const Study& study);
 
 }  // namespace pendular

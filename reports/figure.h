@@ -9,13 +9,14 @@
 
 namespace pendular {
 
-/// One series of data in a panel. A curve without data only adds an entry to the key.
+/// One series of data in a panel (pair of axes) of a figure: points, line, band or bars. A curve
+/// without data only adds an entry to the key.
 struct Curve {
     enum class Style { points, line, dotted_line, dashed_line, band, bars };
     std::string label;
     Style style = Style::points;
     std::vector<double> x, y;
-    std::vector<double> y_error;          ///< error bars of points, or half-width of a band
+    std::vector<double> y_error;  ///< standard errors of y: error bars, half-width of a band
     std::vector<std::string> names = {};  ///< texts above the bars of a bar chart
     std::string colour = "#000000";
     Symbol symbol = {};
@@ -25,7 +26,8 @@ struct Curve {
     bool in_table = true;  ///< whether the CSV file of the figure has the curve's numbers
 };
 
-/// Straight line across a panel at one value with its error: horizontal, or vertical.
+/// Straight line across a panel of a figure at one value, with a band of its standard error:
+/// horizontal at y = `value`, or vertical at x = `value`.
 struct Reference {
     std::string label;
     double value = 0;
@@ -34,7 +36,7 @@ struct Reference {
     std::string colour = "#888888";
 };
 
-/// Place of a panel's key: in a corner of the axes, or outside, to the right of the axes.
+/// Place of the key (legend) of a figure's panel: in a corner of the axes, or to their right.
 enum class Key { none, top_left, top_right, bottom_left, bottom_right, outside };
 
 /// One pair of axes with the data drawn in it.
@@ -50,19 +52,20 @@ struct Panel {
     std::optional<std::pair<double, double>> x_range = {};
     /// Names below x = 1, 2, ... in place of numbers, each as its lines of text.
     std::vector<std::vector<std::string>> x_names = {};
-    bool y_from_zero = false;  ///< a y axis that is not logarithmic includes zero
-    double y_least = 0;        ///< the y axis reaches at least this far to both sides of zero
-    std::optional<std::pair<double, double>> y_range = {};  ///< range of y without the headroom
+    bool y_from_zero = false;  ///< include zero in a y axis that is not logarithmic
+    double y_least = 0;        ///< least reach of the y axis to both sides of zero; 0: no limit
+    /// Least and greatest value on the y axis below the headroom; empty: chosen from the data.
+    std::optional<std::pair<double, double>> y_range = {};
 };
 
-/// Panels under one title, side by side or one above the other.
+/// Figure of a report: panels (pairs of axes) under one title, side by side or stacked.
 struct Figure {
     std::string name;  ///< file name without extension
     std::string title;
     std::vector<Panel> panels;
     bool stacked = false;     ///< panels one above the other instead of side by side
     std::size_t columns = 0;  ///< number of panels in a row; 0: all in one row
-    bool small = false;       ///< small panels, for figures with many of them
+    bool small = false;       ///< draw small panels, for figures with many panels
 };
 
 }  // namespace pendular

@@ -7,27 +7,29 @@
 
 namespace pendular {
 
-/// Style of a drawn line.
+/// Style of a line in a figure, drawn by gnuplot.
 struct Pen {
     std::string colour;
     double width = 1;            ///< line width in gnuplot's unit
-    std::string dash = "solid";  ///< gnuplot dash type
+    std::string dash = "solid";  ///< dash type in gnuplot's syntax, such as "(7,4)"
 };
 
-/// Collects shapes and texts at places on a page [inch] and writes them as gnuplot commands. The
-/// commands use plot styles rather than gnuplot's objects, whose borders appear twice in SVG, once
-/// in black.
+/// Collects shapes and texts of a figure at places on a page, in inches from the page's lower left
+/// corner, and writes them as gnuplot commands. The commands use plot styles rather than gnuplot's
+/// objects, whose borders appear twice in SVG, once in black.
 class Ink {
   public:
-    /// Adds a line through points.
+    /// Adds a line through points on the page [inch].
     void line(Outline points, const Pen& pen);
-    /// Adds a filled area without a border; `opacity` from 0 to 1.
+    /// Adds a filled area without a border, inside the closed outline [inch]. `opacity`: from
+    /// 0 to 1.
     void area(Outline closed, const std::string& colour, double opacity = 1);
-    /// Adds a text that begins at a place or, if `end_there`, ends at it; centred vertically.
+    /// Adds a text that begins at `place` [inch] or, if `end_there` is true, ends there; centred
+    /// vertically on it.
     void text(const std::string& text, PaperPoint place, bool end_there);
-    /// Adds a text centred on a place.
+    /// Adds a text centred on a place on the page [inch].
     void centred(const std::string& text, PaperPoint place);
-    /// Adds a symbol of an area [inch^2] centred on a place.
+    /// Adds a symbol of the area `area` [inch^2] with its centre of area at `place` [inch].
     void symbol(const Symbol& symbol, PaperPoint place, double area, const std::string& colour);
 
     /// Returns the gnuplot commands that define the data of all shapes, needed once per gnuplot
@@ -37,7 +39,7 @@ class Ink {
     std::string script(double width, double height) const;
 
   private:
-    /// Shapes of one style.
+    /// Shapes of one style, drawn by one element of a gnuplot `plot` command.
     struct Layer {
         std::string style;  ///< gnuplot's plot style and its options
         std::vector<Outline> pieces;
@@ -45,7 +47,7 @@ class Ink {
     void add(const std::string& style, Outline points);
     void label(const std::string& text, PaperPoint place, const char* alignment);
 
-    std::vector<Layer> layers_;  ///< in the order of drawing; later layers cover earlier layers
+    std::vector<Layer> layers_;  ///< shapes in the order of drawing; later ones cover earlier ones
     std::vector<std::string> labels_;
 };
 

@@ -8,30 +8,32 @@
 
 namespace pendular {
 
-/// Least and greatest value on an axis.
+/// Least and greatest value on an axis of a figure, in the unit of the axis.
 using AxisRange = std::pair<double, double>;
 
-/// Position of a panel's axes on the page, and the ranges of values that they span.
+/// Position of the axes of a figure's panel on the page, and the ranges of values that the axes
+/// span.
 struct PanelPlace {
-    double left = 0, right = 0, bottom = 0, top = 0;  ///< edges of the axes on the page [inch]
+    /// Edges of the axes [inch], from the page's left edge and lower edge.
+    double left = 0, right = 0, bottom = 0, top = 0;
     AxisRange x, y;
     bool log_x = false, log_y = false;
 
-    /// Position of the values (x, y) on the page [inch].
+    /// Returns the point on the page [inch] at which a point of these values on the axes is drawn.
     PaperPoint at(double value_x, double value_y) const;
 };
 
-/// Line height of the labels below an x axis [inch].
+/// Height of one line of the names that an x axis shows in place of numbers [inch].
 constexpr double name_line = 0.19;
 
 /// Layout of a figure's page. Every position is known before the figure is drawn, so that symbols
 /// and key can be drawn in inches and keep their shape.
 struct Page {
-    double width = 0, height = 0;  ///< [inch]
-    std::string title;             ///< title with line ends where it is wider than the page
+    double width = 0, height = 0;  ///< size of the page [inch]
+    std::string title;             ///< title, with line ends where it would be wider than the page
     std::vector<PanelPlace> panels;
 };
-/// Lays out the panels and the title of a figure on a page.
+/// Returns the layout of a figure's page: its size, the wrapped title and the place of each panel.
 Page page_of(const Figure& figure);
 
 }  // namespace pendular

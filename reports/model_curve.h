@@ -14,63 +14,70 @@ namespace pendular {
 // quantities than the one along the figure's axis, such as normal stress, height of the sample and
 // time. A curve then follows the conditions of the readings.
 
-/// Quantity of a condition along which a curve runs.
+/// Quantity of a condition, such as the inertial number, along which a model curve runs in a
+/// figure.
 struct Coordinate {
     double (*of)(const Condition&);   ///< returns the quantity of a condition
     void (*set)(Condition&, double);  ///< sets the quantity of a condition
 };
-extern const Coordinate along_inertial_number;        ///< [1]
-extern const Coordinate along_inverse_normal_stress;  ///< [1/Pa]
+extern const Coordinate along_inertial_number;        ///< inertial number of a condition [1]
+extern const Coordinate along_inverse_normal_stress;  ///< 1/(normal stress) of a condition [1/Pa]
 
-/// Conditions along a coordinate through the conditions of readings. Every number is interpolated
-/// linearly between nodes, and is constant before the first node and after the last. A node is the
-/// mean of conditions whose coordinates agree within 5 %.
+/// Conditions at which a model curve is computed, along a coordinate through the conditions of
+/// readings. All other quantities of a condition are interpolated linearly between nodes, and are
+/// constant before the first node and after the last. A node is the mean of conditions whose
+/// coordinates agree within 5 %.
 class ConditionPath {
   public:
     /// @param conditions conditions of readings, at least one
     ConditionPath(std::vector<Condition> conditions, const Coordinate& along);
-    /// Condition at a value of the coordinate.
+    /// Returns the interpolated condition at a value of the coordinate, in the coordinate's unit.
     Condition at(double coordinate) const;
 
   private:
     Coordinate along_;
-    std::vector<Condition> nodes_;  ///< sorted by rising coordinate
+    std::vector<Condition> nodes_;  ///< conditions to interpolate between, by rising coordinate
 };
 
 /// Quantity by which readings are divided into groups with a model curve each.
 enum class Apart { normal_stress, bead_volume, file };
 
-/// Group of readings that are drawn as one series.
+/// Group of readings that a figure draws as one series, with a model curve if `curve` is true.
 struct CurveGroup {
     std::vector<std::size_t> members;  ///< indices of the readings in the calibration
-    /// Quantity that distinguishes the group, as "σ_{22} = 300 Pa"; empty for the only group.
+    /// Text of the quantity that tells the group from the others, as "σ_{22} = 300 Pa", with
+    /// gnuplot markup; empty for the only group.
     std::string name = {};
     /// Whether one model curve along the coordinate, at interpolated conditions of the members,
     /// passes within a quarter of the standard error of each reading from the reading's prediction.
     bool curve = false;
 
-    /// Conditions along a coordinate through the conditions of the members.
+    /// Returns the conditions of a model curve, along a coordinate through the conditions of the
+    /// group's members. `readings`: all readings of the calibration.
     ConditionPath path(const std::vector<Reading>& readings, const Coordinate& along) const;
 };
 
 /// Divides readings into groups such that one model curve represents the predictions of each group.
 /// Tries no division, then division by one quantity of `apart`, then by several in their order,
 /// with at most 8 groups. `CurveGroup::curve` tells for each group whether a curve represents it.
-/// @param members indices of the readings in the calibration
+/// @param members indices in the calibration of the readings to divide
 std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
                                      const Predictor& model, const Calibration& calibration,
                                      const Coordinate& along, const std::vector<Apart>& apart);
 
-/// Curve of the model along the x axis of a figure, with its standard errors.
+/// Curve of predicted stress ratio and solid fraction along the x axis of a figure, with standard
+/// errors.
 struct ModelCurve {
     std::vector<double> x;
     std::vector<Shown> y;
 
-    /// Curve from predictions at `conditions`, drawn at the x values `at`.
+    /// Makes the curve from the predicted shear stresses and solid fractions at `conditions`, with
+    /// one x value in `at` for each condition.
     ModelCurve(std::vector<double> at, const Prediction& predicted,
                const std::vector<Condition>& conditions);
-    /// Adds the curve and its band of one standard error to a panel, in the style of `look`, for
-    /// observable `o`: 0 for the stress ratio, 1 for the solid fraction.
+    /// Adds the curve of the stress ratio (o = 0) or the solid fraction (o = 1) to a panel, with a
+    /// band of one standard error. `look` gives the colour, the line's label and whether the key
+    /// shows it; the CSV file of the figure calls the band `band_label`.
     void draw_in(Panel& panel, std::size_t o, const Curve& look,
                  const std::string& band_label) const;
 };

@@ -8,13 +8,14 @@
 
 namespace pendular {
 
-/// Text on the next measurement to make. Where several models fit, it lists the readings that
-/// separate these models, with the prediction of each model. Where one model fits, it lists the
-/// standard errors of its parameters before and after the measurement.
+/// Lines of text on the next measurement to make. Where several models fit the readings, they list
+/// the measurements that tell these models apart, with the prediction of each model. Where one
+/// model fits, they list the standard errors of its parameters before and after the measurement.
 std::vector<std::string> next_lines(const NextMeasurement& next);
 
-/// Figure of the predictions of the models that fit against normal stress, with the readings to
-/// make. Without panels where one model fits or only direct measurements are possible.
+/// Figure of the stress ratio and solid fraction that each model that fits the readings predicts
+/// against normal stress; vertical lines mark the readings to make. Without panels where one model
+/// fits, or where parameters can be measured directly but no further reading can be made.
 Figure next_figure(const NextMeasurement& next);
 
 }  // namespace pendular

@@ -8,7 +8,8 @@
 namespace pendular {
 
 /// Figures of the residuals, (measured - predicted) over the standard error [1]:
-/// - `residuals`: residual of each reading against every quantity that was varied;
+/// - `residuals`: residuals of shear stress and solid fraction of each reading, in one panel for
+///   each quantity that varies between the readings;
 /// - `residual_map`: mean residual of each condition over normal stress and inertial number, with a
 ///   panel for each liquid content and observable.
 std::vector<Figure> residual_figures(const Comparison& comparison);

@@ -8,15 +8,17 @@
 
 namespace pendular {
 
-/// Figure of one run over its strain: stress ratio and solid fraction averaged over short blocks of
-/// strain, with the averages of the steady state and the end of the transient.
+/// Figure of one simulation run against its shear strain: stress ratio and solid fraction averaged
+/// over short blocks of strain, with lines at the averages of the steady state and at the end of
+/// the transient.
 Figure trace_figure(const StoredRun& run);
 
-/// Figure of one column of `run_columns()` against another, one point per run that did not fail,
-/// with standard errors where there are any. Dry runs, wet runs by range of reduced pressure, and
-/// runs with effects on grains have different colours and symbols.
-/// @throws InputError for a column that does not exist or holds no numbers, and where no run has
-///         both columns
+/// Figure of column `y` of `run_columns()` (the values listed for each simulation run) against
+/// column `x`, one point per run that did not fail, with standard errors of `y` where a column has
+/// them. Dry runs and wet runs by range of reduced pressure differ in colour, runs with effects in
+/// symbol.
+/// @throws InputError for a column that does not exist or holds no numbers, and where no run that
+///         did not fail has numbers in both columns
 Figure runs_figure(const std::vector<StoredRun>& runs, const std::string& x, const std::string& y);
 
 }  // namespace pendular

@@ -4,20 +4,21 @@
 
 namespace pendular {
 
-/// Point of a drawing, in the drawing's unit of length; y grows upwards.
+/// Point of a drawing: [inch] on a page, in units of sqrt(area) for a symbol of area 1; y grows
+/// upwards.
 struct PaperPoint {
     double x = 0, y = 0;
 };
-/// Points joined by straight lines.
+/// Points of a drawing that straight lines join in their order.
 using Outline = std::vector<PaperPoint>;
 
 enum class Shape { square, triangle, circle, star, downward_triangle, diamond, plus };
 
-/// Filling of a symbol's inside. The halves are the lower and the upper half of the height. A plus
-/// has no inside.
+/// Filling of the inside of a symbol in a figure. `bottom_half` and `top_half` fill the lower and
+/// the upper half of the symbol's height. A plus has no inside.
 enum class Filling { filled, bottom_half, hollow, crossed, top_half };
 
-/// Symbol of the points of a curve. The curve has the colour.
+/// Symbol with which a figure draws the points of a curve, in the curve's colour.
 struct Symbol {
     Shape shape = Shape::circle;
     Filling filling = Filling::filled;
@@ -25,14 +26,14 @@ struct Symbol {
     bool operator==(const Symbol&) const = default;
 };
 
-/// Outlines of a symbol whose centre of area is the origin.
+/// Outlines that draw one symbol of area 1 with its centre of area at the origin.
 struct SymbolDrawing {
     std::vector<Outline> fills;    ///< filled areas; the last point repeats the first
     std::vector<Outline> strokes;  ///< lines, among them the closed edge of the symbol
 };
 
-/// Outlines of a symbol of area 1, so that symbols of all shapes look equally large. A plus reaches
-/// beyond the edges of all other symbols.
+/// Returns the outlines of a symbol of area 1, so that symbols of all shapes look equally large. A
+/// plus reaches beyond the edges of all other symbols.
 SymbolDrawing drawing_of(const Symbol& symbol);
 
 }  // namespace pendular

@@ -10,7 +10,7 @@ namespace pendular {
 // Code of the symbols in figures: the shape shows the friction, colour and filling show the liquid
 // content. Source: Badetti et al. (2018), tab:symbols.
 
-/// Shape of the symbols for an intergranular friction.
+/// Shape of the symbols that figures use for an intergranular friction.
 struct FrictionCode {
     double friction;  ///< intergranular friction coefficient [1]
     Shape shape;
@@ -21,9 +21,9 @@ inline constexpr std::array<FrictionCode, 5> friction_code = {{{0.05, Shape::squ
                                                                {0.20, Shape::star},
                                                                {0.25, Shape::downward_triangle}}};
 
-/// Colour and filling of the symbols for a liquid content.
+/// Colour and filling of the symbols that figures use for a liquid content.
 struct ContentCode {
-    double liquid_content;  ///< Phi_L/Phi_S [1]
+    double liquid_content;  ///< liquid volume over solid volume, Phi_L/Phi_S [1]
     std::string_view colour;
     Filling filling;
 };
@@ -34,10 +34,11 @@ inline constexpr std::array<ContentCode, 5> content_code = {
      {0.030, "#111111", Filling::crossed},      // black
      {0.063, "#8e2fb5", Filling::top_half}}};   // purple
 
-/// Grey symbols for dry readings, for which Badetti et al. (2018) give no code.
+/// Colour and filling of symbols for dry readings: grey, filled. Badetti et al. (2018) give none.
 inline constexpr ContentCode dry_code{0, "#808080", Filling::filled};
 
-/// Shape for the friction in `friction_code` that is nearest to `friction` [1].
+/// Returns the symbol's shape for the friction in `friction_code` that is nearest to the
+/// intergranular friction `friction` [1].
 Shape shape_of(double friction);
 
 /// Colour and filling for the liquid content in `content_code` that is nearest in the logarithm to
@@ -45,7 +46,8 @@ Shape shape_of(double friction);
 /// logarithm.
 const ContentCode& code_of(double liquid_content);
 
-/// Symbol of a simulated state with this friction [1] and liquid content [1].
+/// Returns the symbol of a simulated or predicted state: shape by its friction [1], filling by its
+/// liquid content (liquid volume over solid volume) [1].
 Symbol simulated_symbol(double friction, double liquid_content);
 
 /// Symbol of measured points: a plus, since the friction of the measured grains is not known. The

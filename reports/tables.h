@@ -10,26 +10,31 @@ namespace pendular {
 
 // Text tables, one string per line, with the units in the header.
 
-/// Table of the readings, one line per reading.
+/// Table of the imported readings, one line per reading: normal stress [Pa], inertial number,
+/// liquid content, shear stress [Pa] and solid fraction, the last two with standard errors.
 std::vector<std::string> readings_table(const Measurements& measurements);
 
-/// Table of the rows that were left out, one line for each range, with the reason.
+/// Table of the rows of the measured files that import left out, one line for each range of rows,
+/// with the reason.
 std::vector<std::string> excluded_table(const Measurements& measurements);
 
-/// Table of the scatter of replicates [% of the value]: between steps, and between fillings of the
-/// cell. Empty without replicates.
+/// Table of the scatter of shear stress and solid fraction between repeated readings [% of the
+/// value]: between steps, and between fillings of the cell. Empty where the scatter is neither
+/// estimated nor stated.
 std::vector<std::string> scatter_table(const Measurements& measurements);
 
-/// Table of measured and predicted values, one line per reading, then the direct measurements. In
-/// the order of the readings or, if `worst_first`, with the largest chi2 first.
+/// Table of measured and predicted shear stresses [Pa] and solid fractions, one line per reading,
+/// in the order of the readings or, if `worst_first` is true, the largest chi2 first; then one line
+/// per direct measurement of a parameter.
 std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first = false);
 
-/// Table of chi2 by observable, by condition and, where there are several, by file. Each division
-/// adds up to the chi2 of all readings.
+/// Table of the misfit chi2 by observable (shear stress, solid fraction), by condition and, where
+/// there are several files, by file. Each division adds up to the chi2 of all readings.
 std::vector<std::string> misfit_table(const Comparison& comparison);
 
-/// Table of the Mohr-Coulomb cohesion lines, with the measured and the simulated line of a
-/// condition one below the other; empty without lines.
+/// Table of the Mohr-Coulomb cohesion lines, stress ratio = intercept + c*/P*, with the measured
+/// and the simulated line of a liquid content and inertial number one below the other; empty for no
+/// lines.
 std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines);
 
 }  // namespace pendular

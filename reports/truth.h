@@ -6,9 +6,9 @@
 
 namespace pendular {
 
-/// JSON of the truth behind the recordings of a virtual laboratory, for users and scripts: hidden
-/// friction and effects, plan, and the condition and simulation run of each step, with all that is
-/// needed to repeat the run. The program never reads this file.
+/// JSON of the truth behind the recordings that a virtual laboratory wrote, for users and scripts:
+/// hidden friction and effects, plan of the experiment, and the condition and simulation run of
+/// each step, with all that is needed to repeat the run. The program never reads this JSON.
 nlohmann::ordered_json to_json(const LabResult& result);
 
 }  // namespace pendular

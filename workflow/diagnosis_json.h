@@ -9,11 +9,11 @@
 
 namespace pendular {
 
-/// Names of the candidates that an explanation (refitted model) adds to the study's model.
+/// Names of the candidate effects that an explanation (refitted model) adds to the study's model.
 std::vector<std::string> names_of(const Explanation& explanation, const ModelSpace& space);
 
 /// JSON of a diagnosis, which `pendular diagnose` prints and writes to out/diagnosis.json.
-/// @param checks checks of the study's model without further effects
+/// @param checks tests of the residuals of the study's model without further effects
 nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& space,
                                const Evidence& evidence, const Checks& checks);
 

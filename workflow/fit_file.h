@@ -9,11 +9,13 @@
 
 namespace pendular {
 
-/// JSON of a calibration, as in out/fit.json, without the judgement (`Belief`) of the fit.
+/// JSON of a calibration and of its comparison with the readings, as in out/fit.json, without the
+/// judgement (`Belief`) whether the fit can be believed.
 nlohmann::ordered_json to_json(const Calibration& calibration, const Comparison& comparison);
 
-/// Writes a calibration to FOLDER/fit.json, and its training runs that the atlas (the runs that
-/// come with the program) lacks to FOLDER/fit_runs.csv. Returns the content of fit.json.
+/// Writes a calibration, its comparison with the readings and the judgement of it to
+/// FOLDER/fit.json, and its training runs that the atlas (the runs that come with the program)
+/// lacks to FOLDER/fit_runs.csv. Returns the content of fit.json.
 /// @throws std::runtime_error where a file cannot be written
 nlohmann::ordered_json write_calibration(const std::filesystem::path& folder,
                                          const Calibration& calibration,

@@ -10,41 +10,48 @@
 
 namespace pendular {
 
-/// Options for all work on a study: how to simulate, and who receives progress reports.
+/// Options for all work on a study, such as fits and diagnoses: settings and store of the
+/// simulations, threads, and the listener to progress reports.
 struct SessionOptions {
-    Fidelity fidelity;       ///< settings of the simulations
+    Fidelity fidelity;       ///< settings of the simulations, such as the number of grains
     std::uint64_t seed = 1;  ///< seed of simulations and of random draws of errors
     int threads = 1;         ///< number of threads for runs and refits
-    /// User's file of runs, which keeps new runs and provides earlier runs; null: no store.
+    /// Store: the user's file of simulated runs, which keeps new runs and provides earlier runs;
+    /// null: no store.
     RunStore* store = nullptr;
-    std::stop_token stop = {};  ///< stops long work on request
-    Listener listener = {};     ///< receives notes and progress; may be empty
+    std::stop_token stop = {};  ///< request to stop long work, which then ends by dem::Interrupted
+    Listener listener = {};     ///< callback for notes and progress; may be empty
 };
 
-/// Options of the fit of a study.
+/// Options of the fit of a study's parameters.
 struct FitOptions {
-    /// Whether new runs at the optimum check the fit, until prediction and simulation agree.
+    /// Whether runs simulated at the fitted parameters check the emulator, and the fit is repeated
+    /// with them until prediction and simulation agree.
     bool confirm = false;
-    /// Whether the fit uses no runs of the atlas or the store and simulates all its training runs.
+    /// Whether the fit simulates all its training runs and uses none of the atlas (runs that come
+    /// with the program) or of the store (the user's file of runs).
     bool cold = false;
     bool profile = false;  ///< whether to compute the friction's profile likelihood interval too
-    CohesionOptions cohesion = {};  ///< options of the cohesion lines
+    CohesionOptions cohesion = {};  ///< options of the Mohr-Coulomb lines through the wet readings
 };
 
-/// Whether a fit begins without any training run: because the options request it, or because too
-/// few runs of the atlas and the store can serve the study.
+/// Whether a fit begins without any known training run: because `options.cold` is set, or because
+/// fewer than 20 runs of the atlas (runs that come with the program) and the store (the user's file
+/// of runs) can serve the study.
 bool begins_cold(const Study& study, const SessionOptions& session, const FitOptions& options);
 
-/// Calibrates a study with an emulator, trained on the runs of atlas and store where enough of them
-/// can serve the study, else on a new design of runs.
+/// Fits the parameters of a study's model to its readings, with an emulator trained on the runs of
+/// atlas (comes with the program) and store (the user's file of runs) or, where `begins_cold`, on
+/// runs that are simulated anew.
 /// @throws InputError where there is nothing to fit, where a reading cannot be simulated, where
 ///         the study has effects on grains but no known runs, and where the atlas cannot be read
 /// @throws dem::Interrupted where the user stops the work, with how to continue
 Calibration fit_study(const ResolvedStudy& study, const Measurements& measurements,
                       const SessionOptions& session, const FitOptions& options);
 
-/// Exception for stopped work. Its message names the file of the store, which keeps the finished
-/// runs, and how to continue; `store` may be null.
+/// Returns the exception for simulations that the user stopped. Its message names the file of the
+/// store, which keeps the finished runs, and how to continue; a null `store` gives the default
+/// message.
 dem::Interrupted interrupted_with(const RunStore* store);
 
 }  // namespace pendular

@@ -14,8 +14,8 @@ namespace pendular {
 /// range of rows with its reason, the scatter between replicates, doubts and notes.
 nlohmann::ordered_json to_json(const Measurements& measurements);
 
-/// JSON of a comparison of model and measurement, which `pendular compare` prints and writes to
-/// out/compare.json.
+/// JSON of a comparison of model and measurement, with its cohesion lines and the tests of its
+/// residuals, which `pendular compare` prints and writes to out/compare.json.
 nlohmann::ordered_json to_json(const Comparison& comparison, const std::vector<CohesionLine>& lines,
                                const WhereItFails& where);
 

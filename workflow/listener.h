@@ -13,19 +13,20 @@ namespace pendular {
 struct Event {
     enum class Kind {
         note,   ///< note for the user: `text`
-        stage,  ///< beginning of the work that `text` names
+        stage,  ///< beginning of the stage of work that `text` names
         runs,   ///< progress of the simulations of the stage `text`
         round,  ///< end of round `number` of a fit, with its result `fit`
         refits  ///< progress of the refits that `text` names: `number` of `total`
     };
     Kind kind = Kind::note;
-    std::string text = {};              ///< text of the note, or name of the stage
+    std::string text = {};              ///< text of the note, or name of the stage or work
     EnsembleProgress runs = {};         ///< progress of simulations, for the kind `runs`
-    std::size_t number = 0, total = 0;  ///< counts for the kinds `round` and `refits`
-    const Fit* fit = nullptr;           ///< result of a round; valid during the call only
+    std::size_t number = 0, total = 0;  ///< number of the round, or refits done and all refits
+    const Fit* fit = nullptr;           ///< fit of a round; valid only while the listener is called
 };
 
-/// Callback that receives events. It is called from one thread at a time and may be empty.
+/// Callback that receives notes and progress reports of the work on a study. It is called from one
+/// thread at a time and may be empty.
 using Listener = std::function<void(const Event&)>;
 
 /// Calls a listener with an event; does nothing where the listener is empty.

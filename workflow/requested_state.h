@@ -11,22 +11,23 @@ namespace pendular {
 /// State of steady shear as the user requests it. The state is wet where a reduced pressure is
 /// given; the amount of liquid is then either a bridge volume or a liquid content.
 struct RequestedState {
-    double friction = 0.09, inertial_number = 0;  ///< both [1]
+    double friction = 0.09, inertial_number = 0;  ///< friction coefficient and inertial number [1]
     /// Reduced pressure P* [1], bridge volume over a^3 [1], liquid content Phi_L/Phi_S [1].
     std::optional<double> reduced_pressure, bridge_volume, liquid_content;
 
-    /// Checks that the state is possible: numbers within their ranges, and the amount of liquid
-    /// given in exactly one way where the state is wet.
-    /// @throws InputError where it is not, naming the option
+    /// Checks that the requested state is possible: numbers within their ranges, and the amount of
+    /// liquid given in exactly one way where the state is wet.
+    /// @throws InputError where it is not possible, naming the option of `pendular predict`
     void check_supported() const;
 
-    /// State in the coordinates of the emulator. A liquid content is converted to a bridge volume
-    /// with the emulated coordination number.
+    /// Requested state in the coordinates of the emulator (friction, inertial number, 1/P*, bridge
+    /// volume). A liquid content is converted to a bridge volume with the emulated coordination
+    /// number.
     /// @throws InputError for a wet state where no known run is wet, and for a dry state where no
     ///         known run is dry
     FlowState state(const Emulator& emulator, const KnownRange& known) const;
-    /// Request for another state, with the amount of liquid given in the same way as in this
-    /// request.
+    /// Request for another state, `state`, with the amount of liquid given in the same way as in
+    /// this request.
     RequestedState with(const FlowState& state, const Emulator& emulator) const;
 
     /// Text that describes the state, as in "friction 0.3, inertial number 0.01, reduced pressure
@@ -36,16 +37,17 @@ struct RequestedState {
     std::string options() const;
 };
 
-/// Parameters of the run that simulates a state. Where the state's inertial number is below the
-/// lowest one of the fidelity, the run has the lowest one.
+/// Parameters of the run that simulates a state of steady shear, with the number of grains and the
+/// strain of a fidelity (set of simulation settings). An inertial number below the lowest one of
+/// the fidelity is raised to it.
 dem::RunParameters run_of(const FlowState& state, const Fidelity& fidelity,
                           double stiffness_number);
 
-/// Reason why a run cannot be simulated, the message of `check_run`; empty where it can be
-/// simulated.
+/// Reason why a run with these parameters cannot be simulated, the message of `check_run`; empty
+/// where it can be simulated.
 std::string why_impossible(const dem::RunParameters& run);
 
-/// Command line of `pendular simulate` for a run that `run_of` returned.
+/// Command line of `pendular simulate` that simulates a run with parameters from `run_of`.
 std::string simulate_command(const dem::RunParameters& run, const Fidelity& fidelity);
 
 /// Error message for a state that the known runs do not support: the reason `why`, the nearest

@@ -8,11 +8,11 @@
 
 namespace pendular {
 
-/// JSON of a number with its standard error, {"value", "stderr"}, both in the same unit.
+/// JSON of a number with its standard error, {"value", "stderr"}, both in the unit of the number.
 nlohmann::ordered_json uncertain(double value, double error);
 
-/// JSON of the parameter values of effects, with the keys "EFFECT.PARAMETER" that fitted parameters
-/// have in fit.json.
+/// JSON of the parameter values of a model's effects, with the keys "EFFECT.PARAMETER" that fitted
+/// parameters have in fit.json.
 nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 
 /// JSON of a run: its observables, each {"value", "stderr"}, and all parameters that are needed to
@@ -20,7 +20,8 @@ nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 /// any, are under the key `effects_in_run_units`.
 nlohmann::ordered_json to_json(const dem::RunResult& run);
 
-/// Reads a run from the JSON that `to_json` makes of it.
+/// Reads the result of a run from JSON that `to_json` made of it. Observables that earlier versions
+/// did not write are zero.
 dem::RunResult run_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace pendular

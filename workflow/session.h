@@ -16,19 +16,20 @@
 
 namespace pendular {
 
-/// Fit of a study, compared with the readings and judged.
+/// Fit of a study, with its comparison with the readings and the judgement whether it can be
+/// believed.
 struct CalibratedStudy {
     Calibration calibration;
     Comparison comparison;
     Belief belief;
 };
 
-/// Fit of a study, read from its results folder and compared with the readings.
+/// Fit of a study that was read from its results folder, with its comparison with the readings.
 struct ComparedStudy {
     Calibration calibration;
-    StudyModel model;  ///< model of the fit
+    StudyModel model;  ///< model that was fitted
     Comparison comparison;
-    WhereItFails where;  ///< failures of the model
+    WhereItFails where;  ///< tests where the model fails on the readings
     Belief belief;       ///< judgement whether the fit can be believed
 };
 
@@ -45,7 +46,7 @@ class Session {
     ///         results would replace an input or be read as one
     explicit Session(const std::filesystem::path& study, SessionOptions options = {},
                      OutputPlaces outputs = {});
-    /// Session on a study that has been read, with results in `folder`.
+    /// Opens a session on a study that has been read already; results go to `folder`.
     Session(StudyInput input, SessionOptions options, std::filesystem::path folder);
 
     const Study& study() const { return input_.study; }
@@ -59,26 +60,30 @@ class Session {
     CalibratedStudy calibrate(const FitOptions& fit = {}) const;
     /// Compares the fit of the results folder with the readings. Writes no file.
     /// @param cohesion options of the cohesion lines; empty: the options of the fit
-    /// @throws InputError where there is no readable fit, or where the study has changed since
+    /// @throws InputError where the folder has no readable fit.json, or where the study has changed
+    ///         since it was fitted
     ComparedStudy compare(const std::optional<CohesionOptions>& cohesion = {}) const;
     /// Predicts the readings of the study's instrument at some conditions from the fit of the
     /// results folder: shear stresses [Pa] and solid fractions [1], with errors of the fit and of
     /// the simulation.
-    /// @throws InputError where there is no readable fit, where the study has changed since, and
-    ///         where a condition cannot be simulated
+    /// @throws InputError where the folder has no readable fit.json, where the study has changed
+    ///         since it was fitted, and where a condition cannot be simulated
     Prediction predict(const std::vector<Condition>& conditions) const;
     /// Tests which physical effect is missing from the study's model. Nothing is simulated.
     /// @throws InputError where readings or known runs are too few, and where a reading is outside
     ///         the range that can be simulated
     /// @throws dem::Interrupted where the user stops the work
     StudyDiagnosis diagnose() const;
-    /// Plans the next measurement. The session and the diagnosis must outlive the result.
+    /// Plans the next measurement to make, from the diagnosis of this session's study: it tells
+    /// apart the models that fit or, where there is one only, determines its parameters best. The
+    /// session and the diagnosis must outlive the result.
     /// @throws InputError where the known runs support a prediction at none of the rig's conditions
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
     /// Adds an effect to study.toml and fits the study again, as `change_study`. This session keeps
     /// the study without the effect; open a new session for the changed study.
-    /// @param same_fidelity whether to use the fidelity of the earlier fit, if there is one
+    /// @param same_fidelity whether to use the fidelity (set of simulation settings) of the fit in
+    ///        the results folder, if there is one
     /// @throws InputError where study.toml has changed since the session read it
     /// @throws whatever `change_study` throws
     ChangedStudy add(const std::string& effect, const FitOptions& fit = {},

@@ -11,33 +11,34 @@
 
 namespace pendular {
 
-/// Predicted observables at one state of steady shear, by the emulator trained on known runs.
+/// Predicted observables at one state of steady shear, by an emulator trained on known runs.
 struct StatePrediction {
     FlowState state;
+    /// Predicted values of the observables at the state.
     std::vector<EmulatedObservable> observables;
     /// Stiffness number to which solid fraction and overlap are corrected [1].
     double stiffness_number = 1000;
-    /// Coordinates in which the state lies beyond all runs, as text (`Emulator::beyond`); empty:
-    /// none.
+    /// Coordinates in which the state lies beyond all training runs, as text (`Emulator::beyond`);
+    /// empty: none.
     std::string beyond;
-    std::size_t runs = 0;  ///< number of training runs
+    std::size_t runs = 0;  ///< number of the emulator's training runs
 };
 
-/// Quantity of a state that varies along a curve of predictions, with its range.
+/// Quantity of a state of steady shear that varies along a curve of predictions, with its range.
 struct VariedQuantity {
     /// "friction", "inertial_number", "reduced_pressure", "bridge_volume" or "liquid_content".
     std::string name;
-    double from = 0, to = 0;   ///< first and last value [1]
-    int points = 60;           ///< number of values
+    double from = 0, to = 0;   ///< first and last value of the quantity [1]
+    int points = 60;           ///< number of values of the quantity
     bool logarithmic = false;  ///< whether the values are evenly spaced in the logarithm
 
     /// Parses a text such as "reduced-pressure=0.5:10", which gives name, first and last value.
     /// @throws InputError for any other text, a range that does not increase, or fewer than two
     ///         points
     static VariedQuantity parsed(const std::string& text, int points);
-    /// Value k [1], from 0 to points - 1.
+    /// Value k of the varied quantity [1], for k from 0 (`from`) to points - 1 (`to`).
     double at(int k) const;
-    /// Sets the varied quantity of a requested state to a value.
+    /// Sets the varied quantity of a requested state to a value [1].
     void set(RequestedState& requested, double value) const;
 };
 
@@ -46,12 +47,13 @@ struct VariedQuantity {
 struct PredictionCurve {
     std::string variable;           ///< name of the varied quantity, as in `VariedQuantity`
     std::vector<double> at;         ///< value of the varied quantity at each state [1]
-    std::vector<FlowState> states;  ///< supported states
-    std::vector<std::vector<EmulatedObservable>> observables;  ///< observables of each state
+    std::vector<FlowState> states;  ///< states that the known runs support
+    /// Predicted observables of each state.
+    std::vector<std::vector<EmulatedObservable>> observables;
     /// Stiffness number to which solid fraction and overlap are corrected [1].
     double stiffness_number = 1000;
     int left_out = 0;          ///< number of states that the known runs do not support
-    std::string why_left_out;  ///< reason why the first of these states is not supported
+    std::string why_left_out;  ///< reason why the first state left out is not supported
 };
 
 /// Predicts steady shear at any state from the runs of the atlas (the runs that come with the
@@ -59,34 +61,37 @@ struct PredictionCurve {
 class StatePredictor {
   public:
     /// @param store user's file of runs; may be null
-    /// @param stiffness_number number to which solid fractions are corrected [1], 100 or more
+    /// @param stiffness_number stiffness number to which solid fractions and overlaps are corrected
+    ///        [1], 100 or more
     /// @throws InputError where atlas and store have too few runs to train an emulator, and
     ///         whatever `check_stiffness_number` throws
     StatePredictor(const Fidelity& fidelity, const RunStore* store, double stiffness_number);
     StatePredictor(const StatePredictor&) = delete;
     StatePredictor& operator=(const StatePredictor&) = delete;
 
-    /// Checks that solid fractions can be corrected to a stiffness number [1].
+    /// Checks that predicted solid fractions can be corrected to this stiffness number [1].
     /// @throws InputError where the stiffness number is below 100
     static void check_stiffness_number(double stiffness_number);
 
     const Emulator& emulator() const { return emulator_; }
     double stiffness_number() const { return stiffness_number_; }
 
-    /// Whether the known runs support a prediction at a state.
+    /// Whether the known runs (atlas and store) support a prediction at a requested state.
     /// @throws InputError for a wet state where no known run is wet, and for a dry state where no
     ///         known run is dry
     bool supports(const RequestedState& requested) const;
-    /// Predicts all observables at a state.
+    /// Predicts all observables at a requested state of steady shear.
     /// @throws InputError where the known runs do not support the state, naming the nearest
     ///         supported state, and where the solid fraction would be impossible
     StatePrediction at(const RequestedState& requested) const;
-    /// Predicts all observables along a curve on which one quantity of a state varies.
+    /// Predicts all observables along a curve of states: `requested`, with the varied quantity set
+    /// to each of its values.
     /// @throws InputError where the known runs support fewer than two states of the curve, and
     ///         where a solid fraction would be impossible
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
-    /// Parameters of the run that simulates a state that the known runs do not support.
+    /// Parameters of the run to simulate for a requested state that cannot be predicted from the
+    /// known runs.
     /// @throws InputError where the state cannot be simulated
     dem::RunParameters run_for(const RequestedState& requested) const;
 

@@ -10,7 +10,8 @@ namespace pendular {
 /// with its standard error and its derivatives.
 nlohmann::ordered_json to_json(const StatePrediction& prediction);
 
-/// JSON of the predictions along a curve of states, as `pendular predict --json` writes it.
+/// JSON of the predictions along a curve of states that differ in one quantity, as `pendular
+/// predict --json` writes it.
 nlohmann::ordered_json to_json(const PredictionCurve& curve);
 
 /// JSON of a state that was simulated instead of predicted, as `pendular predict --json` writes it:

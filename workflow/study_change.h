@@ -12,13 +12,13 @@
 
 namespace pendular {
 
-/// Change of the effects in a study's model: adding or dropping one effect.
+/// Kind of change of the effects that a study lists: adding or dropping one effect.
 enum class Action { add, drop };
 
 /// Change of the effects that a study lists, checked but not yet written to study.toml.
 struct StudyChange {
     Action change = Action::add;
-    std::string effect;    ///< effect to add or drop
+    std::string effect;    ///< name of the effect to add or drop
     ResolvedStudy study;   ///< study after the change
     std::string old_text;  ///< text of study.toml before the change
     std::string new_text;  ///< text of study.toml after the change
@@ -34,15 +34,19 @@ StudyChange plan_change(const ResolvedStudy& study, Action change, const std::st
 struct Fitted {
     Calibration calibration;
     Comparison comparison;
-    LadderStep ladder_step;  ///< summary of the fit, for the ladder
-    Belief belief = {};      ///< judgement of the fit; empty before the change
-    /// Number of conditions left out, each in a refit of its own.
+    /// Summary of the fit, for the ladder (sequence of the study's models).
+    LadderStep ladder_step;
+    /// Judgement whether the fit can be believed; only made after the change.
+    Belief belief = {};
+    /// Number of conditions in cross-validation, each predicted by a refit to the other conditions;
+    /// 0: too few.
     std::size_t left_out = 0;
-    /// Number of conditions without which the other readings do not determine every parameter.
+    /// Number of these conditions without which the other readings do not determine every parameter
+    /// of the model.
     std::size_t undetermined = 0;
 };
-/// Compares a calibration with all readings, and computes its errors at conditions left out of the
-/// fit.
+/// Compares a calibration with all readings of the study, and computes its cross-validation errors
+/// (each condition predicted by a fit to the other conditions).
 Fitted fitted(const ResolvedStudy& study, Calibration calibration);
 
 /// JSON of a change of effects, with the model's errors before and after, as `pendular add --json`
@@ -50,26 +54,29 @@ Fitted fitted(const ResolvedStudy& study, Calibration calibration);
 nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& before,
                                const LadderStep& after, bool written);
 
-/// Carries out a change of effects: appends it to the ladder (the sequence of the study's models),
-/// writes fit.json and ladder.json to `folder`, and last writes study.toml.
+/// Makes a fitted change of effects permanent: appends the model after it to the ladder (the
+/// sequence of the study's models), writes fit.json and ladder.json to `folder`, and last writes
+/// study.toml.
 /// @throws InputError where study.toml has changed since it was read; nothing is written
 /// @throws std::runtime_error where a file cannot be written; study.toml is then unchanged
 void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after,
                   Ladder& ladder, const std::filesystem::path& folder);
 
-/// Result of a change of effects: the study's fits before and after it.
+/// Result of a change of the effects that a study lists: its fits before and after the change.
 struct ChangedStudy {
     StudyChange change;
     Fitted before, after;
     Ladder ladder;  ///< sequence of the study's models; the last is the changed one if `written`
-    /// Whether the change was written to study.toml; false where the fit after it did not converge.
+    /// Whether the change was written to study.toml; false where the fit after the change did not
+    /// converge.
     bool written = false;
 };
 
-/// Options of a change of effects.
+/// Options for fitting a study before and after a change of its effects.
 struct ChangeOptions {
-    FitOptions fit = {};           ///< options of the fit after the change
-    bool same_fidelity = true;     ///< whether to use the fidelity of the study's earlier fit
+    FitOptions fit = {};  ///< options of the fits
+    /// Whether to use the fidelity (simulation settings) of the fit in `folder`.
+    bool same_fidelity = true;
     std::filesystem::path folder;  ///< results folder, with the results of earlier commands
 };
 

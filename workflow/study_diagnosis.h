@@ -18,13 +18,15 @@ namespace pendular {
 
 /// Diagnosis of a study, with the readings, models and errors on which it is based.
 struct StudyDiagnosis {
-    std::vector<Reading> readings;        ///< readings of the study, dry readings first
-    std::unique_ptr<StudyModels> models;  ///< the study's model with any candidates added
-    Evidence evidence;                    ///< readings and direct measurements with their errors
-    Diagnosis diagnosis;                  ///< verdict, tests and refitted models
-    /// Column in a wrong unit that would explain the misfit; empty: none was found.
+    std::vector<Reading> readings;  ///< readings of the study, dry readings first
+    /// The study's model with any set of candidate effects added.
+    std::unique_ptr<StudyModels> models;
+    Evidence evidence;    ///< readings and direct measurements with their errors
+    Diagnosis diagnosis;  ///< verdict, tests and refitted models
+    /// Column of the recordings that was probably read in a wrong unit, which would explain the
+    /// misfit; empty: none was found.
     std::optional<UnitMistake> mistake = {};
-    Belief belief = {};  ///< judgement of the fit without further effects
+    Belief belief = {};  ///< judgement of the fit of the model without further effects
 };
 
 /// Tests which physical effect is missing from a study's model, with an emulator trained on the
@@ -35,20 +37,23 @@ struct StudyDiagnosis {
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session);
 
-/// Checks where the study's model without further effects fails, beyond what its calibrated
-/// parameters can imitate. `seed`: seed of the random errors from which p values are computed.
+/// Checks of the residuals: where the fitted study's model without further effects fails, beyond
+/// what its calibrated parameters can imitate. `seed`: seed of the random errors from which p
+/// values are computed.
 Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// Checks where the model with the leading effects fails (effects that explain most of the misfit
-/// but not all of it); empty where the diagnosis has no leading effects.
+/// Checks of the residuals: where the refitted model with the leading effects fails (effects that
+/// explain most of the misfit but not all of it); empty where the diagnosis has no leading effects.
+/// `seed`: seed of the random errors from which p values are computed.
 std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
 /// RMS errors of (shear stress, solid fraction) [%] of a prediction of the study's readings:
 /// 100 sqrt(mean((predicted/measured - 1)^2)).
 std::array<double, 2> rms_errors(const StudyDiagnosis& diagnosis, const Prediction& prediction);
 
-/// Smooth error of the model, relative to the shear stress [1], that would account for what the
-/// named effects leave, or for what the best refitted model leaves where none is named; 0 where the
+/// Smooth error of the model, relative to the shear stress [1], that would account for the
+/// residuals of the refitted model with the leading effects or, without leading effects, of the
+/// refitted model with the lowest chi2 (if none was refitted, of the model as it is); 0 where a
 /// model fits or no such error is likely.
 double remaining_discrepancy(const StudyDiagnosis& diagnosis);
 

@@ -22,24 +22,28 @@ struct StudyInput {
 /// @throws InputError where a file of the study or an effect that it lists is wrong
 StudyInput read_input(const std::filesystem::path& file);
 
-/// Folder of a study, from the path of the folder or of its study.toml.
+/// Path of the folder of a study, given the path of that folder or of the study.toml in it.
 std::filesystem::path study_folder(const std::filesystem::path& study);
 
-/// Places to which a command writes.
+/// Files and folders to which a command writes.
 struct OutputPlaces {
-    std::filesystem::path folder;  ///< folder for results, option --out
-    /// Files in `folder` that are written, and folders in it in which any file may be written.
+    std::filesystem::path folder;  ///< folder for results, as given by option --out
+    /// Paths in `folder` that the command writes to: files, and folders in which it creates files
+    /// whose names are not known beforehand.
     std::vector<std::filesystem::path> files;
-    std::optional<std::string> json;  ///< file of the option --json; "-": standard output
+    /// File that option --json names; "-": standard output; empty: no JSON.
+    std::optional<std::string> json;
 };
 
 /// Checks, before long work, that output replaces none of the files that a study was read from
 /// (study.toml, its recordings, and links to these files), and that no `file` pattern of the study
 /// would read an output as a measurement.
-/// @throws InputError where it does, naming the output, the input or pattern, and what to do
+/// @throws InputError where an output would replace an input or match a pattern; the message names
+///         both and says what to do
 void protect_inputs(const Study& study, const OutputPlaces& outputs);
 
-/// Reads a study and its recordings, after checking that output does not overwrite them.
+/// Reads a study and its recordings, after checking that the files a command will write (`outputs`)
+/// do not replace them.
 /// @param file study.toml, or the folder that contains it
 /// @throws InputError where a file of the study or an effect that it lists is wrong, and whatever
 ///         `protect_inputs` throws

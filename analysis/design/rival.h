@@ -10,29 +10,32 @@
 
 namespace pendular {
 
-/// One of several models that fit a study's readings, with its fitted parameters.
+/// Rival model: one of several models of a study between which measurements should decide, with its
+/// fitted parameters.
 struct Rival {
     std::string name;  ///< effects added to the study's model, or "the model as it is"
-    std::shared_ptr<const Predictor> model;
+    std::shared_ptr<const Predictor> model;  ///< predicts readings with these effects
     Eigen::VectorXd parameters;  ///< fitted parameters, in the order of `model->parameters()`
-    Eigen::MatrixXd covariance;  ///< covariance of `parameters`
+    Eigen::MatrixXd covariance;  ///< covariance of the errors of `parameters`
 };
 
 /// Possible next measurement with its cost: a reading of steady shear at a condition, or a direct
 /// measurement of one parameter. Costs are in units of one dry reading.
 struct Point {
-    Condition condition = {};  ///< condition of the reading; unused by a direct measurement
-    std::optional<DirectMeasurement> direct = {};  ///< the direct measurement; empty: a reading
-    double first_cost = 0;  ///< cost of filling the cell before the first reading [dry readings]
-    double wait = 0;        ///< waiting time after the study's last reading [s]
-    double wait_cost = 0;   ///< cost of the waiting time [dry readings]
-    double cost = 1;        ///< cost of each reading [dry readings]
+    Condition condition = {};  ///< condition of the reading; unused where `direct` is given
+    /// Direct measurement of a parameter; empty: a reading.
+    std::optional<DirectMeasurement> direct = {};
+    /// Cost of another filling of the cell, if needed [cost of a dry reading].
+    double first_cost = 0;
+    double wait = 0;       ///< waiting time after the study's last reading [s]
+    double wait_cost = 0;  ///< cost of the waiting time [cost of a dry reading]
+    double cost = 1;       ///< cost of each reading at the point [cost of a dry reading]
 };
 
 /// Value that a rival model predicts at one point, (shear stress [Pa], solid fraction [1]) or the
 /// number of a direct measurement [its unit], with its errors.
 struct Forecast {
-    Eigen::VectorXd value;
+    Eigen::VectorXd value;  ///< predicted value: two entries or, of a direct measurement, one
     Eigen::MatrixXd from_parameters;  ///< covariance from errors of the rival's parameters
     Eigen::MatrixXd from_simulation;  ///< covariance from errors of the simulation
 };

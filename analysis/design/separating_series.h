@@ -7,21 +7,22 @@
 
 namespace pendular {
 
-/// Series of readings at one or several points that together separate rival models.
+/// Series of readings at one or several points that together tell rival models apart.
 struct Series {
-    /// Readings at one point.
+    /// Part of the series: readings at one point.
     struct Step {
-        std::size_t point = 0;  ///< index of the point
+        std::size_t point = 0;  ///< index into the list of points given to the search
         int readings = 0;       ///< number of readings at the point
     };
-    /// Steps in the order of their waiting times, the longest last; empty where the largest number
-    /// of readings separates no rivals.
+    /// Readings in the order of the points' waiting times, the longest last; empty where even the
+    /// largest number of readings allowed separates no pair of rivals.
     std::vector<Step> steps;
-    /// Pairs of rivals, by index, that the series separates.
+    /// Pairs of rivals, as indices into the list of rivals, that the series separates (tells apart
+    /// by a significance test).
     std::vector<std::pair<std::size_t, std::size_t>> separated;
-    double cost = 0;  ///< cost of the series [dry readings]
+    double cost = 0;  ///< cost of the series [cost of a dry reading]
 
-    /// Total number of readings.
+    /// Total number of readings of the series, at all points.
     int readings() const;
 };
 

@@ -11,46 +11,54 @@ namespace pendular {
 
 /// Answer of a diagnosis to the question which physical effect a study's model lacks.
 enum class Verdict {
-    nothing_missing,     ///< the model fits, and every effect of interest would have been seen
-    inconclusive,        ///< the model fits, but some effects of interest would stay unseen
-    missing,             ///< the named effects are missing
-    indistinguishable,   ///< several effect sets that share no effect fit equally well
-    unknown,             ///< the model fails, and no known effect explains why
-    suspect_measurement  ///< an error of the measurement explains the misfit
+    /// Model fits, and any candidate effect of interest would have been revealed.
+    nothing_missing,
+    inconclusive,  ///< model fits, but not every effect of interest would have been revealed
+    missing,       ///< the model lacks the effects in `Diagnosis::effects`
+    /// Models with different further effects fit, and no effect is in all of them.
+    indistinguishable,
+    unknown,             ///< the model does not fit, and no known effect explains why
+    suspect_measurement  ///< an error of the measurement would explain the misfit
 };
-/// Name of a verdict, such as "nothing-missing".
+/// Name of a verdict for output, such as "nothing-missing".
 std::string_view to_string(Verdict verdict);
 
 /// Result of a diagnosis: whether the model is complete and, if not, which effects explain the
 /// residuals.
 struct Diagnosis {
     Verdict verdict = Verdict::inconclusive;
-    /// Effects that the verdict names; with `inconclusive`, effects that would stay unseen.
+    /// Names of the effects that the verdict is about: missing, possibly missing or, with
+    /// `inconclusive`, effects that the readings could not reveal.
     std::vector<std::string> effects;
-    bool complete = true;  ///< whether the model with these effects fits the readings
-    /// Model with the leading effects, which explain most of the misfit but not all of it; empty
-    /// unless the verdict is `missing` and `complete` is false.
+    /// False where neither the study's model nor any refitted one fits the readings.
+    bool complete = true;
+    /// Refitted model with the leading effects, which explain most of the misfit but not all of it;
+    /// empty unless the verdict is `missing` and `complete` is false.
     std::optional<Leaders> leaders;
-    /// Parts of the measurement whose error alone would explain the misfit.
+    /// Parts of the measurement whose error alone would explain the misfit, as text such as "the
+    /// readings of dry_1.csv".
     std::vector<std::string> suspects;
-    std::vector<Explanation> confidence_set;  ///< smallest models that fit
-    std::vector<Explanation> tried;           ///< all refitted models
-    std::vector<Finding> scan;  ///< one finding per candidate, the largest reduction of chi2 first
-    /// p value of each suspect measurement in the order of `Evidence::suspects`, corrected for the
-    /// number of tests.
+    std::vector<Explanation> confidence_set;  ///< models that fit, with fewest further effects
+    std::vector<Explanation> tried;           ///< all models that were refitted, accepted or not
+    std::vector<Finding> scan;  ///< result for each candidate effect, largest chi2 reduction first
+    /// p value of each suspect measurement (part of the measurement that may be wrong) in the order
+    /// of `Evidence::suspects` [1], corrected for the number of tests.
     std::vector<double> suspect_p;
-    /// Absolute cosines between the whitened signatures of `effects`, after projecting out what the
-    /// calibrated parameters imitate [1]; empty unless the verdict is `indistinguishable`.
+    /// Similarity of the changes of the readings by each two of `effects` [1]: absolute cosine of
+    /// the whitened changes, less what the calibrated parameters imitate. Empty unless the verdict
+    /// is `indistinguishable`.
     Eigen::MatrixXd cosines;
     Fit fit;          ///< fit of the model without further effects
-    double chi2 = 0;  ///< chi2 of the model without further effects
+    double chi2 = 0;  ///< chi2 of all entries in the fit of the model without further effects
     int dof = 0;      ///< degrees of freedom of `chi2`
-    /// p values of the model without further effects: of the lack of fit of the conditions' means,
-    /// and of the best further effect or suspect measurement, corrected for the number of tests.
+    /// p values [1] of the model without further effects: of the lack of fit of the conditions'
+    /// means, and of the most significant candidate effect or suspect measurement, corrected for
+    /// the number of tests.
     double lack_of_fit_p = 0, further_p = 0;
     bool errors_assumed = false;  ///< whether errors of some readings are assumed, not measured
 
-    /// Whitened residuals of the model without further effects.
+    /// Whitened residuals of the readings from the model without further effects. `evidence`: the
+    /// readings that were diagnosed.
     WeightedResiduals residuals(const Evidence& evidence) const {
         return {evidence.measured, fit.prediction};
     }

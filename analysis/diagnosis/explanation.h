@@ -15,36 +15,39 @@
 
 namespace pendular {
 
-/// Part of the measurement that may be wrong, such as all readings of one condition.
+/// Suspect measurement: part of the measurement that may be wrong, such as all readings of one
+/// condition.
 struct SuspectMeasurement {
-    std::string name;  ///< text, as in "the readings of dry_1.csv"
-    /// Change of the readings' entries by each kind of error, entries x kinds, in the units of the
-    /// readings. An entry is one observable of one reading, or a direct measurement.
+    std::string name;  ///< name of the part, as in "the readings of dry_1.csv"
+    /// Change of the measured entries by each kind of error at amplitude 1, entries x kinds, in the
+    /// units of the readings. An entry is one observable of one reading, or a direct measurement.
     Eigen::MatrixXd columns;
 };
 
-/// Readings with errors, conditions and suspect measurements, as a diagnosis uses them.
+/// Readings and direct measurements with errors, conditions and suspect measurements, as a
+/// diagnosis uses them. An entry is one observable of one reading, or a direct measurement.
 struct Evidence {
     Measured measured;            ///< measured values with their errors as estimated
-    ErrorKnowledge errors;        ///< uncertainty of these errors
+    ErrorKnowledge errors;        ///< how uncertain the sizes of these errors are
     bool errors_assumed = false;  ///< whether errors of some readings are assumed, not measured
-    /// Groups of entries that were measured at one condition; every entry is in one group.
+    /// Groups of entries, as indices: values of one observable measured at one condition, or a
+    /// single direct measurement. Every entry is in one group.
     std::vector<std::vector<Eigen::Index>> conditions;
-    std::vector<SuspectMeasurement> suspects;
+    std::vector<SuspectMeasurement> suspects;  ///< parts of the measurement that may be wrong
 };
 
-/// Model with further effects, or with an error of a suspect measurement, refitted to the readings;
-/// and whether it fits.
+/// Refitted model of a diagnosis: the study's model with further effects, or with an error of a
+/// suspect measurement, fitted to the readings; and whether it fits.
 struct Explanation {
-    EffectSet chosen;                    ///< candidates added to the model
+    EffectSet chosen;                    ///< effects added to the study's model
     std::optional<std::size_t> suspect;  ///< index into Evidence::suspects; empty: no error fitted
     Fit fit;
-    double chi2 = 0;
-    double lack_of_fit_p = 0;  ///< p value of the lack of fit of the conditions' means
-    /// p value of the best further effect or suspect measurement, corrected for the number of
-    /// tests; 1: not tested.
+    double chi2 = 0;           ///< chi2 of all entries in this fit
+    double lack_of_fit_p = 0;  ///< p value of the lack of fit of the conditions' means [1]
+    /// p value [1] of the most significant candidate effect or suspect measurement that the model
+    /// does not contain, corrected for the number of tests; 1 also where not tested.
     double further_p = 1;
-    bool accepted = false;  ///< whether the model fits
+    bool accepted = false;  ///< whether neither p value is significant and the fit converged
 };
 
 /// Result of a diagnosis for one candidate (effect not in the model): its score test and, where the
@@ -52,36 +55,42 @@ struct Explanation {
 struct Finding {
     std::size_t candidate = 0;  ///< index into ModelSpace::candidates()
     ScoreTest test;
-    double value = 0;           ///< estimate of the parameter [its unit]; switch: amplitude [1]
+    /// Estimate of the parameter by the score test [its unit]; for a switch, of the amplitude [1].
+    double value = 0;
     double standard_error = 0;  ///< standard error of `value` [unit of `value`]
-    double p = 1;               ///< p value of the candidate, corrected for the number of tests
-    double power = 0;           ///< probability of revealing the smallest effect of interest [1]
-    /// Distance from the neutral value that the test reveals with the power
-    /// DiagnosisOptions::wanted_power [unit of `value`].
+    /// p value of the candidate's score test [1], corrected for the number of tests.
+    double p = 1;
+    /// Probability that the score test reveals the smallest effect of interest [1].
+    double power = 0;
+    /// Smallest distance of the parameter from its neutral value (no effect) that the score test
+    /// reveals with the probability DiagnosisOptions::wanted_power [unit of `value`].
     double detectable = 0;
-    /// Reduction of chi2 by the refit with this candidate alone; empty: not refitted.
+    /// Reduction of chi2, from the study's model to the model refitted with this candidate alone;
+    /// empty: not refitted.
     std::optional<double> refitted_reduction;
-    std::string decision;  ///< text, as in "missing" or "no sign of it"
-    /// Whether the test would reveal some size of the effect within its bounds; for a switch,
-    /// whether the power exceeds 0.1.
+    std::string decision;  ///< conclusion on the candidate, as in "missing" or "no sign of it"
+    /// Whether some size of the effect within its parameter's bounds would be revealed with the
+    /// probability DiagnosisOptions::wanted_power; for a switch, whether `power` exceeds 0.1.
     bool identifiable = false;
 };
 
 /// Options of a diagnosis.
 struct DiagnosisOptions {
     double significance = 0.05;  ///< probability that a complete model is called incomplete
-    double wanted_power = 0.8;   ///< power from which on a candidate would have been seen [1]
-    /// Number of random draws of errors, which all tests share; 6000 determine a limit of 0.025
-    /// with a standard error of 0.002.
+    /// Power [1] from which on a candidate counts as one that would have been seen.
+    double wanted_power = 0.8;
+    /// Number of random draws of the readings' errors, from which all tests take p values; with
+    /// 6000, a p value of 0.025 has a standard error of 0.002.
     Eigen::Index draws = 6000;
     std::uint64_t seed = 1;  ///< seed of the random draws
-    /// Largest number of pairs of candidates to refit, where no single candidate explains the
-    /// readings.
+    /// Largest number of pairs of candidate effects to refit, where no single candidate or suspect
+    /// measurement explains the readings.
     std::size_t most_pairs = 12;
     std::size_t most_suspects = 12;  ///< largest number of suspect measurements to refit
-    /// Starting values of the model's parameters; empty: the model's own starting values.
+    /// Starting values for the fit of the model without further effects; empty: the model's own.
     std::optional<Eigen::VectorXd> start = {};
-    /// Callback for progress: `done` of `of` steps of the work `what`; may be empty.
+    /// Callback for progress: `done` of `of` steps of the work that `what` names are finished; may
+    /// be empty.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
     std::size_t threads = 1;  ///< largest number of threads for refits; no result depends on it
 };

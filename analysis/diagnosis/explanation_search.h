@@ -9,34 +9,36 @@
 namespace pendular {
 
 /// Score tests of a fitted model for every candidate (effect not in the model) and every suspect
-/// measurement. The lists are in the order of the candidates or of the suspects.
+/// measurement (part of the measurement that may be wrong). The lists are in the order of the
+/// candidates or of the suspects.
 struct Scanned {
-    const Explanation& base;             ///< fit of the model without further effects
-    const WeightedResiduals& residuals;  ///< residuals of `base`
-    const std::vector<Addition>& additions;
-    const std::vector<Signature>& signatures;
-    const std::vector<Finding>& findings;
-    const std::vector<ScoreTest>& suspect_tests;
+    const Explanation& base;                      ///< the study's model without further effects
+    const WeightedResiduals& residuals;           ///< whitened residuals of `base`
+    const std::vector<Addition>& additions;       ///< predictions of `base` with each candidate
+    const std::vector<Signature>& signatures;     ///< change of the readings by each candidate
+    const std::vector<Finding>& findings;         ///< result of each candidate's score test
+    const std::vector<ScoreTest>& suspect_tests;  ///< score test of each suspect measurement
 };
 
-/// Refitted models that may explain the residuals of a model.
+/// Refitted models that were tried to explain the residuals of a study's model.
 struct Found {
-    std::vector<Explanation> tried;  ///< all refitted models
-    /// Models with further effects that fit: single effects or, where no single effect or suspect
-    /// fits, pairs.
+    std::vector<Explanation> tried;  ///< all models that were refitted
+    /// Models with further effects that fit the readings: one effect each or, where no single
+    /// effect or suspect measurement suffices, pairs of effects.
     std::vector<Explanation> fitting;
-    /// Models with an error of a suspect measurement that fit.
+    /// Models without further effects that fit the readings once an error of one suspect
+    /// measurement is fitted too.
     std::vector<Explanation> fitting_suspects;
 };
 
-/// Whether the score test of a candidate is significant enough (p < 0.05 of this test alone) to
-/// refit the model with the candidate.
+/// Whether the score test of a candidate effect is significant enough to refit the model with it:
+/// the p value of this test alone is below 0.05.
 bool looks_missing(const Finding& finding);
 
 /// Refits the model with each candidate that looks missing and with each significant suspect
 /// measurement and, where none of these models fits, with pairs of candidates. Refits run in
-/// parallel on up to `options.threads` threads. A candidate, suspect or pair is skipped where its
-/// predicted reduction of chi2 is clearly below that of a model already rejected.
+/// parallel on up to `options.threads` threads. A model is skipped where its reduction of chi2,
+/// predicted without a refit, is clearly below that of a model already rejected.
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,
                           const Scanned& scanned);

@@ -10,39 +10,48 @@ namespace pendular {
 /// the same random draws of errors. Constant functions may be called from several threads at once.
 class Explanations {
   public:
-    /// `space`, `evidence` and `options` must outlive this object.
+    /// Draws the random errors of the readings. `space` (the model and its candidates), `evidence`
+    /// and `options` must outlive this object.
     Explanations(const ModelSpace& space, const Evidence& evidence,
                  const DiagnosisOptions& options);
 
-    /// Returns the model with the candidates `chosen`, and with an error of the suspect measurement
-    /// if one is given, fitted from the parameter values `start`.
+    /// Returns the model with the candidate effects `chosen`, and with an error of the suspect
+    /// measurement `suspect` (index into Evidence::suspects) if one is given, fitted to the
+    /// readings from the parameter values `start`. Does not test whether it fits.
     Explanation refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
                       const Eigen::VectorXd& start) const;
-    /// Tests whether a refitted model fits, and sets its p values and `accepted`.
+    /// Tests whether a refitted model fits the readings, and sets its p values and `accepted`.
+    /// Further effects are not tested where the fit did not converge or lack of fit is significant.
     void judge(Explanation& explanation) const;
 
-    /// Whitened residuals of a refitted model. Derivatives by parameters at a bound are set to
-    /// zero, since such a parameter cannot move to imitate a change.
+    /// Whitened residuals of the readings from a refitted model. Derivatives by parameters at a
+    /// bound are set to zero, since such a parameter cannot move to imitate a change.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
-    /// p value of the lack of fit of the conditions' means [1].
+    /// p value of the lack of fit [1]: whether the mean residuals of the conditions are larger than
+    /// the errors explain.
     double lack_of_fit_p(const WeightedResiduals& residuals) const;
-    /// Score tests of all suspect measurements except `but`.
+    /// Score tests of all suspect measurements (parts of the measurement that may be wrong) except
+    /// the one with index `but`, in the order of Evidence::suspects.
     std::vector<ScoreTest> suspect_tests(const WeightedResiduals& residuals,
                                          std::optional<std::size_t> but = {}) const;
-    /// Predictions of a refitted model with one further candidate, by amplitude.
+    /// Predictions of a refitted model with one further candidate effect (index into
+    /// ModelSpace::candidates()), as a function of the candidate's amplitude.
     Addition addition(const Explanation& explanation, std::size_t candidate) const;
 
-    /// Random draws of errors that all tests use.
+    /// Random draws of the errors of readings and predictions that all tests use.
     const NullDraws& draws() const { return draws_; }
-    /// Significance of each of the two tests, of lack of fit and of further effects.
+    /// p value below which each of the two tests of a model, for lack of fit and for further
+    /// effects, rejects it: half of DiagnosisOptions::significance.
     double half_significance() const { return options_.significance / 2; }
 
-    /// Covariances, per amplitude, of the change that each candidate makes, from errors of the
-    /// emulator. The caller sets them once; they serve all models.
+    /// For each candidate effect, covariances of its change of the readings at amplitude 1, from
+    /// errors of the emulator. The caller sets them once; they serve the tests of all refitted
+    /// models.
     std::vector<ModelSpace::ChangeErrors> errors;
 
   private:
-    /// Score tests of all candidates and suspects that the refitted model does not contain.
+    /// Score tests of all candidate effects and suspect measurements that a refitted model does not
+    /// contain, on its residuals.
     std::vector<ScoreTest> further_tests(const WeightedResiduals& residuals,
                                          const Explanation& explanation) const;
 

@@ -7,19 +7,23 @@
 
 namespace pendular {
 
-/// Effects that explain most of a misfit which no model explains within its errors.
+/// Leading effects: candidate effects that explain most of a misfit where no refitted model fits
+/// within the errors.
 struct Leaders {
-    Explanation model;     ///< refitted model with the leading effects alone
-    double explained = 0;  ///< share of the excess chi2 - dof that the model takes [1]
+    Explanation model;  ///< refitted model with the leading effects alone
+    /// Share of the excess chi2 - dof of the study's model that `model` removes [1].
+    double explained = 0;
     double rival_share =
         0;  ///< share of repetitions in which a model without one of them leads [1]
 };
 
-/// Share of a misfit's excess, chi2 - dof, that a refitted model takes [1]: 1 where its own chi2 is
-/// at most its degrees of freedom.
+/// Share of the excess chi2 - dof of a model that refitting it as `by`, with further effects,
+/// removes [1]: 1 where the chi2 of `by` is at most its degrees of freedom, 0 where there is no
+/// excess.
 double share_explained(double chi2, int dof, const Explanation& by);
 
-/// Finds the effects that lead among models none of which fits; empty where none leads.
+/// Finds the effects that explain most of a misfit where none of the refitted models `tried` fits;
+/// empty where there are none. `chi2`, `dof`: of the model without further effects.
 ///
 /// Repetitions of the experiment are drawn: errors e change chi2 of model m by 2 s r_m' e, with its
 /// whitened residuals r_m. What all models leave shows that errors are larger than stated, by the

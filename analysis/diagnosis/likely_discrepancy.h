@@ -12,7 +12,8 @@ namespace pendular {
 /// 0.05). The error has the correlation of `discrepancy_correlation` and adds to the errors of
 /// measurement and simulation. The restricted likelihood allows for the fitted parameters.
 /// Source: Patterson and Thompson, Biometrika 58 (1971) 545.
-/// @param prediction prediction of the readings at the fitted parameters, with derivatives
+/// @param prediction prediction of the readings, and of direct measurements after them, at the
+///        fitted parameters, with derivatives
 double likely_discrepancy(const Measured& measured, const Prediction& prediction,
                           const std::vector<Reading>& readings);
 

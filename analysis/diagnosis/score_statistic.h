@@ -19,58 +19,67 @@ namespace pendular {
 /// Sources: score tests (Rao 1948; modification indices, Soerbom 1989; power, Saris, Satorra and
 /// van der Veld 2009), with errors in the derivatives.
 struct ScoreTest {
-    /// Orthonormal basis of the columns of P g; without columns where the calibrated parameters
-    /// imitate g completely or g is not larger than its error.
+    /// Orthonormal basis of the columns of P g, the whitened change less what the calibrated
+    /// parameters imitate; without columns where the calibrated parameters imitate g completely or
+    /// g is not larger than its error.
     Eigen::MatrixXd basis;
-    Eigen::VectorXd estimate;   ///< estimated amplitude for each column of g [1]
-    double standard_error = 0;  ///< standard error of the first amplitude [1]
-    double statistic = 0;       ///< chi2 with as many degrees of freedom as the basis has columns
-    double predicted_reduction = 0;  ///< reduction of chi2 that a refit is predicted to bring
-    double length = 0;               ///< v, for the first column of g
-    /// v_c, for the first column of g; a true amplitude A gives the statistic the noncentrality
-    /// A^2 v_c^2/v.
+    Eigen::VectorXd estimate;   ///< estimated amplitude of the effect for each column of g [1]
+    double standard_error = 0;  ///< standard error of the first of these amplitudes [1]
+    /// Test statistic [1]; chi2 with `basis.cols()` degrees of freedom if nothing is missing.
+    double statistic = 0;
+    /// Reduction of chi2 that a refit with the effect is predicted to bring [1].
+    double predicted_reduction = 0;
+    /// v = g' P g of `ScoreTest`, for the first column of the whitened change g [1].
+    double length = 0;
+    /// v_c of `ScoreTest`, v less the errors of the change, for the first column of g [1]; a true
+    /// amplitude A gives the statistic the noncentrality A^2 v_c^2/v.
     double information = 0;
-    double share_imitated = 0;  ///< share of g'g that the calibrated parameters imitate [1]
-    bool one_sided = false;     ///< whether the amplitude cannot be negative
+    /// Share of the squared length g'g that the calibrated parameters imitate [1].
+    double share_imitated = 0;
+    bool one_sided = false;  ///< whether the amplitude cannot be negative
 
-    /// Whether the readings carry information on the amplitude.
+    /// Whether the readings carry information on the effect's amplitude.
     bool seen() const { return basis.cols() > 0; }
     /// p value of this test alone: probability of a statistic at least as large where nothing is
     /// missing and the errors are exactly known [1]; 1 where seen() is false.
     double p() const;
-    /// Statistic at which p() equals `p`.
+    /// Value of `statistic` at which the p value p() equals `p`.
     double critical(double p) const;
-    /// Statistic that each random draw of errors gives where nothing is missing.
+    /// Value of `statistic` that each random draw of errors gives if nothing is missing, one entry
+    /// for each draw. `residuals`: residuals that the test was made on.
     Eigen::VectorXd drawn(const WeightedResiduals& residuals, const NullDraws& draws) const;
-    /// Probability that p() falls below `limit` where the true amplitude is `amplitude` [1].
+    /// Power of the test [1]: probability that p() falls below `limit` where the true amplitude is
+    /// `amplitude` [1].
     double power(double amplitude, double limit) const;
-    /// Amplitude at which the power is `wanted`, for p() below `limit`; infinite where the readings
-    /// carry no information.
+    /// Amplitude of the effect [1] at which p() falls below `limit` with the probability `wanted`;
+    /// infinite where the readings carry no information.
     double detectable(double wanted, double limit) const;
 };
 
-/// Score test of the change of the readings by one effect or one suspect measurement; the change
-/// and its errors are in the units of the readings.
+/// Score test whether the residuals of a fit contain the change of the readings, `signature`, that
+/// one effect or one suspect measurement makes. `is_switch`: the effect is on or off.
 ScoreTest score_test(const WeightedResiduals& residuals, const Signature& signature,
                      bool is_switch);
 
-/// Several score tests of the same residuals, with a correction of p values for their number.
+/// Score tests of several effects or suspect measurements on the same residuals, with a correction
+/// of their p values for the number of tests, from random draws of errors.
 class FamilyOfTests {
   public:
-    /// @param residuals residuals that all tests were made on
+    /// @param residuals residuals of the fit that all tests were made on
     FamilyOfTests(const std::vector<ScoreTest>& tests, const WeightedResiduals& residuals,
                   const NullDraws& draws);
 
-    /// Probability [1], where nothing is missing, that at least one test has a p value of at most
-    /// `smallest`.
+    /// p value corrected for the number of tests [1]: probability, where nothing is missing, that
+    /// at least one test has a p value of at most `smallest`.
     double p(double smallest) const;
-    /// p value that, where nothing is missing, at least one test falls below with this probability:
-    /// the inverse of p().
+    /// p value of a single test [1] that, where nothing is missing, at least one of the tests falls
+    /// below with this probability: the inverse of p().
     double limit(double probability) const;
 
   private:
     std::vector<ScoreTest> tests_;  ///< tests with information on their amplitude
-    Eigen::MatrixXd drawn_;         ///< statistics in the random draws, draws x tests
+    /// Statistics of the tests in the random draws of errors, draws x tests.
+    Eigen::MatrixXd drawn_;
 };
 
 }  // namespace pendular

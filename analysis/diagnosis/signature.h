@@ -14,8 +14,8 @@ namespace pendular {
 /// distance from neutral, or to the function of the parameter that the candidate declares, such as
 /// the square of a deviation.
 struct Signature {
-    /// Change divided by the amplitude, in the units of the readings, entries x parameters of the
-    /// candidate.
+    /// Change of the predicted readings divided by the amplitude, in the units of the readings,
+    /// entries (values of the readings) x parameters of the candidate.
     Eigen::MatrixXd change;
     /// Covariances of `change` from errors of the emulator, in the units of the readings; empty
     /// unless they were requested.
@@ -38,29 +38,32 @@ class Addition {
     /// from the neutral value (no effect) to the smallest effect of interest. `with_errors`:
     /// whether to compute the covariances of the change.
     Signature signature(bool with_errors) const;
-    /// Computes the change of a signature again at another amplitude, limited to the bounds of the
-    /// parameter. The signature stays as it is where that amplitude is zero or impossible for the
-    /// readings.
+    /// Computes the change of the readings in a signature again at another amplitude of the
+    /// candidate, limited to the bounds of its parameter. The signature is unchanged where that
+    /// amplitude is zero or impossible for the readings.
     void retake(Signature& signature, double amplitude) const;
 
-    /// Value of the candidate's parameter at an amplitude, limited to its bounds [its unit].
+    /// Value of the candidate's parameter [its unit] at an amplitude, limited to its bounds.
+    /// `one_sided`: as in the candidate's `Signature`.
     double value_at(double amplitude, bool one_sided) const;
-    /// Amplitude at a value of the candidate's parameter [1].
+    /// Amplitude of the candidate effect [1] at a value of its parameter. `one_sided`: as in the
+    /// candidate's `Signature`.
     double amplitude_at(double value, bool one_sided) const;
 
     const Candidate& candidate() const { return space_.candidates()[added_]; }
 
   private:
-    /// Change of the predictions at these values of the candidate's parameters; not a number where
-    /// the readings are impossible with them.
+    /// Change of the predictions from the model without the candidate [units of the readings], at
+    /// these values of the candidate's parameters; not a number where the readings are impossible
+    /// with them.
     Eigen::VectorXd change_at(const Eigen::VectorXd& values) const;
-    /// Neutral values of the candidate's parameters, without switches.
+    /// Neutral values (no effect) of the candidate's parameters, without switches.
     Eigen::VectorXd neutral() const;
-    /// Whether the opposite direction from neutral is within the bounds and changes the predictions
-    /// by about the negative of `change`.
+    /// Whether moving the candidate's parameter in the other direction from its neutral value is
+    /// within the bounds and changes the predictions by about the negative of `change`.
     bool mirrored(const Eigen::VectorXd& change) const;
-    /// Direction from neutral, 1 or -1, in which the smallest effect of interest is within the
-    /// bounds.
+    /// Direction from the neutral value of parameter `p`, 1 or -1, in which the smallest effect of
+    /// interest is within its bounds.
     double direction(const EffectParameter& p) const;
 
     const ModelSpace& space_;

@@ -16,15 +16,17 @@ namespace pendular {
 Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                      const std::vector<DirectMeasurement>& direct = {});
 
-/// Quantities that vary by more than 10 % between readings, such as normal stress, inertial number
-/// or time, with a value for each entry. (Smaller differences are scatter of set points or, for the
+/// Covariates (quantities to check residuals against) that vary by more than 10 % between readings,
+/// such as normal stress, inertial number or time, with a value for each entry (observable of a
+/// reading, or direct measurement). (Smaller differences are scatter of set points or, for the
 /// height, follow from the solid fraction.)
-/// @param direct number of direct measurements after the readings, whose value is not a number
+/// @param direct number of direct measurements, whose entries follow those of the readings and have
+///        the covariate value "not a number"
 std::vector<Covariate> covariates_of(const std::vector<Reading>& readings, std::size_t direct = 0);
 
-/// Observable and condition of each entry of the readings and of the direct measurements after
-/// them.
-/// @param parameters calibrated parameters of the model
+/// Observable and condition of each entry: the shear stress and solid fraction of each reading,
+/// then the direct measurements.
+/// @param parameters calibrated parameters of the model, whose names the result has
 /// @param direct number of direct measurements
 EntryKinds entries_of(const std::vector<Reading>& readings,
                       const std::vector<Parameter>& parameters, std::size_t direct = 0);

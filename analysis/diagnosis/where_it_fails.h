@@ -10,20 +10,24 @@
 
 namespace pendular {
 
-/// Readings of one condition or one file that deviate together from the model.
+/// Group of readings that deviate together from the model: those of one condition or one file, or
+/// the direct measurements of one parameter.
 struct Offending {
-    std::string readings;  ///< text, as in "the readings of dry_1.csv"
-    double p = 1;          ///< p value of the deviation, corrected for the number of such tests
+    std::string readings;  ///< name of the group, as in "the readings of dry_1.csv"
+    /// p value of their deviation [1], corrected for the number of groups tested.
+    double p = 1;
 };
 
 /// Failures of a model on the readings of a study: deviations that neither a change of the
 /// calibrated parameters nor errors of readings and simulation explain.
 struct WhereItFails {
-    Checks checks;
-    std::vector<Offending> offending;  ///< deviations with p < 0.05, the smallest p first
+    Checks checks;  ///< tests of the residuals, each with its p value
+    /// Groups of readings that deviate with p < 0.05, the smallest p first.
+    std::vector<Offending> offending;
 };
 
-/// Finds where a model fails on the readings of a study.
+/// Finds where a fitted model fails on the readings of a study: by checks of its residuals, and by
+/// tests of the readings of each condition and file.
 /// @param prediction prediction of the readings, followed by the direct measurements, at the fitted
 ///        parameters, with derivatives and with the covariance from simulation
 /// @param parameters the model's calibrated parameters

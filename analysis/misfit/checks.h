@@ -9,48 +9,53 @@
 
 namespace pendular {
 
-/// Quantity that varies between readings, such as the normal stress.
+/// Quantity that varies between readings, such as the normal stress, along which residuals are
+/// checked.
 struct Covariate {
     std::string name;
-    /// Value at each entry (one observable of one reading); not a number where it is unknown.
+    /// Value of the quantity at each entry (one observable of one reading, or a direct
+    /// measurement); not a number where it is unknown.
     Eigen::VectorXd values;
 };
 
-/// Test whether a model's residuals are consistent with the errors alone.
+/// Result of one test whether the residuals of a fitted model are consistent with the errors of
+/// readings and prediction alone.
 struct Check {
     enum class Kind {
         lack_of_fit,  ///< lack of fit of the conditions' means
-        score,        ///< sum of scores of a calibrated parameter, cumulated along a covariate
-        trend,        ///< residuals of an observable that increase or decrease with a covariate
-        runs,         ///< successive readings on the same side of the model
-        neighbours    ///< correlated residuals of readings at neighbouring conditions
+        score,        ///< sum of a calibrated parameter's scores, cumulated along a covariate
+        trend,        ///< increase or decrease of an observable's residuals with a covariate
+        runs,         ///< few changes of sign between successive residuals
+        neighbours    ///< correlation between the residuals of neighbouring conditions
     };
     Kind kind = Kind::lack_of_fit;
-    std::string covariate = {};  ///< name of the covariate; empty: the check uses none
-    std::string of = {};  ///< name of the parameter or observable checked; empty: all of them
-    /// Statistic, as `check_fit` defines it for this kind of check; the trend's has a sign.
+    std::string covariate = {};  ///< covariate that the check uses, by name; empty: none
+    std::string of = {};         ///< parameter or observable that is checked, by name; empty: all
+    /// Test statistic, as `check_fit` defines it for this kind of check; that of a trend has a
+    /// sign.
     double statistic = 0;
-    double p = 1;  ///< probability of a statistic at least as large if the model is right [1]
+    double p = 1;  ///< p value: probability of a statistic as large if the model is right [1]
 };
-/// Name of a kind of check, such as "lack of fit".
+/// Name of a kind of check for output, such as "lack of fit".
 std::string_view to_string(Check::Kind kind);
 
-/// All checks of one fit.
+/// All checks of the residuals of one fit, with a p value for all together.
 struct Checks {
+    /// The checks, one for each kind, covariate and parameter or observable.
     std::vector<Check> all;
-    /// Probability that the smallest p value of all checks is at least as small as observed if the
-    /// model is right [1].
+    /// p value of all checks together [1]: probability that the smallest p value of any check is at
+    /// least as small as observed if the model is right.
     double p = 1;
 };
 
-/// Observable and condition of each entry of the readings. An entry is one observable of one
-/// reading, or one direct measurement.
+/// Observable and condition of each measured entry, as checks of a fit need them. An entry is one
+/// observable of one reading, or one direct measurement.
 struct EntryKinds {
     /// Observable of each entry, as index into `observables`; the index of a direct measurement is
     /// beyond the end of `observables`.
     std::vector<std::size_t> observable;
     std::vector<std::string> observables;  ///< names of the observables of readings
-    /// Groups of entries that were measured at one condition.
+    /// Groups of entries, as indices: values of one observable measured at one condition.
     std::vector<std::vector<Eigen::Index>> conditions;
     /// Names of the calibrated parameters, in the order of the columns of
     /// WeightedResiduals::slopes().

@@ -15,10 +15,11 @@ namespace pendular {
 /// Reading with the model's prediction. Index 0 is the shear stress [Pa], 1 the solid fraction [1].
 struct ReadingMisfit {
     Reading reading;
-    Eigen::Vector2d predicted;
-    Eigen::Matrix2d predicted_covariance;
-    Eigen::Vector2d chi2;  ///< contribution of each observable to the total chi2, never negative
-    /// (measured - predicted) over the standard error of the difference [1].
+    Eigen::Vector2d predicted;             ///< (shear stress [Pa], solid fraction [1])
+    Eigen::Matrix2d predicted_covariance;  ///< covariance of the errors of `predicted`
+    Eigen::Vector2d chi2;  ///< part of chi2 of all readings from each observable, never negative
+    /// (measured - predicted) of each observable, over the standard error of this difference from
+    /// errors of measurement and prediction [1].
     Eigen::Vector2d normalised;
 };
 
@@ -27,24 +28,26 @@ struct ConditionMisfit {
     Condition condition;
     std::vector<std::size_t> readings;  ///< indices into Comparison::readings
     double chi2 = 0;                    ///< sum of the readings' contributions to chi2
-    /// Mean of (measured - predicted) over the standard error of that mean, for (shear stress,
-    /// solid fraction) [1].
+    /// Mean of (measured - predicted) over the condition's readings, divided by the standard error
+    /// of that mean, for (shear stress, solid fraction) [1].
     Eigen::Vector2d normalised = Eigen::Vector2d::Zero();
 };
 
 /// Misfit of all readings of one file together.
 struct FileMisfit {
     std::string file;
-    std::size_t readings = 0;  ///< number of readings
+    std::size_t readings = 0;  ///< number of readings of the file
     double chi2 = 0;           ///< sum of the readings' contributions to chi2
 };
 
-/// Direct measurement with the model's prediction.
+/// Direct measurement of a parameter of the model, with the value that the fitted model has.
 struct DirectMisfit {
     DirectMeasurement measurement;
-    double predicted = 0;  ///< predicted value [unit of the parameter]
+    /// Value of the parameter in the model [its unit]; without the effect, neutral.
+    double predicted = 0;
 
-    /// (measured - predicted) over the standard error of the measurement [1].
+    /// (measured - predicted) value of the parameter over the standard error of the measurement
+    /// [1].
     double normalised() const {
         return (measurement.value - predicted) / measurement.standard_error;
     }
@@ -60,27 +63,32 @@ double freedom_behind(std::span<const Reading> readings);
 
 /// Misfit of a set of readings: chi2 with its degrees of freedom.
 struct Misfit {
-    double chi2 = 0;  ///< chi2 with the scatter as replicates give it, not widened for their number
-    int dof = 0;      ///< degrees of freedom of `chi2`
-    /// Degrees of freedom with which the errors were estimated; infinite: the errors are known.
+    /// chi2, with errors as estimated from the scatter of replicates, not widened where there are
+    /// few of them.
+    double chi2 = 0;
+    int dof = 0;  ///< degrees of freedom of `chi2`
+    /// Degrees of freedom with which the errors of the readings were estimated; infinite: the
+    /// errors are known.
     double freedom = INFINITY;
 
-    /// Probability of a chi2 at least this large if model and errors are right [1]: by the chi2
-    /// distribution or, where the errors are estimated, by the F distribution of chi2/dof.
+    /// p value: probability of a chi2 at least this large if model and errors are right [1]; 1
+    /// without degrees of freedom. It is given by the chi2 distribution or, where the errors are
+    /// estimated, by the F distribution of chi2/dof.
     double p() const;
 };
 
-/// Comparison of measurement and model.
+/// Comparison of a study's readings and direct measurements with the predictions of its model.
 struct Comparison {
-    std::vector<ReadingMisfit> readings;
-    std::vector<DirectMisfit> direct;
-    /// Misfit of each condition; the chi2 add up to chi2 of all readings.
+    std::vector<ReadingMisfit> readings;  ///< all readings with their predictions
+    std::vector<DirectMisfit> direct;     ///< direct measurements of parameters
+    /// Misfit of the readings of each condition; the values of chi2 add up to chi2 of all readings.
     std::vector<ConditionMisfit> by_condition;
-    /// Misfit of each file; the chi2 add up to chi2 of all readings.
+    /// Misfit of the readings of each file; the values of chi2 add up to chi2 of all readings.
     std::vector<FileMisfit> by_file;
-    /// chi2 of (shear stress, solid fraction); both add up to chi2 of all readings.
+    /// Parts of chi2 from (shear stress, solid fraction) of all readings; their sum is chi2 of all
+    /// readings.
     std::array<double, 2> by_observable{};
-    /// RMS errors of (shear stress, solid fraction) [%]:
+    /// RMS errors of the predicted (shear stress, solid fraction) over all readings [%]:
     /// 100 sqrt(mean((predicted/measured - 1)^2)).
     std::array<double, 2> rms_percent{};
     Misfit total;      ///< misfit of all readings and direct measurements

@@ -15,21 +15,25 @@ namespace pendular {
 ///     variance = max(0, between - within)/steps.
 struct SharedErrors {
     Eigen::MatrixXd loadings;  ///< error of each entry by a source of variance 1, entries x sources
-    double variance = 0;       ///< variance of each source in the covariance of the readings
-    double between = 0, within = 0;     ///< mean squares between sources and between steps
-    double freedom_between = INFINITY;  ///< degrees of freedom; infinite: the variance is known
-    double freedom_within = INFINITY;   ///< degrees of freedom of `within`
-    double steps = 1;                   ///< effective number of steps of each source
+    /// Variance of each source, as included in the covariance of the readings.
+    double variance = 0;
+    /// Mean squares between sources and, within a source, between steps.
+    double between = 0, within = 0;
+    /// Degrees of freedom of `between`; infinite: `variance` is known.
+    double freedom_between = INFINITY;
+    double freedom_within = INFINITY;  ///< degrees of freedom of `within`
+    double steps = 1;                  ///< effective number of steps of each source
 };
 
-/// Uncertainty of the errors of readings, since few replicates determine them. The part of an
-/// entry's error that no other entry shares belongs to a kind; its size is estimated once for each
-/// kind.
+/// How uncertain the sizes of the readings' errors are, since few replicates determine them. An
+/// entry is one observable of one reading, or a direct measurement. The part of an entry's error
+/// that no other entry shares belongs to a kind; its size is estimated once for each kind.
 struct ErrorKnowledge {
-    std::vector<std::size_t> kind;  ///< kind of each entry
-    /// Degrees of freedom with which the size of each kind was estimated; infinite: it is known.
+    std::vector<std::size_t> kind;  ///< kind of each entry's own error, as index into `freedom`
+    /// Degrees of freedom with which the size of each kind of error was estimated; infinite: the
+    /// size is known.
     std::vector<double> freedom;
-    std::vector<SharedErrors> shared;
+    std::vector<SharedErrors> shared;  ///< errors that several readings share
     Eigen::Index readings = 0;  ///< number of readings; reading k has the entries 2k and 2k + 1
     /// Degrees of freedom with which the correlation between the two observables of a reading was
     /// estimated; infinite: it is known.
@@ -38,7 +42,8 @@ struct ErrorKnowledge {
     /// the entries by exp(z v), for each vector v of this list and one standard normal z.
     std::vector<Eigen::VectorXd> log_sizes;
 
-    /// Knowledge of n entries whose errors are exactly known.
+    /// Returns the knowledge that the sizes of the errors of n entries are exactly known, without
+    /// shared errors.
     static ErrorKnowledge known(Eigen::Index n);
 };
 
@@ -56,25 +61,30 @@ struct ErrorKnowledge {
 /// (2005), Design and Analysis of Gauge R&R Studies, appendix B.
 class NullDraws {
   public:
-    /// Draws `count` sets of errors.
+    /// Draws `count` sets of errors of the measured entries and of their predictions, from random
+    /// numbers with this seed.
     NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, std::uint64_t seed,
               Eigen::Index count);
 
-    /// Number of draws.
+    /// Number of draws (sets of errors).
     Eigen::Index count() const { return errors_.cols(); }
-    /// B' times the drawn errors, whitened as these residuals, one column for each draw. B is
-    /// `basis`.
+    /// Components B' e of the drawn errors e along a basis, one column for each draw; e is whitened
+    /// as these residuals, with drawn errors of measurement and prediction [1]. B is `basis`.
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis) const;
-    /// Drawn errors, whitened as these residuals, entries x draws.
+    /// Drawn errors of measurement and prediction, whitened as these residuals are (divided by the
+    /// Cholesky factor of the covariance) [1], entries x draws.
     Eigen::MatrixXd whitened(const WeightedResiduals& residuals) const;
 
-    /// p value of a statistic [1], from its values `drawn` in the draws:
-    /// (1 + number of draws with a statistic of at least `observed`) / (1 + number of draws).
+    /// p value [1] of a statistic with the value `observed`, from its values `drawn` in random
+    /// draws: (1 + number of draws with a statistic of at least `observed`) / (1 + number of
+    /// draws).
     static double p(double observed, const Eigen::VectorXd& drawn);
 
   private:
-    Eigen::MatrixXd errors_;       ///< errors of the measurement in its units, entries x draws
-    Eigen::MatrixXd predictions_;  ///< standard normal numbers for errors of the predictions
+    /// Drawn errors of the measured values in their units, entries x draws.
+    Eigen::MatrixXd errors_;
+    /// Standard normal numbers, entries x draws, for errors of the predictions.
+    Eigen::MatrixXd predictions_;
 };
 
 }  // namespace pendular

@@ -15,13 +15,15 @@ namespace pendular {
 /// misfit.
 struct UnitMistake {
     std::string column;  ///< name of the column, as in "angular velocity"
-    std::string files;   ///< "of all recordings", "of wet_1.csv" or "of the files dry_*.csv"
-    double factor = 1;   ///< factor by which the column's numbers must be multiplied [1]
-    std::string unit;    ///< meaning of the factor: "numbers in rpm were read as rad/s"
-    /// chi2 of all readings without and with the factor, each at the best friction. Assumed errors
-    /// of the model, 0.5 % of shear stress and 0.1 % of solid fraction, are included.
+    /// Files concerned: "of all recordings", "of wet_1.csv" or "of the files dry_*.csv".
+    std::string files;
+    double factor = 1;  ///< factor that corrects the numbers of the column by multiplication [1]
+    std::string unit;   ///< meaning of the factor: "numbers in rpm were read as rad/s"
+    /// chi2 of all readings without and with the factor on the column, each with the friction
+    /// fitted. Assumed errors of the model, 0.5 % of shear stress and 0.1 % of solid fraction, are
+    /// included.
     double chi2_before = 0, chi2_after = 0;
-    int dof = 0;  ///< degrees of freedom of both chi2
+    int dof = 0;  ///< degrees of freedom of `chi2_before` and of `chi2_after`
 
     /// Sentence that tells the user which column to check, the factor and the reduction of chi2.
     std::string sentence() const;

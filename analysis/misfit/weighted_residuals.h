@@ -16,46 +16,57 @@ namespace pendular {
 /// determine remove nothing.
 class WeightedResiduals {
   public:
-    /// @param prediction prediction at the fitted parameters, with derivatives and covariance
-    /// @throws std::logic_error where the covariance is not positive definite
+    /// @param prediction prediction of the measured values at the fitted parameters, with its
+    ///        derivatives by them and its covariance from errors of the simulation
+    /// @throws std::logic_error where the covariance of measurement and prediction together is not
+    ///         positive definite
     WeightedResiduals(const Measured& measured, const Prediction& prediction);
 
-    /// Number of entries.
+    /// Number of entries: measured values of all readings and direct measurements.
     Eigen::Index size() const { return residuals_.size(); }
-    /// Whitened residuals r.
+    /// Whitened residuals r = L^-1 (measured - predicted) [1].
     const Eigen::VectorXd& residuals() const { return residuals_; }
-    /// Measured values y, not whitened, in the units of the readings.
+    /// Measured values y of all entries, not whitened, in the units of the readings.
     const Eigen::VectorXd& measured() const { return measured_; }
+    /// Squared length of the whitened residuals: chi2 of the fit [1].
     double chi2() const { return residuals_.squaredNorm(); }
-    /// ln det(Sigma_measurement + Sigma_simulation), in the units of the readings.
+    /// ln det(Sigma_measurement + Sigma_simulation) of the covariance matrices in the units of the
+    /// readings.
     double log_determinant() const;
 
-    /// Whitens changes: L^-1 times columns in the units of the readings.
+    /// Whitens changes of the readings: L^-1 times `columns`, which are in the units of the
+    /// readings, with L L' the covariance of measurement and simulation.
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
-    /// L^-T times whitened columns. The product of the result with a change in the units of the
-    /// readings is that of `columns` with the whitened change.
+    /// L^-T times whitened columns, with L L' the covariance of measurement and simulation. The
+    /// product of the result with a change in the units of the readings is that of `columns` with
+    /// the whitened change.
     Eigen::MatrixXd whiten_basis(const Eigen::MatrixXd& columns) const;
-    /// Symmetric square root of the prediction's whitened covariance, L^-1 Sigma_simulation L^-T.
+    /// Symmetric square root of L^-1 Sigma_simulation L^-T, the whitened covariance of the
+    /// prediction's errors.
     const Eigen::MatrixXd& prediction_root() const { return prediction_root_; }
-    /// Whitens a covariance: L^-1 C L^-T, with C in the units of the readings.
+    /// Whitens a covariance C of the entries, given in the units of the readings: returns L^-1 C
+    /// L^-T.
     Eigen::MatrixXd whiten_covariance(const Eigen::MatrixXd& covariance) const;
-    /// Projects whitened columns: P times `columns`.
+    /// Removes from whitened changes of the readings what a change of the calibrated parameters can
+    /// imitate: P times `columns`.
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
-    /// P times an orthonormal basis of the whitened mean deviations of groups of entries; scatter
-    /// within a group is not in the span of the basis. In a mean deviation, all entries of a group
-    /// deviate in proportion to their measured values.
+    /// P times an orthonormal basis of the whitened mean deviations of groups of entries, such as
+    /// the entries of each condition; scatter within a group is not in the span of the basis. In a
+    /// mean deviation, all entries of a group deviate in proportion to their measured values.
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
-    /// Change of the calibrated parameters that imitates a whitened change of the prediction best
-    /// [their units].
+    /// Change of the calibrated parameters [their units] that comes closest, by least squares, to a
+    /// given whitened change of the prediction.
     Eigen::VectorXd share_imitated_by(const Eigen::VectorXd& change) const;
-    /// Number of combinations of the calibrated parameters that the readings determine.
+    /// Number of linearly independent combinations of the calibrated parameters that the readings
+    /// determine.
     Eigen::Index determined() const { return basis_.cols(); }
-    /// Whitened derivatives J, entries x parameters.
+    /// Whitened derivatives J = L^-1 df/dtheta of the predictions by the calibrated parameters,
+    /// entries x parameters.
     const Eigen::MatrixXd& slopes() const { return slopes_; }
 
   private:
     Eigen::VectorXd measured_;
-    Eigen::MatrixXd lower_;  ///< Cholesky factor L
+    Eigen::MatrixXd lower_;  ///< Cholesky factor L of Sigma_measurement + Sigma_simulation
     Eigen::MatrixXd prediction_root_;
     Eigen::VectorXd residuals_;
     Eigen::MatrixXd slopes_;

@@ -9,27 +9,28 @@
 
 namespace pendular {
 
-/// Emulated value of one observable at one state, with its error, as a run of a given stiffness
-/// number would measure it.
+/// Emulated value of one observable at one flow state, with its standard error, as a run of a given
+/// stiffness number would measure the observable.
 struct EmulatedObservable {
     dem::Observable which;
+    /// Emulated value with its standard error, in the unit of the observable.
     Estimate value;
-    /// Derivatives by friction, ln I, 1/P* and V0/a^3, in the order of `Input`. Wet states have all
-    /// four, dry states only the first two.
+    /// Derivatives of the value by friction, ln I, 1/P* and V0/a^3, in the order of `Input`, with
+    /// their standard errors. Wet states have all four, dry states only the first two.
     std::vector<Estimate> slopes;
 };
 
-/// Emulated values of the observables `which` at a state, in the order of `which`. Solid fraction
-/// and overlap are converted to `stiffness_number` [1]: the error of the solid fraction includes
-/// that of this correction; the overlap is inversely proportional to the stiffness number.
-/// @throws std::invalid_argument for an observable of bridges at a dry state, and whatever
-///         `Emulator::mean` throws
+/// Emulated values of the observables `which` at a flow state, in the order of `which`. Solid
+/// fraction and overlap are converted to `stiffness_number` [1]: the error of the solid fraction
+/// includes that of the conversion; the overlap is inversely proportional to the stiffness number.
+/// @throws std::invalid_argument for an observable of bridges at a dry state, an observable of
+///         which no training run has a value, and an effect of `state` that no run has alone
 std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const FlowState& state,
                                             double stiffness_number,
                                             const std::vector<dem::Observable>& which);
 
-/// Emulated observables that are defined at a state: all where the grains are wet, all but those of
-/// liquid bridges where they are dry. The order is that of `emulated::observables`.
+/// Emulated observables that are defined at a flow state: all where the grains are wet, all but
+/// those of liquid bridges where they are dry. The order is that of `emulated::observables`.
 std::vector<dem::Observable> observables_of(const FlowState& state);
 
 }  // namespace pendular

@@ -15,43 +15,51 @@
 
 namespace pendular {
 
-/// Emulator: Gaussian processes trained on runs, which predict the observables of any state between
-/// the training runs, with standard errors. A `PlainEmulator` predicts them for grains without
-/// effects. For each effect on grains, an `EffectResponse` trained on the runs that have this
-/// effect alone adds the change. Changes by several effects add up. Derivatives by the coordinates
-/// of a state are those of the `PlainEmulator`: they omit the effects. The emulator never changes
-/// after its construction: any number of threads may query it at once.
+/// Emulator: Gaussian processes trained on simulation runs, which predict the observables of any
+/// flow state between the training runs, with standard errors. A `PlainEmulator` predicts them for
+/// grains without effects. For each effect on grains, an `EffectResponse` trained on the runs that
+/// have this effect alone adds the change. Changes by several effects add up. Derivatives of
+/// observables by friction, inertial number, pressure or bridge volume are those of the
+/// `PlainEmulator`: they omit the effects. The predictions never change after construction: any
+/// number of threads may query the emulator at once.
 class Emulator {
   public:
-    /// Trains on runs, with the arguments of `PlainEmulator`.
+    /// Takes training runs, with the arguments of `PlainEmulator`; each Gaussian process is trained
+    /// when it is first needed.
     /// @throws std::invalid_argument where no run can serve as a training run
     Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
              double structure_stiffness = emulated::reference_stiffness)
         : plain_(runs, std::move(hyperparameters), structure_stiffness) {}
 
-    /// Returns the emulator with further training runs and unchanged hyperparameters.
+    /// Returns an emulator trained on the runs of this one and the runs `more`, with this
+    /// emulator's hyperparameters.
     Emulator with(const std::vector<dem::RunResult>& more) const;
 
-    /// Hyperparameters that were given at construction or fitted since.
+    /// Hyperparameters of the observables for which they were given at construction or fitted
+    /// since.
     EmulatorHyperparameters hyperparameters() const { return plain_.hyperparameters(); }
 
-    /// Predicted value or derivative for each query.
+    /// Predicted value of the observable of each query, in its unit, or the derivative that the
+    /// query names.
     /// @throws std::invalid_argument for an observable of which no training run has a value, for an
     ///         observable of bridges at a dry state, and for an effect that no run has alone
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
-    /// Covariance of the errors of `mean`, a row and a column for each query.
+    /// Covariance of the errors of the predictions that `mean` returns, a row and a column for each
+    /// query.
+    /// @throws std::invalid_argument as `mean` does
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
-    /// Description of the coordinates in which a state lies outside the range of the runs, as in
-    /// "friction 0.9 is above 0.6"; empty where it lies inside. Flow slower than any run does not
-    /// count as outside: it is extrapolated, with its error.
+    /// Text on the friction, inertial number, reduced pressure and bridge volume of a flow state
+    /// that lie outside their ranges in the training runs, as in "friction 0.9 is above 0.6"; empty
+    /// where none does. Flow slower than any run does not count as outside: it is extrapolated,
+    /// with its error.
     std::string beyond(const FlowState& state) const;
 
     /// Training runs, with and without effects.
     const std::vector<dem::RunResult>& runs() const { return plain_.runs(); }
 
-    /// Covariance of the noise of a run's stress ratio and solid fraction, their deviations from a
-    /// much longer run [1].
+    /// Covariance of the noise of a run's stress ratio and solid fraction [1], in this order; noise
+    /// is the deviation from a much longer run.
     Eigen::Matrix2d noise(const dem::RunResult& run) const { return plain_.noise(run); }
     /// Variance of the noise of one observable of a run, in the square of the observable's unit.
     double noise_variance(const dem::RunResult& run, dem::Observable which) const {
@@ -59,18 +67,22 @@ class Emulator {
     }
 
   private:
-    /// Response of an observable to an effect, trained at the first call.
-    const EffectResponse& response_to(const std::string& effect, dem::Observable which) const;
-    /// Trains the response of an observable to an effect.
+    /// Response (predicted change) of an observable to an effect on grains, trained at the first
+    /// call.
     /// @throws std::invalid_argument where no run has this effect alone
+    const EffectResponse& response_to(const std::string& effect, dem::Observable which) const;
+    /// Returns the response (predicted change) of an observable to an effect on grains, trained on
+    /// the runs that have this effect alone.
+    /// @throws std::invalid_argument where no run does
     std::unique_ptr<const EffectResponse> learned(const std::string& effect,
                                                   dem::Observable which) const;
     struct Affected;
-    /// Queries whose states have effects, grouped by the response that they need.
+    /// Queries for values at states with effects on grains, grouped by the response (of one
+    /// observable to one effect) that they need. A query for a derivative is left out.
     std::vector<Affected> affected(const std::vector<Query>& queries) const;
 
-    /// Responses by effect and observable, each trained when it is first needed, once for all
-    /// threads.
+    /// Responses of observables to effects on grains, by effect and observable, each trained when
+    /// it is first needed, once for all threads.
     struct Responses {
         struct Response {
             std::once_flag once;

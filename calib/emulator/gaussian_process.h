@@ -8,31 +8,34 @@
 
 namespace pendular {
 
-/// Noisy values of m quantities at n places.
+/// Noisy observed values of m quantities, functions of the coordinates of a flow state, at n
+/// places.
 struct Observations {
-    std::vector<Coordinates> at;         ///< n places
-    Eigen::MatrixXd values;              ///< n x m
+    std::vector<Coordinates> at;         ///< places of the observations, n
+    Eigen::MatrixXd values;              ///< observed values, n x m: a row for each place
     std::vector<Eigen::MatrixXd> noise;  ///< m x m covariance of the noise at each place
 
-    /// Observations of one of the quantities alone, by its column in `values`.
+    /// Returns the observations of one quantity alone, given by its column in `values`.
     Observations only(Eigen::Index quantity) const;
 };
 
-/// Gaussian process of m random functions, each with its own kernel, observed at some places with
-/// noise that is correlated between the functions at one place. The joint posterior of values and
-/// derivatives is
-///     mean = k' (K + N)^-1 y,  covariance = k(*, *) - k' (K + N)^-1 k
+/// Gaussian process of m random functions, each with its own kernel (prior covariance), observed at
+/// some places with noise that is correlated between the functions at one place. The joint
+/// posterior of values and derivatives at other places is
+///     mean = k' (K + N)^-1 y,  covariance = k(*, *) - k' (K + N)^-1 k,
+/// with the observed values y, their prior covariance K and noise N, and the prior covariance k of
+/// the observations with the predicted values.
 /// Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), eq. 2.23, 2.24;
 /// derivatives: section 9.4.
 class GaussianProcess {
   public:
-    /// Conditions the process on the observations `known`. The noise at each place is multiplied by
-    /// the noise factors of the kernels' hyperparameters and increased by their between-run
-    /// scatter.
+    /// Conditions the process on the observations `known`. The noise covariance at each place is
+    /// multiplied by the noise factors of the kernels' hyperparameters and increased by the squares
+    /// of their between-run scatter.
     /// @throws std::logic_error where the covariance of the observations is not positive definite
     GaussianProcess(std::vector<Kernel> kernels, const Observations& known);
 
-    /// Value or derivative to predict of one quantity, given by its index.
+    /// Value or derivative to predict, of the quantity with the index `quantity`.
     struct Requested {
         Eigen::Index quantity = 0;
         Functional functional;
@@ -43,7 +46,8 @@ class GaussianProcess {
     Eigen::MatrixXd covariance(const std::vector<Requested>& requested) const;
 
   private:
-    /// Prior covariance of the observations (rows, quantity by quantity) with the requested values.
+    /// Prior covariance of the observations (rows: all places for the first quantity, then for the
+    /// next) with the requested values and derivatives (columns).
     Eigen::MatrixXd with_known(const std::vector<Requested>& requested) const;
 
     Kernel::Prepared prepared(const Requested& requested) const {
@@ -51,9 +55,11 @@ class GaussianProcess {
     }
 
     std::vector<Kernel> kernels_;
-    std::vector<std::vector<Kernel::Prepared>> known_;  ///< observed places, for each quantity
-    Eigen::LLT<Eigen::MatrixXd> factor_;    ///< Cholesky factor of K + N, quantity by quantity
-    std::vector<Kernel::Known> sums_over_;  ///< observed places with weights (K + N)^-1 y
+    /// Places of the observations, for each quantity.
+    std::vector<std::vector<Kernel::Prepared>> known_;
+    Eigen::LLT<Eigen::MatrixXd> factor_;  ///< Cholesky factor of K + N, quantity by quantity
+    /// Places of the observations with weights (K + N)^-1 y.
+    std::vector<Kernel::Known> sums_over_;
     /// Posterior mean coefficients of the polynomial of each quantity.
     std::vector<Eigen::VectorXd> coefficients_;
 };

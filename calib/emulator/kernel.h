@@ -12,14 +12,14 @@ namespace pendular {
 /// Number of coordinates of a flow state: x, q, u and v of `Coordinates`.
 constexpr int coordinate_count = 4;
 
-/// Value of a function at a place, or its derivative by one coordinate.
+/// Value of a function of the coordinates at a place, or its derivative there by one coordinate.
 struct Functional {
     static constexpr int value = -1;
     Coordinates at;
     int derivative = value;  ///< coordinate: 0 for x, 1 for q, 2 for u, 3 for v; `value`: none
 };
 
-/// Kind of an emulated quantity, which decides how it behaves in the dry limit 1/P* -> 0.
+/// Kind of an emulated quantity, which decides how the quantity behaves in the dry limit 1/P* -> 0.
 enum class Domain {
     all_flow,  ///< defined for wet and dry grains, continuous as 1/P* -> 0
     contacts,  ///< defined for wet and dry grains, with a step at 1/P* = 0: in wet flow, bridges
@@ -28,22 +28,24 @@ enum class Domain {
                ///< where their force no longer matters
 };
 
-/// Hyperparameters of a Gaussian process, all positive; for the processes see `Kernel`.
+/// Hyperparameters of the Gaussian process of one emulated quantity, all positive; `Kernel` defines
+/// the dry process g_dry and the wet process g_wet.
 struct Hyperparameters {
     /// Standard deviation of the dry process g_dry, in the unit of the quantity.
     double dry_amplitude = 1;
-    double dry_x = 1, dry_q = 0.2;  ///< correlation lengths of the dry process in x and q
-    /// Standard deviation of the wet process g_wet, in the unit of the quantity, before it is
-    /// multiplied by b(u).
+    double dry_x = 1, dry_q = 0.2;  ///< correlation lengths of g_dry in x and q [1]
+    /// Standard deviation of the wet process g_wet before the factor b(u), in the unit of the
+    /// quantity.
     double wet_amplitude = 1;
-    /// Correlation lengths of the wet process in x, q, ln(1 + u/0.1) and v.
+    /// Correlation lengths of the wet process in x, q, ln(1 + u/0.1) and v, in this order [1].
     double wet_x = 1, wet_q = 0.2, wet_u = 1, wet_v = 1;
-    double noise = 1;  ///< factor on the variances that the runs state [1]
-    /// Standard deviation between runs in excess of these variances, in the unit of the quantity.
+    double noise = 1;  ///< factor on the variances of the noise that the runs state [1]
+    /// Standard deviation between runs in addition to the noise that they state, in the unit of the
+    /// quantity.
     double between_run_scatter = 1e-3;
 
-    /// Number of hyperparameters, and of those that describe the processes; the last two describe
-    /// the noise.
+    /// Number of all hyperparameters, and of those that describe g_dry and g_wet, which come first;
+    /// the last two describe the noise of the runs.
     static constexpr std::size_t count = 10, of_processes = 8;
     /// Column names of the hyperparameters in emulator.csv, in the order of `as_array`.
     static constexpr std::array<std::string_view, count> names = {
@@ -51,26 +53,28 @@ struct Hyperparameters {
         "wet_inertia",   "wet_pressure", "wet_volume",  "noise",         "between"};
     /// All hyperparameters, in the order of their declaration.
     std::array<double, count> as_array() const;
-    /// Hyperparameters from values in the order of `as_array`.
+    /// Returns hyperparameters with the given values, in the order of `as_array`.
     static Hyperparameters from_array(const std::array<double, count>& values);
 };
 
 /// Prior covariance of a random function f of friction, inertial number, reduced pressure and
 /// bridge volume, with the limits that physics demands:
 ///     f = h(z).beta + g_dry(x, q) + b(u) [h_wet(z).gamma + g_wet(x, q, u, v)],
-/// h are polynomials whose coefficients have broad priors. g are Gaussian processes of squared
-/// exponential covariance with a length for every coordinate (for u, in ln(1 + u/0.1)). The factor
-/// b(u) depends on the domain: u for `all_flow`; a step for `contacts`, 0 at u = 0 and else 1; 1
-/// for `bridges`, which have no dry part. Thus dry flow (u = 0) does not depend on the bridge
-/// volume, and for `all_flow` the capillary part vanishes as 1/P* -> 0. q = sqrt(I) makes the
-/// quasi-static limit finite, approached as a power of I between 1/2 and 1.
+/// with the coordinates z = (x, q, u, v) of `Coordinates`. h and h_wet are polynomials whose
+/// coefficients have broad priors. g_dry and g_wet are Gaussian processes of squared exponential
+/// covariance with a length for every coordinate (for u, in ln(1 + u/0.1)). The factor b(u) depends
+/// on the domain: u for `all_flow`; a step for `contacts`, 0 at u = 0 and else 1; 1 for `bridges`,
+/// which have no dry part. Thus dry flow (u = 0) does not depend on the bridge volume, and for
+/// `all_flow` the capillary part vanishes as 1/P* -> 0. q = sqrt(I) makes the quasi-static limit
+/// finite, approached as a power of I between 1/2 and 1.
 class Kernel {
   public:
-    /// @param unit typical size of the quantity; the prior of the polynomial's coefficients is
-    ///        several times as wide
+    /// @param unit typical size of the quantity, in its unit; the prior standard deviation of the
+    ///         polynomials' coefficients is five times as large
     Kernel(Domain domain, const Hyperparameters& hyperparameters, double unit);
 
-    /// Functional with the terms that all its covariances need, computed once.
+    /// A `Functional` (value or derivative at a place) with the terms that all its covariances
+    /// need, computed once.
     struct Prepared {
         int derivative = Functional::value;
         double u = 0;
@@ -79,55 +83,64 @@ class Kernel {
         std::array<double, coordinate_count> stretch{};
         Eigen::RowVectorXd polynomial;  ///< terms of the polynomial h, or their derivatives
     };
-    /// Computes the terms that all covariances of a functional need.
+    /// Computes the terms that all covariances of a value or derivative need.
     Prepared prepare(const Functional& functional) const;
-    /// Computes these terms for the values of the function at several places.
+    /// Computes the terms that all covariances need, for the value of the function at each of
+    /// several places.
     std::vector<Prepared> prepare(const std::vector<Coordinates>& at) const;
 
-    /// Prior covariance of two functionals.
+    /// Prior covariance of two values or derivatives of f, from polynomials and Gaussian processes.
     double operator()(const Prepared& a, const Prepared& b) const {
         return coefficient_variance_ * a.polynomial.dot(b.polynomial) + of_processes(a, b);
     }
-    /// Prior covariance of two functionals from the Gaussian processes alone, without the
-    /// polynomial.
+    /// Prior covariance of two values or derivatives of f from the Gaussian processes alone,
+    /// without the polynomials.
     double of_processes(const Prepared& a, const Prepared& b) const;
-    /// Prior variance of each coefficient of the polynomial; the coefficients are uncorrelated.
+    /// Prior variance of each coefficient of the polynomials, in the square of the quantity's unit;
+    /// the coefficients are uncorrelated.
     double coefficient_variance() const { return coefficient_variance_; }
-    /// Observed places and their weights, stored as arrays for fast sums over the places.
+    /// Places of observations with a weight for each, stored as arrays for fast sums over the
+    /// places.
     struct Known {
-        std::array<Eigen::ArrayXd, coordinate_count> place;  ///< an array for each coordinate
-        /// Weight x variance x b(u) at each place, a column for each process.
+        /// Coordinates of the places, an array for each entry of `Prepared::place`.
+        std::array<Eigen::ArrayXd, coordinate_count> place;
+        /// Weight of each place x variance of a process x its factor b(u) there, a column for each
+        /// process.
         Eigen::ArrayXXd weights;
     };
-    /// Prepares sums over the places of `values` with `weights`.
+    /// Prepares `sums` over the places of `values` with one weight for each.
     Known known(const std::vector<Prepared>& values, const Eigen::VectorXd& weights) const;
-    /// Returns the sum of weight x of_processes(known, at), then its derivatives by the coordinates
-    /// of `at`, which are meaningless without `with_derivatives`.
+    /// Returns the sum over the places `known` of weight x prior covariance by the Gaussian
+    /// processes with the value at `at`, then the derivatives of this sum by the coordinates x, q,
+    /// u and v of `at`, which are meaningless without `with_derivatives`.
     std::array<double, 1 + coordinate_count> sums(const Known& known, const Prepared& at,
                                                   bool with_derivatives) const;
 
-    /// Prior covariance matrix of functionals.
+    /// Prior covariance matrix of these values or derivatives of f.
     Eigen::MatrixXd matrix(const std::vector<Prepared>& of) const;
-    /// Derivatives of tr(W K)/2 by the logarithms of the hyperparameters of the processes, where K
-    /// is the covariance matrix of `values` and W is `weights`, a symmetric matrix.
+    /// Derivatives of tr(W K)/2 by the logarithms of the hyperparameters of the processes, in their
+    /// order, where K is the prior covariance matrix of `values` by the Gaussian processes and W is
+    /// `weights`, a symmetric matrix.
     std::array<double, Hyperparameters::of_processes> half_traces(
         const std::vector<Prepared>& values, const Eigen::MatrixXd& weights) const;
 
     const Hyperparameters& hyperparameters() const { return hyperparameters_; }
 
   private:
-    /// Form of the factor b(u): 1, u, or a step at u = 0.
+    /// Form of the factor b(u) of a process: 1, u, or a step at u = 0.
     enum class Amplitude { one, linear, step };
-    /// One process g with its factor b(u).
+    /// One Gaussian process, g_dry or g_wet, with its factor b(u) (1 for g_dry).
     struct Part {
+        /// Variance of the process before the factor b(u), in the square of the quantity's unit.
         double variance = 0;
-        /// Inverse squares of the lengths; 0 where the process does not depend on the coordinate.
+        /// Inverse squares of the correlation lengths; 0 where the process does not depend on the
+        /// coordinate.
         std::array<double, coordinate_count> inverse_squares{};
         Amplitude amplitude = Amplitude::one;
     };
-    /// Value of b(u) of a process at a place.
+    /// Value of the factor b(u) of a process at a place.
     static double amplitude(const Part& part, const Prepared& at);
-    /// Prior covariance of two functionals from one process.
+    /// Prior covariance of two values or derivatives from one process with its factor b(u).
     static double of_part(const Part& part, const Prepared& a, const Prepared& b);
 
     Hyperparameters hyperparameters_;
@@ -135,7 +148,7 @@ class Kernel {
     std::vector<bool> is_dry_;  ///< for each of `parts_`, whether it is the dry process
     Basis basis_;
     Eigen::Index dry_terms_ = 0;  ///< number of terms of the dry polynomial, the first of `basis_`
-    bool steps_ = false;          ///< whether the wet polynomial is absent at u = 0 (`contacts`)
+    bool steps_ = false;          ///< whether h_wet is absent at u = 0 (`contacts`)
     double coefficient_variance_;
 };
 

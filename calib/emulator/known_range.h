@@ -20,15 +20,19 @@ namespace pendular {
 /// Runs with effects do not count, since the changes by effects are emulated separately.
 class KnownRange {
   public:
-    /// Largest distance of a supported state from the hull, relative to the range of the runs [1].
+    /// Largest distance of a supported state from the convex hull of the runs, in coordinates
+    /// scaled by the range of the runs [1].
     static constexpr double margin = 0.01;
-    /// Largest relative standard errors of the stress ratio and of the solid fraction [1].
+    /// Largest relative standard errors of the predicted stress ratio and solid fraction at a
+    /// supported state [1].
     static constexpr double largest_ratio_error = 0.15;
     static constexpr double largest_fraction_error = 0.02;
-    /// Range of solid fractions of dense flow [1]: from far below loose packing to crystals.
+    /// Range of predicted solid fractions that count as physical in dense flow [1]: from far below
+    /// loose packing to crystals.
     static constexpr double lowest_fraction = 0.4, highest_fraction = 0.74;
 
-    /// Finds the range of an emulator's training runs. The emulator must outlive this object.
+    /// Finds the range of flow states that an emulator's training runs support. The emulator must
+    /// outlive this object.
     explicit KnownRange(const Emulator& emulator);
 
     /// Whether any run without effects has liquid bridges.
@@ -36,32 +40,34 @@ class KnownRange {
     /// Whether any run without effects is dry.
     bool knows_dry() const { return dry_.runs > 0; }
 
-    /// Reason why the runs do not support predictions at a state, as in "friction 0.9 is above
-    /// 0.6"; empty where they do.
+    /// Reason why the training runs do not support predictions at a flow state, as in "friction 0.9
+    /// is above 0.6"; empty where they do.
     std::string why_unsupported(const FlowState& state) const;
 
-    /// Returns a supported state close to an unsupported one: the nearest point of the convex hull
-    /// or, where the emulator's error is too large there, the first supported point on the way from
-    /// that point to the nearest run.
-    /// @throws std::invalid_argument for a wet state where no run is wet, and for a dry state where
-    ///         no run is dry
+    /// Returns a supported flow state close to an unsupported one: the nearest point of the convex
+    /// hull of the runs or, where the prediction there is too uncertain or unphysical, the first
+    /// supported point on the way from that point to the nearest run.
+    /// @throws std::invalid_argument for a wet state where no run without effects is wet, and for a
+    ///         dry state where none is dry
     FlowState nearest_supported(const FlowState& state) const;
 
   private:
     using Point = Eigen::Vector4d;
-    /// Points whose convex hull is supported, in scaled coordinates.
+    /// Points whose convex hull of flow states is supported, in coordinates scaled to 0 to 1 over
+    /// the range of the runs.
     struct Cloud {
         Eigen::Matrix<double, 4, Eigen::Dynamic> corners;  ///< a column for each point
         Eigen::Index runs = 0;  ///< number of runs, which are the first columns
     };
     const Cloud& cloud_for(const FlowState& state) const { return state.dry() ? dry_ : wet_; }
-    /// Scaled coordinates of a state: 0 to 1 over the range of the runs.
+    /// Coordinates of a flow state, scaled to 0 to 1 over the range of the runs.
     Point place(const FlowState& state) const;
-    /// State with these scaled coordinates.
+    /// Flow state with these coordinates, which are scaled to 0 to 1 over the range of the runs.
     FlowState state_at(const Point& place) const;
-    /// Point of the convex hull of a cloud that is nearest to a place.
+    /// Point of the convex hull of a cloud that is nearest to a place, in scaled coordinates.
     Point nearest_in_hull(const Point& place, const Cloud& cloud) const;
-    /// Reason why the emulator's prediction at a state is too uncertain or unphysical; else empty.
+    /// Reason why the emulator's prediction of stress ratio or solid fraction at a flow state is
+    /// too uncertain or unphysical; empty where neither is.
     std::string why_unsure(const FlowState& state) const;
 
     const Emulator& emulator_;

@@ -16,10 +16,11 @@ namespace pendular {
 /// Emulator of grains without effects: for each observable a Gaussian process over friction,
 /// inertial number, reduced pressure and bridge volume, trained on runs with the noise that they
 /// state. The noise of stress ratio and solid fraction of one run is correlated, and so are their
-/// predictions. Two observables depend on the stiffness number in a known way, so that runs of any
-/// stiffness number can train them: the solid fraction is predicted for rigid grains, the overlap
-/// for the stiffness number `emulated::reference_stiffness`. Observables of structure depend weakly
-/// on the stiffness number and are trained on runs of about one stiffness number.
+/// predictions. Solid fraction and overlap depend on the stiffness number in a known way, so that
+/// runs of any stiffness number can train them: the solid fraction is predicted for rigid grains,
+/// the overlap for the stiffness number `emulated::reference_stiffness`. Observables of structure,
+/// such as coordination numbers, depend weakly on the stiffness number and are trained on runs of
+/// about one stiffness number.
 ///
 /// Each process is trained when it is first needed, once for all threads.
 class PlainEmulator {
@@ -27,50 +28,62 @@ class PlainEmulator {
     /// Takes training runs and leaves out those that are not `emulated::usable`: runs that failed,
     /// crystallised or were not steady, for example. Missing hyperparameters are fitted when they
     /// are first needed, which takes half a second for each observable.
-    /// @param structure_stiffness stiffness number of the emulated structure [1]
-    /// @throws std::invalid_argument where no run is left
+    /// @param structure_stiffness stiffness number, within a factor 2, of the runs that train
+    ///         coordination numbers and other observables of structure [1]
+    /// @throws std::invalid_argument where no usable run is left
     PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
                   double structure_stiffness = emulated::reference_stiffness);
 
-    /// Hyperparameters that were given at construction or fitted since.
+    /// Hyperparameters of the observables for which they were given at construction or fitted
+    /// since.
     EmulatorHyperparameters hyperparameters() const;
 
-    /// Predicted value or derivative for each query, without the effects of its state.
+    /// Predicted value of the observable of each query, in its unit, or the derivative that the
+    /// query names, for grains without the effects of the query's state.
     /// @throws std::invalid_argument for an observable of which no training run has a value, and
     ///         for an observable of bridges at a dry state
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
-    /// Covariance of the errors of `mean`, a row and a column for each query.
+    /// Covariance of the errors of the predictions that `mean` returns, a row and a column for each
+    /// query.
+    /// @throws std::invalid_argument as `mean` does
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
-    /// All usable runs; runs with effects train only the responses of `Emulator`.
+    /// All usable runs that were given; those with effects on grains train only the responses of
+    /// `Emulator`.
     const std::vector<dem::RunResult>& runs() const { return runs_; }
 
     /// Variance of the noise of one observable of a run, in the square of the observable's unit:
     /// the square of the run's standard error times the fitted noise factor, plus the between-run
     /// scatter.
     double noise_variance(const dem::RunResult& run, dem::Observable which) const;
-    /// Covariance of the noise of stress ratio and solid fraction of one run [1].
+    /// Covariance of the noise of stress ratio and solid fraction of one run [1], in this order.
     Eigen::Matrix2d noise(const dem::RunResult& run) const;
 
-    /// Stiffness number of the runs that train observables of structure, within a factor 2 [1].
+    /// Stiffness number, within a factor 2, of the runs that train coordination numbers and other
+    /// observables of structure [1].
     double structure_stiffness() const { return structure_stiffness_; }
-    /// Whether any run without effects can train an observable; for observables of structure, at
-    /// about `emulated::reference_stiffness`.
+    /// Whether any of `runs` has no effects on grains and a training value of the observable; for
+    /// observables of structure, at a stiffness number within a factor 2 of
+    /// `emulated::reference_stiffness`.
     static bool known(const std::vector<dem::RunResult>& runs, dem::Observable which);
-    /// Fits the hyperparameters of one observable to runs (`fit_hyperparameters`).
-    /// @throws std::invalid_argument where no run has a training value of the observable
+    /// Fits the hyperparameters of one observable to the runs without effects
+    /// (`fit_hyperparameters`).
+    /// @throws std::invalid_argument where none of them has a training value of the observable
     static Hyperparameters learn(const std::vector<dem::RunResult>& runs, dem::Observable which,
                                  double structure_stiffness = emulated::reference_stiffness);
 
   private:
     /// Hyperparameters of one observable, fitted at the first call where they are missing.
     Hyperparameters hyperparameters_of(dem::Observable which) const;
-    /// Process that predicts an observable, trained at the first call.
+    /// Gaussian process that predicts an observable, trained at the first call.
+    /// @throws std::invalid_argument where no training run has a value of the observable
     const GaussianProcess& process_of(dem::Observable which) const;
-    /// Trains the process of an observable.
+    /// Returns the Gaussian process that predicts an observable, trained on all usable runs without
+    /// effects.
     std::unique_ptr<const GaussianProcess> trained(dem::Observable which) const;
 
-    /// Processes and hyperparameters, each computed when it is first needed.
+    /// Gaussian processes and hyperparameters of the observables, each computed when it is first
+    /// needed.
     struct Learned {
         struct Process {
             std::once_flag once;

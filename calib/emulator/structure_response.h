@@ -2,11 +2,13 @@
 
 namespace pendular {
 
-/// Quantity of the network of contacts and bridges at a state, with its derivatives.
+/// Quantity of the network of contacts and bridges at a flow state, such as the coordination
+/// number, with its derivatives.
 struct StructureResponse {
+    /// Value of the quantity, in its unit.
     double value = 0;
-    double by_friction = 0;    ///< derivative by friction
-    double by_log_volume = 0;  ///< derivative by ln(V0/a^3)
+    double by_friction = 0;    ///< derivative by the friction coefficient
+    double by_log_volume = 0;  ///< derivative by ln(V0/a^3), with the bridge volume V0
 };
 
 }  // namespace pendular

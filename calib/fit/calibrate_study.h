@@ -14,57 +14,64 @@
 
 namespace pendular {
 
-/// Settings of a calibration.
+/// Settings of a calibration (fit of a study's model, with simulations as needed).
 struct CalibrationRequest {
-    Fidelity fidelity;       ///< size, stiffness, slowest rate and length of new simulations
+    Fidelity fidelity;       ///< size, stiffness, slowest shear and strain of new simulations
     std::uint64_t seed = 1;  ///< seed from which the seeds of simulations follow
-    bool profile = false;    ///< whether to compute the profile interval of the friction
+    bool profile = false;    ///< whether to compute the 68 % `profile_interval` of the friction
+    /// Criteria for the end of the rounds of simulations and fits.
     CalibrationOptions options = {};
+    /// Options for the lines of stress ratio of wet readings against 1/P*.
     CohesionOptions cohesion = {};
-    /// Training runs at the beginning; without any, the planner simulates a first design.
+    /// Training runs at the beginning. Without any, dry runs spread over friction and inertial
+    /// number are simulated first, if `KnownRuns::orders_more`.
     KnownRuns known = {};
-    /// Callback before a further stage of simulations, with its name, such as "wet readings".
+    /// Callback before a further stage of simulations, with the name of the stage: "wet readings".
     std::function<void(std::string_view)> stage = {};
 };
 
-/// Calibrates a study: fits the parameters of its model to readings. The model is an emulator
+/// Calibrates a study: fits the parameters of its model to readings. The model uses an emulator
 /// trained on known runs and on new runs that are simulated as needed. With fit_to = "dry" the fit
-/// uses the dry readings, and the wet readings are predicted; with fit_to = "all" it uses all
-/// readings.
+/// uses the dry readings, and the wet readings are predicted, unless an effect needs a joint fit
+/// (`fitted_count`); with fit_to = "all" it uses all readings.
+/// @param report called after each round of simulations and fit; may be empty
 /// @throws InputError where there is no reading to fit, a reading cannot be simulated
 ///         (`check_range`), or the study lists effects on grains and there are no known runs
 /// @throws std::invalid_argument where no known run can serve as a training run
-/// @throws dem::SimulationError where no run of a first design succeeds
+/// @throws dem::SimulationError where none of the first dry or none of the first wet runs succeeds
 Calibration calibrate_study(const ResolvedStudy& study, const Measurements& measurements,
                             const CalibrationRequest& request, const Workers& workers,
                             const CalibrationReport& report = {});
 
-/// Checks that the conditions of all readings can be simulated.
-/// @throws InputError at the first reading whose stiffness number is below 300, whose inertial
-///         number is above `dem::largest_inertial_number`, or whose liquid bridges cannot be
-///         simulated
+/// Checks that the conditions of all readings can be simulated with the settings `fidelity`.
+/// @throws InputError at the first reading whose grains have a stiffness number below 300, whose
+///         inertial number is above `dem::largest_inertial_number`, or whose reduced pressure or
+///         liquid content is outside the range of simulations
 void check_range(const std::vector<Reading>& readings, const Study& study,
                  const Fidelity& fidelity);
 
 /// Number of readings that a study's calibration fits, the first of `readings`, in which dry
-/// readings come first: all where fit_to = "all" or an effect needs a joint fit, else the dry
-/// readings.
+/// readings come first: all where fit_to = "all" or a listed effect needs a joint fit of dry and
+/// wet readings (`needs_joint_fit`), else the dry readings.
 std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings);
 
-/// Predicts readings at conditions that the calibration did not fit. The covariance includes the
-/// error of the fit: it is the model's covariance plus J Cov(parameters) J', corrected for errors
-/// of the model that predictions and fitted readings share (corrections, common runs) and for which
-/// the fit has already compensated. Without shared errors and with a linear model, the chi2 of
-/// fitted and of predicted readings add up to the chi2 of a joint fit.
+/// Predicts shear stress [Pa] and solid fraction [1] at conditions that the calibration did not
+/// fit, at its fitted parameters. The covariance includes the error of the fit: it is the model's
+/// covariance plus J Cov(parameters) J', corrected for errors of the model that predictions and
+/// fitted readings share (corrections, common runs) and for which the fit has already compensated.
+/// Without shared errors and with a linear model, the chi2 of fitted and of predicted readings add
+/// up to the chi2 of a joint fit.
 Prediction predict_unseen(const Predictor& model, const Calibration& calibration,
                           const std::vector<Condition>& conditions);
 
-/// Predicts all readings of a calibration. The covariance includes the error of the fit for
-/// readings that were not fitted (`predict_unseen`).
+/// Predicts shear stress [Pa] and solid fraction [1] of all readings of a calibration at its fitted
+/// parameters. The covariance includes the error of the fit for readings that were not fitted
+/// (`predict_unseen`).
 Prediction predict_readings(const Predictor& model, const Calibration& calibration);
 
-/// Fits the cohesion lines of a calibration again, to its wet readings and to the predictions of
-/// its wet readings, and replaces the lines and their notes.
+/// Fits the cohesion lines (stress ratio against 1/P*) of a calibration again, to its wet readings
+/// and to the predictions of its wet readings, and replaces the calibration's lines and their
+/// notes.
 void draw_cohesion_lines(Calibration& calibration);
 
 }  // namespace pendular

@@ -18,33 +18,39 @@ namespace pendular {
 
 /// Calibration of a study: the fitted model, with the readings, settings and runs it is based on.
 struct Calibration {
-    /// Readings: the dry readings, then the wet readings, each in run order. The first `fitted`
-    /// readings are fitted, the others only predicted.
+    /// Readings of the study: the dry readings, then the wet readings, each in run order. The first
+    /// `fitted` readings are fitted, the others only predicted.
     std::vector<Reading> readings;
+    /// Number of readings that the fit uses, the first of `readings`.
     std::size_t fitted = 0;
-    std::vector<DirectMeasurement> direct = {};  ///< direct measurements, which the fit uses too
+    std::vector<DirectMeasurement> direct = {};  ///< measured parameters of effects, fitted too
     GrainProperties grains;                      ///< grains of the study when it was fitted
     std::optional<Liquid> liquid;                ///< liquid of the study when it was fitted
     ModelSettings model;                         ///< model settings of the study when it was fitted
-    /// Effects that the user had written in the study when it was fitted.
+    /// Physical effects with which the study file described the model when it was fitted, as the
+    /// user had written them.
     std::vector<WrittenEffect> written_effects;
-    Fidelity fidelity;                  ///< settings of the simulations
+    Fidelity fidelity;                  ///< set of simulation settings
     std::uint64_t seed = 1;             ///< seed from which the seeds of simulations follow
     bool cold = false;                  ///< whether the calibration began without any training run
     std::vector<Parameter> parameters;  ///< parameters of the model; the first is the friction
-    Fit fit;                            ///< result of the last fit
-    /// Predictions of all readings; the covariance of readings that were not fitted is that of
-    /// `predict_unseen`.
+    Fit fit;                            ///< result of the last fit of `parameters`
+    /// Predicted shear stress [Pa] and solid fraction [1] of all `readings` at the fitted
+    /// parameters; the covariance of readings that were not fitted is that of `predict_unseen`.
     Prediction prediction;
+    /// Options with which `cohesion_lines` were fitted.
     CohesionOptions cohesion;
-    /// Measured cohesion lines, then simulated lines; empty in a dry study.
+    /// Lines of stress ratio against 1/P* of wet readings: fitted to measured, then to predicted
+    /// values; empty in a dry study.
     std::vector<CohesionLine> cohesion_lines;
-    std::vector<std::string> cohesion_notes;  ///< readings that are on no line, with the reason
+    /// Notes on groups of wet readings without a line, and on points that a line leaves out.
+    std::vector<std::string> cohesion_notes;
     int rounds = 0;                           ///< number of rounds of simulations and fits
     std::vector<dem::RunResult> runs;         ///< training runs of the model
-    EmulatorHyperparameters hyperparameters;  ///< hyperparameters of the emulator
-    std::vector<Order> orders;  ///< simulations made for this calibration, with the reasons
-    /// Profile interval of the friction [1], if requested.
+    EmulatorHyperparameters hyperparameters;  ///< fitted hyperparameters of the emulator
+    std::vector<Order> orders;  ///< numbers of runs simulated for this calibration, by reason
+    /// Lower and upper end of the 68 % interval of the friction [1] by `profile_interval`, if
+    /// requested.
     std::optional<std::pair<double, double>> profile;
     std::vector<std::string> notes;  ///< notes for the user (`notes_on`)
 };

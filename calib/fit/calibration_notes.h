@@ -10,10 +10,10 @@
 namespace pendular {
 
 /// Notes for the user of a calibration: on readings whose predictions the runs do not support, on
-/// errors dominated by simulation, on parameters at a bound or undetermined, and the planner's
-/// notes.
+/// errors dominated by simulation, on wet readings at so low a reduced pressure that shear may be
+/// in bands, on parameters at a bound or undetermined, and the planner's notes.
 /// @param wet_known whether the noise of the wet runs is small compared with the errors of the wet
-///        readings
+///         readings that were not fitted
 std::vector<std::string> notes_on(const Calibration& calibration, const ResolvedStudy& study,
                                   const RunPlanner& planner, bool wet_known);
 

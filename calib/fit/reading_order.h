@@ -8,14 +8,15 @@
 
 namespace pendular {
 
-/// Readings of a study in the order of a calibration: dry readings, then wet readings, each in run
-/// order. Their errors include the discrepancy of the model (`add_discrepancy`).
+/// Returns the readings of a study in the order of a calibration: dry readings, then wet readings,
+/// each in run order. Their errors include `model.discrepancy`, the expected error of the model
+/// (`add_discrepancy`).
 std::vector<Reading> dry_first(const Measurements& measurements, const ModelSettings& model);
 
 /// Number of dry readings among `readings`.
 std::size_t dry_count(const std::vector<Reading>& readings);
 
-/// Returns the readings with indices `from` to `to` - 1.
+/// Returns the elements of `readings` with indices `from` to `to` - 1.
 std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from, std::size_t to);
 
 }  // namespace pendular

@@ -11,36 +11,42 @@ namespace pendular {
 
 struct Calibration;
 
-/// Model of a study, assembled from the emulated simulation, the base and the effects. Copies are
-/// cheap, since they share constant parts.
+/// Model of a study, assembled from the emulated simulation, the base model (the simulation itself
+/// or the formula `rumpf`) and the effects that the study lists. Copies are cheap, since they share
+/// constant parts.
 class StudyModel {
   public:
-    /// Assembles the model of a study on a simulation.
+    /// Assembles the model of a study from its emulated simulation.
     StudyModel(const ResolvedStudy& study, std::shared_ptr<const EmulatedSimulation> simulation);
-    /// Assembles the model of a finished calibration again from its runs.
+    /// Assembles the model of a finished calibration again, with an emulator trained on the
+    /// calibration's runs.
     StudyModel(const ResolvedStudy& study, const Calibration& calibration);
 
-    /// Model of the readings as the instrument shows them, with all effects.
+    /// Model that predicts readings as the instrument shows them, with all effects of the study.
     const EffectModel& model() const { return *model_; }
     /// Returns model() as a shared pointer, which may outlive this object.
     std::shared_ptr<const EffectModel> predictor() const { return model_; }
-    /// Emulated simulation that base and effects use.
+    /// Emulated simulation that the base model and the effects use.
     const EmulatedSimulation& simulation() const { return *simulation_; }
-    /// Model of the readings as an ideal instrument would show them: with all effects of the study
-    /// except effects on the instrument.
+    /// Model that predicts readings as an ideal instrument would show them: with all effects of the
+    /// study except effects on the instrument.
     const EffectModel& flow() const { return *flow_; }
-    /// Returns the model that predicts these readings, followed by the study's direct measurements.
+    /// Returns the model that predicts `readings` as the instrument shows them, followed by the
+    /// study's direct measurements.
     ModelOfReadings at(const std::vector<Reading>& readings) const;
-    /// Values of the parameters of flow(), taken from values of the parameters of model().
+    /// Values of the parameters of flow(), taken from `parameters`, the values of the parameters of
+    /// model().
     Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
-    /// Conditions as the study's effects on grains and liquid change them, on an ideal instrument,
-    /// which shows the true values.
+    /// Conditions truly imposed on the grains where an ideal instrument, without the study's
+    /// effects on the instrument, shows `conditions`: with the study's effects on grains and
+    /// liquid.
     /// @param parameters values of the parameters of model()
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
-    /// Effects that the study lists, in its order.
+    /// Physical effects that the study lists, in its order.
     const std::vector<const Effect*>& effects() const { return study_.effects(); }
-    /// Direct measurements of the study, which the model predicts too.
+    /// Direct measurements that the study states, each of one effect's parameter; the model
+    /// predicts them too.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
 
   private:

@@ -7,22 +7,25 @@
 
 namespace pendular {
 
-/// Group of wet readings with the same liquid content and the same inertial number.
+/// Group of wet readings with about equal liquid contents and inertial numbers (`wet_groups`).
 struct WetGroup {
     std::vector<std::size_t> members;  ///< indices of the readings in the list of all readings
-    double liquid_content = 0;         ///< Phi_L/Phi_S [1], mean of the members
-    double inertial_number = 0;        ///< I [1], mean of the members; 0: the quasi-static limit
+    double liquid_content = 0;         ///< liquid content Phi_L/Phi_S [1], mean of the members
+    /// Inertial number I [1], mean of the members; 0: the quasi-static limit.
+    double inertial_number = 0;
 };
 
-/// Groups the wet readings: within a group, liquid contents agree within 2 % and inertial numbers
-/// within 20 %. Quasi-static readings (inertial number 0) form groups of their own. Groups are
-/// sorted by liquid content, then by inertial number.
+/// Groups the wet readings among `readings`: the liquid content of each member of a group agrees
+/// with that of its first member within 2 %, the inertial number within 20 %. Quasi-static readings
+/// (inertial number 0) form groups of their own. Groups are sorted by liquid content, then by
+/// inertial number.
 std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
 
 /// Whether two values differ by at most `tolerance` times the larger of their magnitudes.
 bool agree(double a, double b, double tolerance);
 
-/// Relative tolerance of the inertial numbers of one group [1].
+/// Largest difference between the inertial numbers of a group's first and any other member,
+/// relative to the larger one [1].
 constexpr double inertial_number_tolerance = 0.2;
 
 }  // namespace pendular

@@ -13,8 +13,8 @@
 
 namespace pendular {
 
-/// Predictor of dry and wet readings by the emulator (Gaussian processes trained on runs). Its only
-/// parameter is the friction.
+/// Predictor of shear stress and solid fraction of dry and wet grains by the emulator (Gaussian
+/// processes trained on runs). Its only parameter is the friction.
 ///
 /// The emulated solid fraction of rigid grains is corrected to the study's stiffness by means of
 /// the emulated overlaps. A liquid content is converted into a bridge volume by means of the
@@ -29,17 +29,19 @@ class EmulatedSimulation : public FlowPredictor {
                             PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override;
 
-    /// Flow state of a condition at a friction of the study's grains. For a wet condition, its
-    /// bridge volume gives the condition's liquid content.
+    /// Flow state of a condition where the study's grains have the friction coefficient `friction`,
+    /// to which the condition's friction difference is added [1]. A wet state has the bridge volume
+    /// that gives the condition's liquid content.
     FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
-    /// Returns a wet state with the bridge volume that gives a liquid content Phi_L/Phi_S [1].
+    /// Returns the wet flow state `state` with its bridge volume replaced by the one that gives the
+    /// liquid content Phi_L/Phi_S [1].
     FlowState filled(const FlowState& state, double liquid_content) const;
-    /// Effective coordination number Z* at a wet condition [1]; its derivative by friction is that
+    /// Effective coordination number Z* at a wet condition [1] with its derivative by the friction
     /// at constant liquid content.
     StructureResponse effective_coordination(double friction,
                                              const EffectiveCondition& condition) const;
-    /// Capillary shear stress a^2 s12cap/F0 at a wet condition [1]; its derivative by friction is
-    /// that at constant liquid content.
+    /// Capillary shear stress a^2 s12cap/F0 at a wet condition [1] with its derivative by the
+    /// friction at constant liquid content.
     StructureResponse capillary_shear_stress(double friction,
                                              const EffectiveCondition& condition) const;
 
@@ -48,23 +50,27 @@ class EmulatedSimulation : public FlowPredictor {
     double allowed(double friction) const;
 
   private:
-    /// Contributions to the errors of predictions.
+    /// Contributions to the standard errors of predicted shear stresses and solid fractions.
     struct Errors;
-    /// Predicts values and derivatives; fills `errors` where it is not null.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state, with derivatives by the
+    /// friction; if `errors` is not null, also writes the contributions to their standard errors to
+    /// it.
     Prediction predict_slopes(const std::vector<FlowState>& states,
                               const std::vector<EffectiveCondition>& conditions,
                               Errors* errors) const;
-    /// Predicts values alone.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state, stacked as in `Prediction`.
     Eigen::VectorXd predict_values(const std::vector<FlowState>& states,
                                    const std::vector<EffectiveCondition>& conditions) const;
-    /// Predicts values, derivatives and covariances.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state, with derivatives by the
+    /// friction and the covariances of their errors.
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
-    /// Part of the rigidity shift of the solid fraction at the emulator's reference stiffness
-    /// number that separates it from the study's stiffness at this condition [1].
+    /// Share [1] of the rigidity shift of the solid fraction (from rigid grains to grains of the
+    /// emulator's reference stiffness number) that the study's grains at this condition do not
+    /// have.
     double stiffness_left(const EffectiveCondition& condition) const;
-    /// Converts the derivative by friction at constant bridge volume into that at constant liquid
-    /// content.
+    /// Returns `response`, a quantity at the wet state `state`, with its derivative by friction
+    /// converted from constant bridge volume to constant liquid content.
     StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;
 
     Study study_;
@@ -72,8 +78,9 @@ class EmulatedSimulation : public FlowPredictor {
     Emulator emulator_;
     std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
 
-    /// State that `filled` found for a liquid content. States are cached, since derivatives and
-    /// covariances need them again; each state is the same whatever the order of requests.
+    /// Flow state that `filled` found for a liquid content Phi_L/Phi_S [1]. States are cached,
+    /// since derivatives and covariances need them again; each state is the same whatever the order
+    /// of requests.
     struct Filled {
         double liquid_content;
         FlowState state;

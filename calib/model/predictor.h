@@ -10,9 +10,9 @@
 
 namespace pendular {
 
-/// Model that predicts the values that an instrument shows at any conditions, while a `Model`
-/// predicts one set of readings. A predictor never changes, so that any number of threads may use
-/// it at once.
+/// Model that predicts shear stress and solid fraction as an instrument shows them, at any
+/// conditions, while a `Model` predicts one given set of readings. A predictor never changes, so
+/// that any number of threads may use it at once.
 class Predictor {
   public:
     virtual ~Predictor() = default;
@@ -20,41 +20,46 @@ class Predictor {
     virtual const std::vector<Parameter>& parameters() const = 0;
 
     /// Predicts shear stress [Pa] and solid fraction [1] at each condition, stacked as `Prediction`
-    /// describes, at `parameters` in the order of parameters().
+    /// describes, at `parameters` in the order of parameters(); `what` selects values, derivatives
+    /// or covariances.
     virtual Prediction predict(const Eigen::VectorXd& parameters,
                                const std::vector<Condition>& conditions,
                                PredictionPart what = PredictionPart::covariance) const = 0;
 
-    /// Range of parameters that simulation supports.
+    /// Range of each parameter over which simulation supports the predictions.
     virtual ParameterBounds bounds() const = 0;
 
-    /// Predicted (stress ratio [1], solid fraction [1]) with the covariance of their errors.
+    /// Predicted stress ratio [1] and solid fraction [1], in this order, with the covariance of
+    /// their errors.
     struct Point {
         Eigen::Vector2d value;
         Eigen::Matrix2d covariance;
     };
-    /// Predicts stress ratio and solid fraction at one condition, such as a point of a curve.
+    /// Predicts stress ratio and solid fraction at one condition, such as a point of a curve, at
+    /// `parameters` in the order of parameters().
     Point predict_at(const Eigen::VectorXd& parameters, const Condition& condition) const;
 };
 
-/// Predictor of the true flow in the cell, before an instrument shows it.
+/// Predictor of the true shear stress and solid fraction in the cell, before an instrument shows
+/// them.
 class FlowPredictor : public Predictor {
   public:
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                        PredictionPart what = PredictionPart::covariance) const final;
-    /// Predicts the true flow at conditions, grains and liquid as effects have changed them.
+    /// Predicts true shear stress [Pa] and solid fraction [1] at each condition, with grains and
+    /// liquid as effects have changed them, stacked as `Prediction` describes.
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
                                     PredictionPart what = PredictionPart::covariance) const = 0;
 };
 
-/// Returns a prediction of readings extended by predictions of direct measurements at the same
-/// parameters and values; direct measurements have no simulation error.
+/// Returns the prediction `readings` extended by an entry for each direct measurement, predicted at
+/// the parameter values `values`; these entries have no simulation error.
 Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,
                        const std::vector<Parameter>& parameters, const Eigen::VectorXd& values);
 
-/// Model made from a predictor: it predicts the readings at given conditions, followed by direct
-/// measurements.
+/// Model made from a predictor: it predicts the readings at the given conditions, then the given
+/// direct measurements (of effects' parameters).
 class ModelOfReadings : public Model {
   public:
     ModelOfReadings(std::shared_ptr<const Predictor> predictor, std::vector<Condition> conditions,

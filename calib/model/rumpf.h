@@ -10,13 +10,14 @@
 
 namespace pendular {
 
-/// Base `rumpf`: the simulated dry law mu*_dry with a cohesion after Rumpf's formula, which uses
-/// simulated solid fractions Phi_S and coordination numbers Z*,
+/// Base model `rumpf`: shear stress of wet grains from the simulated stress ratio mu*_dry of dry
+/// grains and a cohesion after Rumpf's formula, with simulated solid fraction Phi_S and
+/// coordination number Z*,
 ///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)]                          (eq:strength3)
-/// or, with the capillary shear stress, this mu* minus a^2 s12cap/(F0 P*) (eq:strength2). Dry
-/// readings and all solid fractions are those of the simulation. Without the capillary shear
-/// stress, mu* is too high at small liquid contents. The covariance of predictions leaves out the
-/// error of Z*, a few per mille.
+/// or, with the term for the capillary shear stress, this mu* minus a^2 s12cap/(F0 P*)
+/// (eq:strength2). Dry shear stresses and all solid fractions are those of `EmulatedSimulation`.
+/// Without this term, mu* is too high at small liquid contents. The covariance of predictions
+/// leaves out the error of Z*, a few per mille.
 /// Source: Badetti et al. (2018), eq:strength3 and eq:cohesion3, after Rumpf.
 class RumpfModel : public FlowPredictor {
   public:
@@ -31,12 +32,15 @@ class RumpfModel : public FlowPredictor {
     ParameterBounds bounds() const override { return simulation_->bounds(); }
 
   private:
-    /// Quantities that the closure needs at a wet condition.
+    /// Quantities that the closure (formula for the shear stress of wet grains) needs at a wet
+    /// condition.
     struct Closure {
-        StructureResponse z, shear;  ///< Z* and a^2 s12cap/F0 [1]
-        double pressure = 0;         ///< reduced pressure P* [1]
-        /// Shear stress of wet grains [Pa] with Rumpf's cohesion alone, from the shear stress `dry`
-        /// of dry grains [Pa] and the solid fraction [1].
+        /// Coordination number Z* and capillary shear stress a^2 s12cap/F0 [1].
+        StructureResponse z, shear;
+        double pressure = 0;  ///< reduced pressure P* [1]
+        /// Shear stress of wet grains [Pa] by eq:strength3, from the simulated shear stress `dry`
+        /// of the grains without liquid [Pa] and the solid fraction `fraction` of the wet grains
+        /// [1].
         double rumpf_stress(double dry, double fraction, const EffectiveCondition& condition) const;
     };
     Closure closure_at(double friction, const EffectiveCondition& condition) const;
@@ -49,8 +53,9 @@ class RumpfModel : public FlowPredictor {
     closures::Terms terms_;
 };
 
-/// Returns the conditions, followed by a dry copy of each wet condition, in order. A dry copy gives
-/// the dry law at the friction of the wet grains, without effects on grains that need liquid.
+/// Returns `conditions`, followed by a copy of each wet one with liquid content 0, in the same
+/// order. The copies lack effects on grains that need liquid and keep all else, such as the
+/// friction.
 std::vector<EffectiveCondition> with_dry_twins(const std::vector<EffectiveCondition>& conditions);
 
 }  // namespace pendular

@@ -14,7 +14,7 @@
 
 namespace pendular {
 
-/// Simulation runs that the planner requested for one reason.
+/// Number of simulation runs that a `RunPlanner` requested for one reason.
 struct Order {
     std::size_t runs = 0;  ///< number of runs
     std::string why;       ///< reason, as in "to confirm the optimum"
@@ -22,84 +22,102 @@ struct Order {
 
 /// Planner of simulations: it decides repeatedly which runs would reduce the errors of a study's
 /// predictions most, carries them out and trains a better predictor on them. It requests two kinds
-/// of runs: runs outside the known range, where an emulator must not extrapolate, and runs near the
-/// optimum of a fit, which check the emulator and are chosen to reduce the variance of the
-/// predictions most. Without known runs it begins with a design that fills the space of the study's
-/// conditions.
+/// of runs: runs outside the known range (flow states that the known runs enclose), where an
+/// emulator must not extrapolate, and runs near the optimum of a fit, which check the emulator and
+/// are chosen to reduce the variance of the predictions most. Without known runs it begins with
+/// runs spread over the frictions and inertial numbers of the study.
 class RunPlanner {
   public:
-    /// Trains a first predictor on the known runs. Without known runs it simulates a first dry
-    /// design at once, if runs may be requested.
+    /// Makes a first predictor from the known runs. Without known runs it simulates dry runs spread
+    /// over friction and inertial number at once, if runs may be requested
+    /// (`KnownRuns::orders_more`).
     /// @param conditions conditions of the study's readings, which are to be predicted
-    /// @throws std::invalid_argument where no known run can serve as a training run
-    /// @throws dem::SimulationError where no run of the first design succeeds
+    /// @throws std::invalid_argument where no known run can serve as a training run, or conditions
+    ///         are wet but the study has no liquid
+    /// @throws dem::SimulationError where none of these first dry runs succeeds
     RunPlanner(const Study& study, const std::vector<Condition>& conditions,
                const Fidelity& fidelity, std::uint64_t seed, Workers workers, KnownRuns known);
 
-    /// Predictor trained on all runs known so far.
+    /// Predictor of dry and wet readings, trained on all runs known so far.
     const std::shared_ptr<const EmulatedSimulation>& simulation() const { return simulation_; }
 
-    /// Improves the predictions at a friction for some truly imposed conditions. The first call
-    /// requests runs at states outside the known range, later calls request runs near the optimum
-    /// that check and improve the emulator.
-    /// @param excess factor by which the variance that simulation causes in a fit is too large
-    /// @throws dem::SimulationError where no run of the first wet design succeeds
+    /// Improves the predictions at a friction [1] for truly imposed `conditions` by new runs, if
+    /// runs may be requested. The first call requests runs at states outside the range of the known
+    /// runs, later calls request runs near `friction` that check and improve the emulator.
+    /// @param excess factor by which the variance that the noise of the runs causes in a fit is too
+    ///         large
+    /// @throws dem::SimulationError where wet runs are needed, none is known and none of the first
+    ///         succeeds
     void improve(double friction, const std::vector<EffectiveCondition>& conditions, double excess);
-    /// Improves the predictions of wet conditions alone. The first call checks the emulator with
-    /// few runs; later calls request enough to reduce the variance of the predictions by a factor
-    /// 1 + `turns`, up to a maximum number of runs.
-    /// @throws dem::SimulationError where no run of the first wet design succeeds
+    /// Improves the predictions at a friction [1] for wet `conditions` by new runs, if runs may be
+    /// requested. The first call checks the emulator with few runs; later calls request as many as
+    /// reduce the variance of the predictions by a factor 1 + `turns`, but at most 16. All calls
+    /// first request runs at states outside the range of the known runs.
+    /// @throws dem::SimulationError where no wet run is known and none of the first succeeds
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
-    /// Whether the last new runs agreed with the emulator's predictions for them, at the 1 % level;
-    /// also true where no new runs may be requested.
+    /// Whether the new runs of the last call of `improve`, and of later calls of `improve_wet`,
+    /// agreed with the emulator's predictions for them, at the 1 % level. False after the first
+    /// call of `improve`, which checks nothing; always true where no new runs may be requested.
     bool confirmed() const { return confirmed_ || !orders_more_; }
-    /// Whether the planner may request new runs.
+    /// Whether the planner may request new runs (`KnownRuns::orders_more`).
     bool orders_more() const { return orders_more_; }
-    /// Runs requested so far, by reason.
+    /// Numbers of runs requested so far, one entry for each reason.
     const std::vector<Order>& orders() const { return orders_; }
-    /// Notes for the user, such as on runs that are not used.
+    /// Notes for the user: on runs that are not used as training runs, and on new runs that
+    /// differed from the emulator's predictions.
     const std::vector<std::string>& notes() const { return notes_; }
 
   private:
-    /// States at which runs may be requested: at a friction and, in the same order, at a lower and
-    /// a higher friction.
+    /// Flow states at which runs may be requested: at a friction and, in the same order, at a lower
+    /// and a higher friction.
     struct Candidates {
         std::vector<FlowState> at_friction, below, above;
     };
-    /// States of the dry or of the wet conditions at which runs may be requested.
+    /// Flow states at which runs may be requested for the dry (`wet` false) or the wet conditions,
+    /// at `friction` [1] and on either side of it.
     Candidates candidates(double friction, const std::vector<EffectiveCondition>& conditions,
                           bool wet) const;
-    /// Dry states that fill the space of friction and inertial number.
+    /// Dry flow states of the runs that a planner without known runs simulates first, on a grid of
+    /// friction and inertial number.
     std::vector<FlowState> first_dry_design() const;
-    /// Wet states that cover the wet conditions, spread over friction and bridge volume.
+    /// Wet flow states of the runs to simulate where no wet run is known: they cover the study's
+    /// wet conditions, spread over friction about `friction` [1] and over bridge volume.
     std::vector<FlowState> first_wet_design(double friction) const;
-    /// Simulates the first wet design where no run is wet yet.
+    /// Simulates the states of first_wet_design() if no training run is wet yet and runs may be
+    /// requested, and trains the emulator on them.
+    /// @throws dem::SimulationError where none of these runs succeeds
     void begin_wet(double friction);
-    /// Requests runs for the dry or the wet conditions, as `improve` does.
+    /// Does the work of `improve` for the dry (`wet` false) or the wet conditions alone.
     void learn(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                double excess);
-    /// Requests runs for the states that lie outside the range of the known runs.
+    /// Requests runs for those states of the dry (`wet` false) or the wet conditions at `friction`
+    /// [1] that lie outside the range of the known runs.
     void order_beyond(double friction, const std::vector<EffectiveCondition>& conditions, bool wet);
-    /// Requests runs near the optimum and tests whether they agree with the emulator.
+    /// Requests runs near `friction` [1], the optimum of a fit, for the dry (`wet` false) or the
+    /// wet conditions and tests whether they agree with the emulator; where they do not,
+    /// confirmed() becomes false.
+    /// @param excess factor by which the variance of the predictions is to decrease
     void confirm(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                  double excess);
-    /// States among `from` at which runs reduce the variance of the predictions at `targets` most.
-    /// They are chosen one after the other, some repeatedly, until the variance has decreased by a
-    /// factor `excess`.
+    /// States among `from` at which runs reduce the variance of the stress ratios and solid
+    /// fractions predicted at `targets` most. They are chosen one after the other, some repeatedly,
+    /// until this variance has decreased by a factor `excess`: at least 4, at most 16.
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
-    /// Carries out runs at these states and returns those that can serve as training runs.
+    /// Carries out runs at these states, records them under the reason `why` and returns those that
+    /// can serve as training runs.
     std::vector<dem::RunResult> simulate_states(const std::vector<FlowState>& states,
                                                 const std::string& why);
-    /// Carries out runs at these states and trains the emulator on them.
+    /// Carries out runs at these states, records them under the reason `why` and trains the
+    /// emulator on them.
     /// @return probability (p-value) of a difference between these runs and the earlier emulator's
     ///         predictions at least as large as observed; 0 where no run succeeded
     double order(const std::vector<FlowState>& states, const std::string& why);
-    /// Adds runs to those requested for a reason.
+    /// Adds a number of runs to the entry of orders() with the reason `why`.
     void add_order(std::size_t runs, const std::string& why);
-    /// Makes the predictor use an emulator.
+    /// Replaces the predictor simulation() by one that uses this emulator.
     void use(Emulator emulator);
 
     Study study_;
@@ -108,9 +126,11 @@ class RunPlanner {
     Workers workers_;
     bool orders_more_;
     std::shared_ptr<const EmulatedSimulation> simulation_;
-    double slowest_;                        ///< lowest inertial number of the readings [1]
-    std::vector<double> inertial_numbers_;  ///< inertial numbers of the requested dry runs [1]
-    /// Whether readings are slower than all runs, in a calibration that began without known runs.
+    double slowest_;  ///< lowest inertial number of the readings [1]
+    /// Inertial numbers at which dry runs are requested [1].
+    std::vector<double> inertial_numbers_;
+    /// Whether a reading's inertial number is below that of all runs (by more than 5 %), in a
+    /// calibration that began without known runs.
     bool extrapolates_ = false;
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;

@@ -12,18 +12,20 @@
 
 namespace pendular {
 
-/// Effect that is neither in a study's model nor a candidate for it, with the reason.
+/// Physical effect that is neither in a study's model nor a candidate (possible addition) for it,
+/// with the reason.
 struct LeftAside {
     std::string effect, why;
-    bool without_runs = false;  ///< the effect applies, but no known run has it alone
+    /// Whether the effect applies to the study, but no known run has it alone.
+    bool without_runs = false;
 };
 
-/// Models of a study: the emulated model with the effects that the study lists, and as candidates
-/// all further effects that apply to the study. One emulator serves all models; no new runs are
-/// requested.
+/// All models of a study: the model with the effects that the study lists, and this model with any
+/// of the candidates added, which are all further effects that apply to the study. One emulator
+/// (Gaussian processes trained on known runs) serves all models; no new runs are simulated.
 class StudyModels : public ModelSpace {
   public:
-    /// Trains the emulator and finds the candidates.
+    /// Prepares the emulator from known runs and finds the candidates for addition to the model.
     /// @param conditions conditions of the readings that the models predict
     /// @param known training runs without effects and with effects on grains
     /// @throws InputError where the study lists or directly measures an effect on grains that no
@@ -34,29 +36,34 @@ class StudyModels : public ModelSpace {
 
     const std::vector<Candidate>& candidates() const override { return candidates_; }
     std::shared_ptr<const Model> with(const EffectSet& chosen) const override;
-    /// Returns the model with the candidates `chosen` added, as a predictor for any conditions.
+    /// Returns the study's model with the candidates `chosen` added (indices into candidates()), as
+    /// a predictor for any conditions.
     std::shared_ptr<const EffectModel> predictor(const EffectSet& chosen) const;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;
 
-    /// Direct measurements of the study, which the models predict after the readings.
+    /// Direct measurements that the study states, each of one effect's parameter; the models
+    /// predict them after the readings.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
 
-    /// Effects that are neither listed by the study nor candidates, with the reasons.
+    /// Effects that are neither listed by the study nor candidates for addition, with the reasons.
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
-    /// Reasons why the known runs do not support predictions of the readings at a friction, without
-    /// effects, as in "reduced pressure 0.3 is below 0.5" (`KnownRange`); each reason once.
+    /// Reasons why the known runs do not support predictions of the study's readings at a friction
+    /// [1] by the model without effects, as in "reduced pressure 0.3 is below 0.5" (`KnownRange`);
+    /// each reason once.
     std::vector<std::string> why_unsupported(double friction) const;
-    /// Reason why the known runs do not support a prediction at one condition; empty where they do.
+    /// Reason why the known runs do not support a prediction at this friction [1] and condition by
+    /// the model without effects; empty where they do.
     std::string why_unsupported(double friction, const Condition& condition) const;
 
-    /// Returns the study with all effects of the catalogue listed, so that `runs_serving` keeps
-    /// runs with any effect.
+    /// Returns the study with all effects of its catalogue listed, so that `runs_serving` keeps
+    /// training runs with any effect.
     static Study with_all_effects(const ResolvedStudy& study);
 
   private:
-    /// Whether an effect can be predicted: it does not act on grains, or a known run has it alone.
+    /// Whether the emulator can predict an effect: it does not act on grains, or a known run has it
+    /// as its only effect.
     bool has_runs(const Effect& effect) const;
     /// Adds an effect to the candidates or, with the reason, to `left_aside_`.
     void add_candidate(const Effect& effect);

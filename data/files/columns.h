@@ -27,43 +27,45 @@ class Columns {
 
     /// Whether the table has a column of this quantity.
     /// @throws InputError at the header cell, as all functions with a name do, if the column's unit
-    ///         is unknown or has the wrong dimension, or if two columns have this quantity
+    ///         is missing, unknown or of the wrong dimension, or if two columns have this quantity
     bool has(std::string_view name) const { return find(name, false) != nullptr; }
 
     /// Checks that the table has a column of this quantity.
     /// @throws InputError if the column is missing, listing the header cells of the table
     void require(std::string_view name) const;
-    /// Name of the one column, out of two alternatives, that the table has.
-    /// @throws InputError if the table has both columns or neither
+    /// Name of the one quantity, `first` or `second`, of which the table has a column.
+    /// @throws InputError if the table has columns of both quantities or of neither
     std::string_view require_one_of(std::string_view first, std::string_view second) const;
 
-    /// Value in SI units in a column that the table must have (see `require`).
+    /// Value in SI units in a row's cell of a quantity's column, which the table must have: call
+    /// `require` first.
     /// @throws InputError at the cell if it is not a finite number
     double value(const Row& row, std::string_view name) const;
-    /// Value in SI units in a column; empty if the column is missing or the cell is empty.
+    /// Value in SI units in a row's cell of a quantity's column; empty if the column is missing or
+    /// the cell is empty.
     /// @throws InputError at the cell if its text is not a finite number
     std::optional<double> value_if_any(const Row& row, std::string_view name) const;
-    /// Standard deviation in SI units from the column `name_sd`; empty if the column is missing or
-    /// the cell is empty.
+    /// Standard deviation of a quantity in a row, in SI units, from the column `name_sd`; empty if
+    /// this column is missing or the cell is empty.
     /// @throws InputError at the cell if its text is not a positive number
     std::optional<double> deviation(const Row& row, std::string_view name) const;
 
-    /// Step to which the value of each row was rounded when it was written, in SI units; 0 if the
-    /// column is missing or the cell is empty.
+    /// Rounding step of a quantity's value in each row, by the digits in the file, in SI units; 0
+    /// if the column is missing or the cell is empty.
     std::vector<double> resolutions(std::string_view name) const;
 
-    /// Position of a quantity's cell in the file; the row without a column if there is no such
-    /// cell.
+    /// Position in the file of a row's cell in a quantity's column; if the table lacks the column,
+    /// the line of the row.
     Position at(const Row& row, std::string_view name) const;
 
-    /// Indices of the header cells that name no known quantity, from 0.
+    /// Indices, from 0, of the header cells that name no quantity of the program.
     const std::vector<std::size_t>& unknown() const { return unknown_; }
-    /// Texts of the header cells whose columns are not among the used names ("torque",
-    /// "torque_sd").
+    /// Texts of the header cells, empty ones aside, whose columns are not in `used`: names of
+    /// quantities ("torque"), with "_sd" for columns of standard deviations ("torque_sd").
     std::vector<std::string> others(const std::vector<std::string_view>& used) const;
 
   private:
-    /// Column of a known quantity; si = factor x + offset.
+    /// Column of a quantity; a number x in the column is factor x + offset in SI units.
     struct Column {
         std::string_view name;   ///< name of the quantity
         bool deviation = false;  ///< whether the column holds standard deviations

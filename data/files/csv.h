@@ -9,13 +9,13 @@
 
 namespace pendular {
 
-/// Cell of a table.
+/// Cell of a table that was read from a text file.
 struct Cell {
     std::string text;  ///< content without the blanks and quotes around it
     int column = 0;    ///< position in its line, in characters from 1
 };
 
-/// Row of a table.
+/// Row of a table that was read from a text file.
 struct Row {
     int line = 0;  ///< line of the file, from 1
     std::vector<Cell> cells;
@@ -43,7 +43,8 @@ struct Table {
 ///         twice, or the header consists of numbers
 Table read_table(const std::filesystem::path& path);
 
-/// Text as one cell of a CSV file, with quotes where necessary; line ends become blanks.
+/// Text as one cell of a CSV file: in quotes if it contains a delimiter, a quote or a line end
+/// (LF); in quotes, line ends become blanks.
 std::string csv_cell(std::string_view text);
 
 }  // namespace pendular

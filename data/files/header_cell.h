@@ -5,7 +5,7 @@
 
 namespace pendular {
 
-/// Parts of a header cell such as "Torque_sd [mN m]".
+/// Parts of a header cell (first line of a table of measurements), such as "Torque_sd [mN m]".
 struct HeaderCell {
     std::string name;        ///< "Torque"; a mark of standard deviations such as "_sd" is removed
     std::string unit;        ///< "mN m"; empty if none is given

@@ -12,7 +12,8 @@ namespace pendular {
 /// @throws InputError if the file cannot be read or is not a text, but a spreadsheet for example
 std::vector<std::string> read_lines(const std::filesystem::path& path);
 
-/// Whole text of a file in UTF-8, with byte-order mark and line ends, converted as by `read_lines`.
+/// Whole text of a file in UTF-8, with byte-order mark and line ends. Text in UTF-16 is converted;
+/// text that is neither UTF-16 nor valid UTF-8 is read as Windows-1252.
 /// @throws InputError if the file cannot be read or is not a text, but a spreadsheet for example
 std::string read_text(const std::filesystem::path& path);
 
@@ -20,8 +21,8 @@ std::string read_text(const std::filesystem::path& path);
 /// survives a loss of power.
 enum class Kept { by_system, on_disk };
 
-/// Writes a file as a whole or not at all: a temporary file beside it is written and then renamed.
-/// Missing folders of the path are created.
+/// Writes a file as a whole or not at all: a temporary file beside it is written and then renamed;
+/// only devices and pipes are written directly. Missing folders of the path are created.
 /// @throws std::runtime_error if the file cannot be written, on a full disk for example, naming the
 ///         file and the system's reason
 void write_whole(const std::filesystem::path& path, const std::string& content,

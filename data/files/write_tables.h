@@ -13,7 +13,8 @@ namespace pendular {
 /// @throws std::runtime_error if the file cannot be written, on a full disk for example
 void write_readings(const std::filesystem::path& path, const Measurements& measurements);
 
-/// Writes the rows that make no reading to a CSV file: source file, first line, last line, reason.
+/// Writes a list of the rows of input files that make no reading (`Measurements::excluded`) to a
+/// CSV file, one line per range of rows: source file, first line, last line, reason.
 /// @throws std::runtime_error if the file cannot be written
 void write_excluded(const std::filesystem::path& path, const Measurements& measurements);
 

@@ -9,8 +9,8 @@ namespace pendular {
 /// Text without blanks at either end.
 std::string_view trimmed(std::string_view text);
 
-/// Finite number that the whole text spells, blanks around it aside; else empty. The decimal sign
-/// is '.' in every locale.
+/// Finite number that the whole text spells, blanks around it aside; empty if the text is no finite
+/// number. The decimal sign is '.' in every locale.
 std::optional<double> parse_number(std::string_view text);
 
 /// Text of a number with three significant digits; an exponent is used only below 0.0001 and from a

@@ -10,16 +10,17 @@ namespace pendular {
 /// in JSON keys, CSV headers, axis labels and the manual.
 struct Quantity {
     std::string_view name;                    ///< JSON key and CSV header
-    std::string_view symbol;                  ///< label of an axis
+    std::string_view symbol;                  ///< symbol in labels of axes, such as "σ22"
     std::string_view unit;                    ///< SI unit; "1": dimensionless; "": a text
     std::string_view meaning;                 ///< explanation in one line
     std::vector<std::string_view> also = {};  ///< other accepted names in headers of tables
 };
 
-/// All quantities; each name occurs once.
+/// All quantities that the program reads, computes or shows; each name occurs once.
 std::span<const Quantity> quantities();
 
-/// Quantity with this name. Aborts if there is none, which is an error of the program.
+/// Quantity whose `Quantity::name` is `name`. Aborts the program if there is none, since names are
+/// written in its source code.
 const Quantity& quantity(std::string_view name);
 
 /// Quantity that a header cell of a table names, regardless of case and separators: "Normal force",

@@ -6,7 +6,7 @@
 
 namespace pendular {
 
-/// Unit of measurement with its conversion to SI units: si = factor x + offset.
+/// Unit of measurement with its conversion of a value x to SI units: factor x + offset.
 class Unit {
   public:
     /// Reads a unit in any common spelling: "mN m", "mNm", "N·m", "kPa", "1/s", "deg", "rpm", "%".
@@ -38,7 +38,8 @@ class Unit {
 ///     'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
-/// SI unit with the dimension of a unit, in its common spelling: "N m" for "mNm", "Pa" for "kPa".
+/// SI unit with the dimension of a unit, "1" if dimensionless, in its common spelling: "N m" for
+/// "mNm", "Pa" for "kPa".
 std::string si_spelling(const Unit& unit);
 
 /// Value in SI units of a text such as "500 um". The unit may be left out if the expected unit is

@@ -13,8 +13,8 @@ namespace pendular {
 
 /// Contradictions between columns of one recording that hold the same quantity.
 struct Contradictions {
-    std::set<int> lines;  ///< lines of the rows whose columns contradict each other
-    /// Reason to set aside the whole file; empty if there is none.
+    std::set<int> lines;  ///< lines in the file of the rows that were removed
+    /// Reason to use no reading of the recording's file; empty if there is none.
     std::optional<std::string> file;
 };
 

@@ -27,7 +27,8 @@ class KnownRows {
     void take_out_copies(Recording& recording, const Source& source, Measurements& result);
 
   private:
-    /// Rows of a recording between two restarts of its time column.
+    /// Rows of a recording between two restarts of its time column, in SI units, with the liquid
+    /// content and volume of grains that the study states.
     struct Stretch {
         std::string file;
         std::vector<int> line;
@@ -36,7 +37,8 @@ class KnownRows {
 
         std::size_t size() const { return time.size(); }
     };
-    /// For each row of a later stretch, the row of an earlier stretch that it copies, if any.
+    /// For each row of a later stretch (rows between two restarts of time), the index of the row of
+    /// an earlier stretch that it copies, if any.
     using Matches = std::vector<std::optional<std::size_t>>;
 
     static Stretch stretch(const Recording& recording, const Step& rows, const Source& source);

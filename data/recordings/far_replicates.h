@@ -8,15 +8,19 @@
 
 namespace pendular {
 
-/// Replicates that differ far more than the scatter of all other replicates.
+/// Replicates (readings at the same condition) that differ far more than all other replicates
+/// scatter.
 struct FarReplicates {
     /// Variance to add to (stress ratio, solid fraction) of each reading, relative to the squared
     /// values [1]; 0 for readings that agree with their replicates.
     std::vector<Eigen::Vector2d> variance;
-    /// Pairs of cluster and observable to leave out of the pooled error of fillings: the files of
-    /// the cluster differ too much, and it is unknown which file is wrong.
+    /// Pairs (index of a cluster of files, 0: stress ratio or 1: solid fraction) to leave out of
+    /// the pooled error of fillings: the cluster's files differ too much, and it is unknown which
+    /// is wrong.
     std::set<std::pair<std::size_t, Eigen::Index>> unlike;
-    std::vector<Doubt> doubts;  ///< one doubt for each group of far files and each far condition
+    /// One reason not to believe values for each cluster with far files and each far condition, in
+    /// stress ratio or in solid fraction.
+    std::vector<Doubt> doubts;
     std::vector<std::string> notes;  ///< one note for each cluster whose files differ remarkably
 };
 

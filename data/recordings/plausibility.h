@@ -28,9 +28,9 @@ constexpr double least_stress_ratio = 0.05;
 /// limit allows for 2.5 times this maximum.
 double greatest_stress_ratio(double reduced_pressure);
 
-/// Adds doubts about readings whose solid fraction, stress ratio, inertial number, reduced pressure
-/// or liquid content is impossible in steady shear. Moves these readings to `excluded`, unless the
-/// study keeps implausible readings.
+/// Adds doubts (reasons not to believe values, for the user) about readings whose solid fraction,
+/// stress ratio, inertial number, reduced pressure or liquid content is impossible in steady shear.
+/// Moves these readings to `excluded`, unless the study keeps implausible readings.
 void doubt_impossible_readings(Measurements& measurements, const Study& study);
 
 /// Adds a doubt about a recording whose torque or gap is the same in every row. With a constant
@@ -44,7 +44,8 @@ void doubt_stuck_columns(const Recording& recording, Measurements& part,
 /// impossible: a wrong gap or volume of grains may be the reason why no step became steady.
 void doubt_filling(const Recording& recording, const AnnularCell& cell, Measurements& part);
 
-/// Returns the entry of `Measurements::excluded` for a reading that is left out for this reason.
+/// Returns the entry of `Measurements::excluded`, with the reading's rows, for a reading that is
+/// left out for this reason.
 Excluded left_out(const Reading& reading, std::string reason);
 
 }  // namespace pendular

@@ -12,17 +12,18 @@ namespace pendular {
 struct Recording {
     std::string file;                      ///< path of the file
     std::vector<int> line;                 ///< line of each row in the file, from 1
-    std::vector<double> time;              ///< [s]
+    std::vector<double> time;              ///< time as recorded [s]
     std::vector<double> torque;            ///< torque on the lid [N m]
     std::vector<double> normal_force;      ///< normal force on the lid [N], compression positive
     std::vector<double> height;            ///< gap, the height of the sample [m]
     std::vector<double> angular_velocity;  ///< angular velocity of the lid [rad/s]
     // Redundant columns: empty if the file lacks the column, NaN where a cell is empty or no
     // number.
-    std::vector<double> shear_stress = {};   ///< [Pa]
-    std::vector<double> normal_stress = {};  ///< [Pa]
-    std::vector<double> shear_rate = {};     ///< [1/s]
-    /// Number of the step of constant set points [1]; empty if the file lacks the column.
+    std::vector<double> shear_stress = {};   ///< shear stress by the instrument [Pa]
+    std::vector<double> normal_stress = {};  ///< normal stress by the instrument [Pa]
+    std::vector<double> shear_rate = {};     ///< shear rate by the instrument [1/s]
+    /// Number of the step of constant set points that each row belongs to [1]; empty if the file
+    /// lacks the column.
     std::vector<double> interval;
     std::vector<std::string> unused_columns;  ///< header cells of columns that were not read
 
@@ -49,7 +50,7 @@ Recording read_recording(const std::filesystem::path& path);
 /// noise. Rows between two levels belong to the later step, as its transient.
 std::vector<Step> split_steps(const Recording& recording);
 
-/// Removes the marked rows from all columns of a recording.
+/// Removes the rows whose element of `marked` is true from all columns of a recording.
 void erase_rows(Recording& recording, const std::vector<bool>& marked);
 
 /// Smallest number of rows of a step that can be averaged.

@@ -11,8 +11,9 @@ namespace pendular {
 /// and volume of grains in the cell equal within 2 %.
 bool are_replicates(const Reading& a, const Reading& b);
 
-/// Groups of readings that replicate each other, as indices into `readings`. A reading without
-/// replicates is a group of its own. Groups are sorted by their first index.
+/// Groups of replicates, as indices into `readings`: each reading joins the first group whose first
+/// reading it replicates (`are_replicates`), else it begins a group of its own. Groups are sorted
+/// by their first index.
 std::vector<std::vector<std::size_t>> replicate_groups(const std::vector<Reading>& readings);
 
 }  // namespace pendular

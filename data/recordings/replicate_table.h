@@ -12,14 +12,15 @@ namespace pendular {
 /// common.
 struct ReplicateCluster {
     std::vector<std::size_t> files;  ///< indices into ReplicateTable::files
-    /// Values that have replicates, for observable 0 (stress ratio) and observable 1 (solid
-    /// fraction).
+    /// Values of the readings that have replicates: of the stress ratio (index 0) and of the solid
+    /// fraction (index 1).
     std::array<std::vector<ReplicatedValue>, 2> values;
 };
 
-/// Readings of a study classified by file, by condition and by cluster of files.
+/// Readings of a study classified by file, by condition and by cluster of files that are connected
+/// by common conditions.
 struct ReplicateTable {
-    std::vector<std::string> files;       ///< paths, in the order of the first reading of each file
+    std::vector<std::string> files;       ///< paths of files, in the order of their first readings
     std::vector<std::size_t> file_of;     ///< index of each reading's file
     std::vector<std::size_t> cluster_of;  ///< index of each reading's cluster
     std::vector<std::vector<std::size_t>> groups;  ///< indices of the readings of each condition
@@ -30,12 +31,13 @@ struct ReplicateTable {
     /// Largest normal stress of a reading with replicates, over `reference_stress` [1].
     double greatest_load = 1;
 
-    /// Name of the file with this index, without its folder.
+    /// Name of the file with this index in `files`, without its folder.
     std::string name_of(std::size_t file) const;
 };
 
-/// Classifies readings and compares replicates by the logarithms of stress ratio and solid
-/// fraction [1], which hardly change if a normal stress is 2 % off its set point.
+/// Classifies readings by file, condition and cluster of files, and computes the deviations of
+/// replicates from their mean: of the logarithms of stress ratio and solid fraction [1], which
+/// hardly change if a normal stress is 2 % off its set point.
 ReplicateTable replicate_table(const std::vector<Reading>& readings);
 
 /// Variance of a reading's shear stress (i = 0) or solid fraction (i = 1) over the squared

@@ -13,7 +13,7 @@ double median(std::vector<double> values);
 double robust_deviation(std::span<const double> values);
 
 /// Standard deviation of the noise from sample to sample, in the unit of the series, regardless of
-/// slow changes: robust deviation of the differences between neighbours over sqrt(2).
+/// slow changes: `robust_deviation` of the differences between neighbouring samples over sqrt(2).
 double sample_noise(std::span<const double> series);
 
 /// Resolution with which values were recorded, in the unit of the values: smallest difference

@@ -7,7 +7,7 @@ namespace pendular {
 /// recording is taken to follow the previous recording without a pause.
 class RunClock {
   public:
-    /// Offset to add to the times of the next rows [s], from their first and last recorded
+    /// Offset [s] to add to the recorded times of the next step, from its first and last recorded
     /// time [s]. To be called once for each step, in the order of measurement.
     double shift(double first, double last) {
         if (first < last_) shift_ += last_;

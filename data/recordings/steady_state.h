@@ -35,7 +35,7 @@ Measurements reduce_recording(const Recording& recording, const AnnularCell& cel
                               const ImportSettings& choice = {});
 
 /// Converts each step of the first recording of a study to a reading, with the default settings of
-/// import.
+/// import: the clock starts at 0.
 /// @param liquid_content volume of liquid over volume of grains [1]
 /// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,

@@ -11,29 +11,29 @@ namespace pendular {
 
 /// One step of a recording as series that are evenly spaced in time.
 struct StepSeries {
-    std::vector<double> time;              ///< [s]
-    std::vector<double> torque;            ///< [N m]
-    std::vector<double> normal_force;      ///< [N]
-    std::vector<double> height;            ///< gap [m]
-    std::vector<double> angular_velocity;  ///< [rad/s]
+    std::vector<double> time;              ///< time on the recording's clock [s]
+    std::vector<double> torque;            ///< torque on the lid [N m]
+    std::vector<double> normal_force;      ///< normal force on the lid [N]
+    std::vector<double> height;            ///< gap, the height of the sample [m]
+    std::vector<double> angular_velocity;  ///< angular velocity of the lid [rad/s]
     std::vector<int> line;                 ///< line of the row at or before each sample in the file
     bool interpolated = false;             ///< whether unevenly spaced rows were interpolated
     bool flipped = false;                  ///< whether the sign of a negative torque was changed
 
     std::size_t size() const { return time.size(); }
-    /// Series without the samples before index `begin`.
+    /// Returns the series without the samples before index `begin`.
     StepSeries from(std::size_t begin) const;
 };
 
 /// Converts the rows of a step to evenly spaced series. All columns are interpolated linearly if a
-/// spacing in time is less than 0.5 or more than 1.5 times the median spacing. The sign of a
-/// negative torque is changed.
+/// spacing in time is less than 0.5 or more than 1.5 times the median spacing. If the lid turns and
+/// the torque is mostly negative, its sign is changed.
 /// @throws InputError at the first row whose torque has the rarer sign, if the lid turns and the
 ///         torque has both signs by more than noise around zero
 StepSeries step_series(const Recording& recording, const Step& step);
 
 /// Whether the lid turns: its mean angular velocity [rad/s] differs from 0 by more than 3 standard
-/// errors.
+/// errors of this mean.
 bool turns(const Mean& angular_velocity);
 
 /// Number of leading samples before torque and gap are both steady; empty, with the reason in

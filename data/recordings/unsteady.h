@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// Shear strain over a series [1]: mean shear rate times the time from the first to the last
-/// sample.
+/// Shear strain over a step's series [1]: magnitude of the mean shear rate times the time from the
+/// first to the last sample.
 double strain_of(const StepSeries& series, const AnnularCell& cell);
 
 /// Describes in a few words a step that is too short for steady shear: loading or unloading (the

@@ -13,7 +13,7 @@ class StudyTable;
 struct Formula {
     std::string target;  ///< quantity that the formula sets, "torque" for example
     std::string text;    ///< the formula, not yet compiled
-    Position position;   ///< position of the formula in the file
+    Position position;   ///< position of the formula in study.toml
 };
 
 /// A physical effect that a user defines by formulas in a table [[effect]] of study.toml.
@@ -21,14 +21,14 @@ struct WrittenEffect {
     std::string name;             ///< name of the effect, "torque-offset" for example
     std::string parameter;        ///< name of its parameter; "on": the effect is only on or off
     std::string unit = "1";       ///< SI unit of the parameter
-    double lower = 0, upper = 1;  ///< bounds of the parameter [unit]
+    double lower = 0, upper = 1;  ///< smallest and largest allowed value [unit]
     double neutral = 0;           ///< value at which the effect vanishes [unit]
     /// Smallest difference from `neutral` that matters to the user [unit].
     double smallest_of_interest = 1;
     std::string summary = {};       ///< description in one line; empty if the user gave none
     std::vector<Formula> formulas;  ///< one formula for each quantity that the effect changes
-    Position position;              ///< position of the table in the file
-    /// Positions of the values of the keys `name` and `parameter` in the file.
+    Position position;              ///< position of the table in study.toml
+    /// Positions of the values of the keys `name` and `parameter` in study.toml.
     Position name_position = {}, parameter_position = {};
 
     /// Whether the formulas change quantities that the instrument shows, rather than the flow of
@@ -36,16 +36,18 @@ struct WrittenEffect {
     bool of_instrument() const;
 };
 
-/// Quantities of the instrument that formulas of an [[effect]] can set: "torque" and others. An
-/// effect sets quantities of the instrument or of the flow, not of both.
+/// Quantities of the instrument that formulas of an [[effect]] of study.toml can set: "torque",
+/// "normal_force", "height" and "angular_velocity". An effect sets quantities of the instrument or
+/// of the flow (`flow_targets`), not of both.
 const std::vector<std::string>& instrument_targets();
-/// Quantities of the flow of the grains that formulas of an [[effect]] can set: "stress_ratio" and
-/// "solid_fraction".
+/// Quantities of the flow of the grains that formulas of an [[effect]] of study.toml can set:
+/// "stress_ratio" and "solid_fraction".
 const std::vector<std::string>& flow_targets();
 
 /// Reads the effects that a user defines in the tables [[effect]] of study.toml.
 /// @throws InputError if a key is missing, unknown or has an invalid value, if two effects have the
-///         same name, or if an effect has no formula or formulas of both kinds
+///         same name, or if an effect has no formula, or formulas for both the instrument and the
+///         flow of the grains
 std::vector<WrittenEffect> read_written_effects(const StudyTable& root);
 
 }  // namespace pendular

@@ -11,7 +11,8 @@ namespace pendular {
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& folder,
                                                   const std::string& pattern);
 
-/// Whether `matching_files` finds this file, or would find it if it existed.
+/// Whether the path of a file matches a pattern with '*', '?' and '[...]', relative to `folder`
+/// unless it is an absolute path; the file need not exist.
 bool matches(const std::filesystem::path& file, const std::filesystem::path& folder,
              const std::string& pattern);
 

@@ -18,26 +18,32 @@ struct Span {
 /// Conditions at which a measuring rig can take further readings, and their costs: [rig] of
 /// study.toml. Costs are in units of a dry reading.
 struct Rig {
-    Span normal_stress;                         ///< [Pa]
-    std::optional<Span> inertial_number;        ///< [1]; empty if `shear_rate` is given
-    std::optional<Span> shear_rate;             ///< [1/s]; empty if `inertial_number` is given
-    std::vector<double> liquid_contents = {0};  ///< possible values of Phi_L/Phi_S [1]
+    Span normal_stress;  ///< possible normal stresses [Pa]
+    /// Possible inertial numbers [1]; empty if the rig sets the shear rate.
+    std::optional<Span> inertial_number;
+    /// Possible shear rates [1/s]; empty if the rig sets the inertial number.
+    std::optional<Span> shear_rate;
+    /// Possible liquid contents, volume of liquid over volume of grains [1]; 0: dry.
+    std::vector<double> liquid_contents = {0};
     /// Possible solid volumes of the grains in the cell [m^3]; empty: the volume of the study's
     /// cell.
     std::vector<double> bead_volumes = {};
-    int repeats = 5;          ///< largest number of readings at one condition
-    int readings = 12;        ///< largest number of readings at several conditions together
-    double wet_cost = 1;      ///< cost of a wet reading
-    double filling_cost = 0;  ///< cost of filling the cell with another amount of grains
+    int repeats = 5;      ///< largest number of readings at one condition
+    int readings = 12;    ///< largest number of readings at several conditions together
+    double wet_cost = 1;  ///< cost of a wet reading, in costs of a dry reading [1]
+    /// Cost of filling the cell with another amount of grains, in costs of a dry reading [1].
+    double filling_cost = 0;
     /// Possible waiting times between the last reading and the next reading [s].
     std::vector<double> waits = {0};
-    double hour_cost = 1;  ///< cost of an hour of waiting
-    /// Measurements of an effect's parameter by itself that the rig can make.
+    double hour_cost = 1;  ///< cost of an hour of waiting, in costs of a dry reading [1]
+    /// Measurements of an effect's parameter alone, such as the torque of the empty cell, that the
+    /// rig can make.
     std::vector<StatedDirect> direct = {};
 };
 
 /// Reads the table [rig] of study.toml; empty if the study has none.
 /// @param has_liquid whether the study has a table [liquid], which liquid contents above 0 need
+/// @param grains grains whose density converts the key bead_mass to a solid volume
 /// @throws InputError at a key that is missing, unknown or has an invalid value
 std::optional<Rig> read_rig(const StudyTable& root, const GrainProperties& grains, bool has_liquid);
 

@@ -7,8 +7,11 @@ namespace pendular {
 /// Scatter of an instrument as stated by its user: standard deviations relative to the values of
 /// (shear stress, solid fraction) [1].
 struct StatedScatter {
-    Eigen::Vector2d step = Eigen::Vector2d::Zero();     ///< scatter between repetitions of a step
-    Eigen::Vector2d filling = Eigen::Vector2d::Zero();  ///< scatter between fillings of the cell
+    /// Relative standard deviations between repetitions of one step, (shear stress, solid
+    /// fraction).
+    Eigen::Vector2d step = Eigen::Vector2d::Zero();
+    /// Relative standard deviations between fillings of the cell, (shear stress, solid fraction).
+    Eigen::Vector2d filling = Eigen::Vector2d::Zero();
 };
 
 }  // namespace pendular

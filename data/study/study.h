@@ -24,7 +24,8 @@ struct Source {
     Kind kind = Kind::recording;
     std::string pattern;  ///< pattern of the paths, relative to the study's folder
     std::vector<std::filesystem::path> files;  ///< files that match the pattern, sorted by path
-    std::optional<double> liquid_content;      ///< Phi_L/Phi_S [1], if the entry has it
+    /// Volume of liquid over volume of grains [1], if the entry has it.
+    std::optional<double> liquid_content;
     /// Solid volume of the grains in the cell [m^3], if the entry overrides that of [cell].
     std::optional<double> bead_volume;
     Position position;  ///< position of the entry in study.toml
@@ -33,7 +34,7 @@ struct Source {
 /// An effect in the list `effects` of [model] in study.toml: it is part of the study's model.
 struct ListedEffect {
     std::string name;
-    Position position;  ///< position of the name in study.toml
+    Position position;  ///< position of the effect's name in study.toml
 };
 
 /// Settings of the model: [model] in study.toml.
@@ -43,16 +44,18 @@ struct ModelSettings {
     std::string base = "dem";
     std::vector<std::string> calibrate = {"friction"};  ///< parameters to fit
     std::string fit_to = "dry";                         ///< readings to fit, "dry" or "all"
-    /// Effects in the model, each once. The names are not checked to exist.
+    /// Effects listed as part of the model, each once. Whether effects of these names exist is not
+    /// checked.
     std::vector<ListedEffect> effects;
     FormulaVariant bridge_force = FormulaVariant::derived;  ///< formula of the bridge force
-    /// Expected error of the model, relative to (stress ratio, solid fraction) [1]; 0: exact.
+    /// Expected standard error of the model's predictions, relative to the values of (stress ratio,
+    /// solid fraction) [1]; 0: the model is exact.
     std::array<double, 2> discrepancy = {0, 0};
 };
 
 /// Settings for the conversion of recordings to readings: [import] in study.toml.
 struct ImportSettings {
-    bool keep_implausible = false;  ///< whether doubtful readings are used nevertheless
+    bool keep_implausible = false;  ///< whether implausible readings are used all the same
     /// Smallest strain of the steady part of a step [1]; shorter steps are excluded.
     double least_strain = 1;
 };
@@ -69,8 +72,8 @@ struct Study {
     std::optional<StatedScatter> scatter;  ///< scatter of the instrument, if the user stated it
     ModelSettings model;
     std::vector<WrittenEffect> written_effects;  ///< effects that the study defines by formulas
-    std::vector<StatedDirect> direct;  ///< measurements of an effect's parameter by itself
-    std::optional<Rig> rig;            ///< possible further measurements
+    std::vector<StatedDirect> direct;            ///< measurements of an effect's parameter alone
+    std::optional<Rig> rig;                      ///< possible further measurements and their costs
 };
 
 /// Reads a study from its folder or from its file study.toml, and checks every key. Quantities are

@@ -19,7 +19,7 @@ std::string with_effect(const std::string& text, const std::string& file, std::s
 ///         of the list cannot be edited safely
 std::string without_effect(const std::string& text, const std::string& file, std::string_view name);
 
-/// Replaces the text of a study's file as a whole or not at all.
+/// Replaces the text of a study's file study.toml by `text`, as a whole or not at all.
 /// @throws std::runtime_error if the file cannot be written, naming the file and the system's
 ///         reason
 void replace_study(const std::filesystem::path& file, const std::string& text);

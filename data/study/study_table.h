@@ -20,7 +20,7 @@ namespace pendular {
 
 class Unit;
 
-/// Text with its position in a file.
+/// Text of a value with its position in a file.
 struct Word {
     std::string text;
     Position position;
@@ -47,7 +47,7 @@ class StudyTable {
     Position at(std::string_view key) const;
     /// Position of the table in the file.
     const Position& position() const { return position_; }
-    /// Name of the table as in the file, such as "[grains]" or "[[effect]]"; empty for the top
+    /// Name of the table with its brackets, such as "[grains]" or "[[effect]]"; empty for the top
     /// level.
     const std::string& name() const { return name_; }
 
@@ -60,11 +60,11 @@ class StudyTable {
     std::vector<StudyTable> tables(std::string_view key,
                                    const std::vector<std::string>& keys) const;
 
-    /// Value in SI units of a text with a unit of the same dimension as `unit`, such as "500 um",
-    /// or of a plain number if `unit` is dimensionless; empty if the key is missing.
+    /// Value of a key in SI units: of a text with a unit of the same dimension as `unit`, "500 um"
+    /// for example, or of a plain number if `unit` is dimensionless; empty if the key is missing.
     std::optional<double> quantity(std::string_view key, std::string_view unit) const;
-    /// Value in SI units of a text with a unit of the same dimension as `unit`, or of a plain
-    /// number in `unit`; empty if the key is missing.
+    /// Value of a key in SI units: of a text with a unit of the same dimension as `unit`, or of a
+    /// plain number, which is taken to be in `unit`; empty if the key is missing.
     std::optional<double> quantity_in(std::string_view key, const Unit& unit) const;
     /// Value of a required key in SI units, read as by `quantity`.
     /// @throws InputError if the key is missing
@@ -73,26 +73,30 @@ class StudyTable {
     /// @throws InputError if the key is missing or its value is not positive
     double positive_quantity(std::string_view key, std::string_view unit) const;
 
-    /// Values in SI units of one quantity or an array of quantities, each read as by `quantity`;
-    /// empty if the key is missing.
+    /// Values of a key in SI units, one or an array, each read as by `quantity`; empty if the key
+    /// is missing.
+    /// @throws InputError if the array is empty
     std::vector<double> quantities(std::string_view key, std::string_view unit) const;
 
-    /// Values of one plain number or an array of plain numbers; empty if the key is missing.
+    /// Numbers of a key, one or an array, without units; empty if the key is missing.
+    /// @throws InputError if the array is empty or a value is not a finite number
     std::vector<double> numbers(std::string_view key) const;
 
     /// Text of a key; empty if the key is missing.
     std::optional<std::string> text(std::string_view key) const;
     /// Value true or false of a key; empty if the key is missing.
     std::optional<bool> flag(std::string_view key) const;
-    /// Text of a string or plain number, for a quantity whose unit is not known yet; empty if the
-    /// key is missing.
+    /// Text and position of a key's value, a string or a plain number, for a quantity whose unit is
+    /// not known yet; empty if the key is missing.
     std::optional<Word> stated(std::string_view key) const;
-    /// Text of a key, which must be one of `words`; `words.front()` if the key is missing.
+    /// Text of a key; `words.front()` if the key is missing.
+    /// @throws InputError if the text is not one of `words`, suggesting the nearest one
     std::string choice(std::string_view key, const std::vector<std::string>& words) const;
-    /// Texts of an array; `missing` if the key is missing.
+    /// Texts of a key's array of strings; `missing` if the key is missing.
     std::vector<std::string> words(std::string_view key,
                                    const std::vector<std::string>& missing) const;
-    /// Texts of an array with their positions; empty if the key is missing.
+    /// Texts of a key's array of strings, with their positions in the file; empty if the key is
+    /// missing.
     std::vector<Word> placed_words(std::string_view key) const;
 
     /// Reports an error in the value of a key.
@@ -111,7 +115,7 @@ class StudyTable {
     double quantity_from_text(std::string_view key, const toml::node& node,
                               const Unit& expected) const;
 
-    std::shared_ptr<const toml::table> root_;  ///< keeps `table_` alive
+    std::shared_ptr<const toml::table> root_;  ///< whole file; keeps `table_` alive
     const toml::table* table_;
     std::string name_;  ///< name as in the file: "[grains]"
     Position position_;

@@ -15,13 +15,13 @@ struct CellState {
     double time = 0;              ///< time since the first recording began [s]
 
     // No effect changes the quantities below.
-    double inner_radius = 0, outer_radius = 0;  ///< radii of the cell [m]
+    double inner_radius = 0, outer_radius = 0;  ///< radii of the side walls [m]
     double density = 0;                         ///< density of the grain material [kg/m^3]
     double diameter = 0;                        ///< mean diameter of the grains [m]
 
-    /// Area of the annulus [m^2].
+    /// Area of the annulus between the inner and outer radius, on which the lid presses [m^2].
     double area() const;
-    /// Gap between the side walls [m]: Re - Ri.
+    /// Distance between the inner and outer side wall [m]: outer_radius - inner_radius.
     double width() const { return outer_radius - inner_radius; }
     /// Weight of the beads in the cell [N].
     double weight() const;

@@ -14,21 +14,22 @@ namespace pendular {
 struct DirectMeasurement {
     std::string parameter;      ///< "EFFECT.PARAMETER", as in "torque-offset.torque"
     std::string unit;           ///< SI unit of the parameter
-    std::string by = {};        ///< how it is measured; empty if not known
+    std::string by = {};        ///< how it is measured, as "a viscometer"; empty: unknown
     double neutral = 0;         ///< prediction of a model without the effect [unit]
     double value = 0;           ///< measured value [unit]; 0 if not measured yet
     double standard_error = 0;  ///< standard error of `value` [unit]
 };
 
-/// Returns a direct measurement that a study or its rig states, converted to the unit of the
-/// effect's parameter.
+/// Returns a direct measurement that a study or its rig ([[direct]] or [[rig.direct]] of
+/// study.toml) states, converted to the SI unit of the effect's parameter.
 /// @throws InputError for an effect that is unknown, is a switch or does not apply to the study, a
 ///         value or error in a unit that does not fit the parameter, or an error that is not
 ///         positive
 DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
                                      const EffectCatalogue& catalogue);
 
-/// Returns the direct measurements that a study states in its [[direct]] tables.
+/// Returns the direct measurements of effect parameters that a study states in the [[direct]]
+/// tables of study.toml, in their order, in the SI unit of each parameter.
 /// @throws InputError for a table that `direct_measurement` does not accept
 std::vector<DirectMeasurement> direct_measurements(const Study& study,
                                                    const EffectCatalogue& catalogue);

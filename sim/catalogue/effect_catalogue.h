@@ -29,13 +29,14 @@ class EffectCatalogue {
 
     /// All effects: the built-in ones sorted by name, then the user's in the order of study.toml.
     const std::vector<Effect>& all() const { return effects_; }
-    /// Returns the effect with this name.
+    /// Returns the effect, built-in or user-defined, with this name.
     /// @throws std::invalid_argument where there is none, naming the effect with the nearest name
     const Effect& find(std::string_view name) const;
-    /// Whether the study, rather than the program, defines this effect.
+    /// Whether the user defined this effect in study.toml: no built-in effect has its name.
     bool is_written(const Effect& effect) const;
 
-    /// Returns the effects that the study lists in `effects`, in the order of that list.
+    /// Returns the effects that the study lists under `effects` in [model] of study.toml, in the
+    /// order of that list.
     /// @throws InputError at a name in the list that is unknown, naming the nearest known name, or
     ///         whose effect does not apply to the study
     std::vector<const Effect*> active(const Study& study) const;
@@ -44,8 +45,9 @@ class EffectCatalogue {
     std::vector<Effect> effects_;
 };
 
-/// Returns the reason why an effect would change nothing in a study or cannot be computed for it,
-/// with a remedy; empty where the effect applies.
+/// Returns the reason, with a remedy, why an effect does not apply to a study: the study has no
+/// readings that it changes, or lacks the liquid, cell, bead volume or base model that it needs.
+/// Returns an empty optional where the effect applies.
 std::optional<std::string> why_not(const Effect& effect, const Study& study);
 
 }  // namespace pendular

@@ -14,14 +14,15 @@ struct EffectiveCondition : Condition {
     EffectiveCondition() = default;
     EffectiveCondition(const Condition& imposed) : Condition(imposed) {}
 
-    std::optional<Liquid> liquid;             ///< liquid as changed; none: the study's liquid
-    double friction_difference = 0;           ///< added to the study's friction coefficient [1]
-    std::vector<EffectValues> grain_effects;  ///< effects to simulate; SI units
+    std::optional<Liquid> liquid;             ///< liquid as effects change it; none: the study's
+    double friction_difference = 0;           ///< to add to the study's friction coefficient [1]
+    std::vector<EffectValues> grain_effects;  ///< effects on grains to simulate; SI units
 
     bool operator==(const EffectiveCondition&) const = default;
 };
 
-/// Returns each condition as an EffectiveCondition on which no effect acts.
+/// Converts each condition to an EffectiveCondition on which no effect acts: the imposed values as
+/// given, the study's own liquid and friction, and no effects on grains.
 inline std::vector<EffectiveCondition> without_effects(const std::vector<Condition>& conditions) {
     return {conditions.begin(), conditions.end()};
 }

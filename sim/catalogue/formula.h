@@ -19,21 +19,22 @@ class FormulaError : public std::runtime_error {
 /// abs and min. Copies share the compiled formula.
 class CompiledFormula {
   public:
-    /// Compiles a formula of these variables.
-    /// @throws FormulaError for a syntax error or an unknown variable, naming the nearest
-    ///         known variable
+    /// Compiles `text`, a formula that may contain the variables named in `variables`.
+    /// @throws FormulaError for a syntax error, an assignment, or a variable that is not among
+    ///         `variables`, naming the nearest one
     CompiledFormula(const std::string& text, const std::vector<std::string>& variables);
 
     /// Returns the value of the formula, which may be infinite or NaN. `values`: values of the
     /// variables, in the order of the constructor's list. Safe to call from several threads.
     double operator()(std::span<const double> values) const;
 
-    /// Names of the variables that occur in the formula, sorted.
+    /// Names of the constructor's variables that occur in the formula, sorted alphabetically.
     const std::vector<std::string>& used() const;
-    /// Whether a variable occurs in the formula.
+    /// Whether the variable with this name occurs in the formula.
     bool uses(const std::string& variable) const;
 
-    /// Names of functions and constants, which no variable can have.
+    /// Names of the functions and constants that formulas can contain, such as "sin" and "pi"; a
+    /// variable must not have one of these names.
     static std::vector<std::string> reserved_words();
 
   private:

@@ -13,12 +13,14 @@ namespace pendular {
 /// measurements, all checked. Copies share the catalogue, which is constructed once.
 class ResolvedStudy {
   public:
-    /// Resolves a study; implicit, since there is only one way to do so.
+    /// Constructs the study's catalogue of effects, and checks the effects that the study lists and
+    /// its direct measurements. The conversion is implicit, since a study has only one catalogue.
     /// @throws InputError where an effect that the study defines or lists, or a direct measurement,
     ///         cannot be used
     ResolvedStudy(Study study);
-    /// Resolves `changed`, an edited copy of this study, with the catalogue of this study. The edit
-    /// must not change the effects that the study defines.
+    /// Returns `changed`, an edited copy of this study, with this study's catalogue of effects and
+    /// its own listed effects and direct measurements, checked. The edit must not change the
+    /// effects that the user defines in study.toml.
     /// @throws InputError where an effect that `changed` lists, or a direct measurement, cannot be
     ///         used
     ResolvedStudy changed_to(Study changed) const;
@@ -31,7 +33,8 @@ class ResolvedStudy {
     /// Effects that the study lists, in the order of its list. The pointers are valid as long as
     /// any copy of this object exists.
     const std::vector<const Effect*>& effects() const { return effects_; }
-    /// Direct measurements that the study states.
+    /// Measurements of effect parameters made without shearing the grains, as the study states them
+    /// in its [[direct]] tables; SI units.
     const std::vector<DirectMeasurement>& direct() const { return direct_; }
 
   private:

@@ -5,17 +5,18 @@
 
 namespace pendular {
 
-/// Compiles the effect that a user defines in study.toml ([[effect]]). Each formula gives the shown
-/// value of the quantity that is its key; all formulas read the true state. A quantity without a
-/// formula is shown unchanged. The variables of formulas, in SI units, are the effect's parameter
-/// and, depending on what the effect changes:
+/// Compiles the effect that a user defines in study.toml ([[effect]]). Each formula gives the
+/// value, with the effect, of the quantity that is its key; all formulas read the values without
+/// the effect. A quantity without a formula is unchanged. The variables of formulas, in SI units,
+/// are the effect's parameter and, depending on what the effect changes:
 ///     the instrument  torque, normal_force, height, angular_velocity, liquid_content,
 ///                     bead_volume, time, inner_radius, outer_radius, density, diameter,
 ///                     normal_stress (normal_force over the area of the annulus)
 ///     the flow        stress_ratio, solid_fraction, normal_stress, inertial_number,
 ///                     liquid_content, height, time
-/// The effect touches dry or wet readings only if its formulas change only such states among a few
-/// typical states. The returned effect throws InputError at a formula that gives no finite number.
+/// The effect counts as one on dry grains only, or on wet grains only, if its formulas change only
+/// the dry, or only the wet, ones of eight typical states. The returned effect throws InputError at
+/// a formula that gives no finite number.
 /// @throws InputError at a formula that cannot be read, does not contain the parameter, changes
 ///         a quantity at the neutral value, or gives no finite number at a bound of the parameter;
 ///         at a parameter that has the name of a variable or function

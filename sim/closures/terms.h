@@ -2,9 +2,10 @@
 
 namespace pendular::closures {
 
-/// Optional terms of the closures (analytical formulas) of the base model `rumpf`.
+/// Optional terms in the closures (analytical formulas for the strength of wet grains) of the base
+/// model `rumpf`; by default none is used.
 struct Terms {
-    bool capillary_shear_stress = false;  ///< uses eq:strength2, not eq:strength3
+    bool capillary_shear_stress = false;  ///< cohesion includes the capillary shear stress
 };
 
 }  // namespace pendular::closures

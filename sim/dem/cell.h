@@ -23,7 +23,8 @@ struct Cell {
 
     double volume() const { return length * height * width; }
 
-    /// Reduces the offset to [-length/2, length/2) by whole lengths; the lattice stays the same.
+    /// Changes `offset`, by whole cell lengths, to a value in [-length/2, length/2) [diameters];
+    /// the periodic lattice stays the same.
     void reduce_offset() { offset -= length * std::floor(offset / length + 0.5); }
 
     /// Fractional coordinates of a position along the lattice vectors; in [0, 1) inside the cell.
@@ -31,7 +32,7 @@ struct Cell {
         const double up = r[1] / height;
         return {(r[0] - up * offset) / length, up, r[2] / width};
     }
-    /// Returns the position, moved into the cell by whole lattice vectors.
+    /// Returns the position `r` [diameters], moved into the cell by whole lattice vectors.
     Vector wrapped(const Vector& r) const {
         const Vector at = fractions(r);
         const double n1 = std::floor(at[0]), n2 = std::floor(at[1]), n3 = std::floor(at[2]);

@@ -25,22 +25,24 @@ class Checkpoint {
     Checkpoint(const Checkpoint&) = delete;
     Checkpoint& operator=(const Checkpoint&) = delete;
 
-    /// Returns the last saved state of the run that `run` describes in lines "name = value"; empty
-    /// where there is no file.
+    /// Returns the last saved state, as bytes, of the run whose parameters are the lines
+    /// "name = value" in `run`; empty where the checkpoint file does not exist.
     /// @throws InputError where the file belongs to another run, has another format, or is
     /// truncated or corrupt; the file is left unchanged
     std::optional<std::string> read(const std::string& run) const;
-    /// Replaces the file by one with this state of the run that `run` describes.
-    /// @throws std::runtime_error where it cannot be written; the previous checkpoint is then kept
+    /// Replaces the checkpoint file by one with the state `state`, as bytes, of the run whose
+    /// parameters are the lines "name = value" in `run`.
+    /// @throws std::runtime_error where the file cannot be written; the previous one is then kept
     void write(const std::string& run, const std::string& state);
-    /// Deletes the file, once the run is complete and its results are saved.
+    /// Deletes the checkpoint file if it exists; for callers whose run is complete and saved.
     void remove();
 
     bool due() const { return std::chrono::steady_clock::now() - written_ >= every_; }
     bool exists() const { return std::filesystem::exists(file_); }
     const std::filesystem::path& file() const { return file_; }
 
-    /// Version of the file format, raised whenever the saved state of a run changes.
+    /// Version of the checkpoint file's format, raised whenever the layout of the saved state
+    /// changes.
     static constexpr int format = 3;
 
   private:

@@ -14,8 +14,8 @@
 
 namespace pendular::dem {
 
-/// Coordinate of which a field is a function; `coordinates` lists the name, unit and meaning of
-/// each coordinate.
+/// Coordinate of which a field, a quantity that a run measures, is a function; `coordinates` lists
+/// the name, unit and meaning of each coordinate.
 enum class Coordinate { height, angle, relative_force, gap };
 
 /// Quantity that a run measures as a function of one coordinate; `fields` lists the name, unit and
@@ -86,7 +86,7 @@ constexpr bool is_profile(Field which) {
     return about(which).coordinate == Coordinate::height;
 }
 
-/// Bins of equal width between 0 and `end`.
+/// Bins of equal width between 0 and `end`, in the unit of the coordinate that is binned.
 struct Bins1d {
     std::size_t count = 0;
     double end = 1;
@@ -102,7 +102,7 @@ struct Bins1d {
 
 /// Bins of a coordinate, in its unit, for a sample of `grains` grains. Height: one bin per grain
 /// diameter. Angle: bins of 5 degrees from 0 to 180. Relative force: bins of 0.2 from 0 to 8. Gap:
-/// 30 bins from 0 to the rupture distance.
+/// 30 bins from 0 to the rupture distance of bridges [diameters], or to 1 if that is 0.
 Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);
 
 /// One field of a run: time average with standard error in each bin; NaN where a bin has no data.
@@ -111,7 +111,8 @@ struct BinnedMeans {
     std::vector<Mean> means;
 };
 
-/// Sums over states from which a field is computed: its value in a bin is sum/weight.
+/// Sums over several states of a sample from which a field (quantity as a function of a coordinate)
+/// is computed: its value in each bin is `sum` over `weight`.
 struct BinnedSums {
     std::vector<double> sum, weight;
 
@@ -131,15 +132,16 @@ class MotionProfile {
     /// Adds the velocities, relative to the imposed flow, of the grains in one state; `height` is
     /// the height of the cell [diameters].
     void add(const Grains& grains, double height);
-    /// Localization [1]: 0 for uniform shear, 1 for an infinitely thin shear band.
+    /// Localization of the shear [1]: 0 for uniform shear, 1 for an infinitely thin shear band.
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
+    /// H: height of the cell, rate: shear rate, v1: mean velocity along the flow at the height x2.
     /// Source: Badetti et al. (2018), eq:defdelta.
     double localization(double height, double shear_rate) const;
-    /// Mean velocity along the flow in each bin, imposed flow included, over shear rate times
-    /// height [1].
+    /// Mean velocity of the grains along the flow in each bin of height, imposed flow included,
+    /// over shear rate times height of the cell [1].
     BinnedSums velocity(double height, double shear_rate) const;
-    /// Variance of one component of the velocity in each bin, averaged over the components, over
-    /// (diameter times shear rate)^2 [1].
+    /// Variance of one component of the grains' velocity in each bin of height, averaged over the
+    /// three components, over (grain diameter times shear rate)^2 [1].
     BinnedSums temperature(double shear_rate) const;
 
     template <typename Archive>
@@ -160,12 +162,12 @@ class MotionProfile {
     std::vector<Bin> bins_;
 };
 
-/// Adds the profile of solid fraction over the height in one state; each sphere is cut at the faces
-/// of the bins.
+/// Adds the profile of solid fraction over the height of the sample, in one state, to `sums`; each
+/// sphere is cut at the faces of the bins.
 void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums);
 
-/// Adds the statistics of the contacts, and of the bridges without contact, in one state: every
-/// field that is not a profile.
+/// Adds the statistics of directions, forces and gaps of contacts and of bridges without contact,
+/// in one state, to `sums`: every field that is not a profile over the height.
 void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        FieldSums& sums);

@@ -27,11 +27,12 @@ class GrainEffects {
     GrainEffects() = default;
     explicit GrainEffects(const std::vector<GrainEffect>& on);
 
-    /// Whether the force loop must call effects between its stages.
+    /// Whether any effect changes or adds forces between grains, or lets bridges form without
+    /// contact; the force loop then calls `bridge`, `limit` and `add`.
     bool changes_forces() const { return changes_forces_; }
     /// Whether any effect changes the forces between grains or their sizes.
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
-    /// Number of values that all effects together store per pair.
+    /// Number of values that all effects together store from step to step for each pair of grains.
     std::size_t contact_history() const { return contact_history_; }
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;
@@ -49,8 +50,9 @@ class GrainEffects {
         stage(&ChangePairs::add, batch, material, bridges);
     }
     bool changes_bridges() const { return changes_bridges_; }
-    /// Attraction by the bridge between two grains at rest, effects included [a^2 s22]. A negative
-    /// gap is an overlap; `diameter` is the mean diameter as in PairBatch.
+    /// Attraction by the liquid bridge between two grains at rest, changed by these effects
+    /// [a^2 s22]. A negative gap [diameters] is an overlap; `diameter` is 2 d1 d2/(d1 + d2) for
+    /// grains of the diameters d1 and d2, over the mean diameter.
     double attraction(double gap, double diameter, const Material& material,
                       const BridgeLaw& bridges) const;
 

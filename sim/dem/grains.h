@@ -12,14 +12,15 @@
 
 namespace pendular::dem {
 
-/// Grains of a sample in reduced units (diameter, mass and normal stress are 1). The numbers of one
-/// grain that the force loop reads are adjacent in memory (`motion`), and so are the numbers that
+/// Grains of a sample in reduced units (mean grain diameter, mass of a grain of that diameter and
+/// imposed normal stress are 1). The numbers of one grain that the force loop reads are adjacent in
+/// memory (`motion`), and so are the numbers that
 /// it writes (`net_force`), so that a pair touches few cache lines.
 struct Grains {
     struct Motion {
         Vector position;  ///< centre; inside the cell when the neighbour list was built
-        Vector velocity;  ///< peculiar velocity (without the imposed flow), half a step behind
-        Vector angular_velocity;  ///< angular velocity, half a step behind
+        Vector velocity;  ///< peculiar (no imposed flow), half a time step before `position`
+        Vector angular_velocity;  ///< angular velocity, half a time step before `position`
 
         template <typename Archive>
         void serialize(Archive& archive) {
@@ -32,8 +33,11 @@ struct Grains {
     };
 
     std::vector<Motion> motion;
-    std::vector<ForceAndTorque> net_force;  ///< summed during a step, zero between steps
-    std::vector<Vector> displacement;  ///< peculiar displacement since the narrow list was made
+    /// Net force and torque on each grain, summed during a time step and zero between steps.
+    std::vector<ForceAndTorque> net_force;
+    /// Displacement of each grain without the imposed flow, since the narrow neighbour list was
+    /// made.
+    std::vector<Vector> displacement;
     std::vector<std::int32_t> number;  ///< original number of each grain, before renumbering
     std::vector<double> diameters;     ///< diameters of mean 1; empty: all are 1
 
@@ -59,7 +63,8 @@ struct Grains {
     double contact_distance(std::size_t i, std::size_t j) const {
         return diameters.empty() ? 1.0 : 0.5 * (diameters[i] + diameters[j]);
     }
-    /// Mean diameter, mean mass and arms of a pair, from which the contact and bridge laws compute.
+    /// Mean diameter, mean mass and arms (centre to contact point) of the pair of grains i and j,
+    /// from which the laws of contact and bridge compute.
     PairSizes sizes(std::size_t i, std::size_t j) const {
         return diameters.empty() ? PairSizes{} : PairSizes::of(diameters[i], diameters[j]);
     }
@@ -89,8 +94,8 @@ struct Grains {
     const Vector& torque(std::size_t i) const { return net_force[i].torque; }
 };
 
-/// Moment of inertia of a grain of unit mass and diameter, (2/5)(1/2)^2. The moments of other
-/// grains grow with the fifth power of the diameter.
+/// Moment of inertia about its centre of a sphere of unit mass and diameter, (2/5)(1/2)^2 [m a^2].
+/// Moments of inertia of other grains grow with the fifth power of their diameter.
 constexpr double moment_of_inertia = 0.1;
 
 }  // namespace pendular::dem

@@ -13,7 +13,8 @@ enum class Observable {
 #include "data/quantities/observables.def"
 };
 
-/// Names of all observables in the order of `Observable`, as written in JSON and in stores of runs.
+/// Names of all observables in the order of `Observable`, as written in JSON and in files of stored
+/// runs.
 constexpr std::array observable_names = std::to_array<std::string_view>({
 #define OBSERVABLE(name, ...) #name,
 #include "data/quantities/observables.def"
@@ -23,7 +24,7 @@ constexpr std::size_t observable_count = observable_names.size();
 /// Whether an observable is defined only for grains with liquid bridges.
 bool needs_bridges(Observable which);
 
-/// Observable of this name, one of `observable_names`.
+/// Returns the observable whose name in `observable_names` is `name`.
 /// @throws std::invalid_argument for an unknown name; the message lists all names
 Observable observable_named(std::string_view name);
 

@@ -34,19 +34,20 @@ struct Xyz {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Positions and velocities of two grains relative to each other.
+/// Positions and velocities of two grains relative to each other, reduced units (grain diameter,
+/// mass and imposed normal stress are 1).
 struct PairMotion {
     Xyz separation;        ///< vector from the first to the second centre
-    Xyz velocity;          ///< second centre minus first, imposed flow excluded
-    Xyz angular_velocity;  ///< sum over both grains, each weighted with its arm (PairSizes)
+    Xyz velocity;          ///< second centre's velocity less the first's, imposed flow excluded
+    Xyz angular_velocity;  ///< both grains' angular velocities, times their arms (PairSizes), added
 };
 
 /// Geometry and relative velocities of a pair, imposed flow included, reduced units.
 struct ContactKinematics {
     double distance;       ///< distance of the centres
     Xyz normal;            ///< unit vector from the first to the second centre
-    double normal_speed;   ///< rate at which the distance grows
-    Xyz sliding_velocity;  ///< second surface minus first, at the contact point
+    double normal_speed;   ///< rate at which the distance of the centres grows
+    Xyz sliding_velocity;  ///< second surface's less the first's, at the contact point
     Xyz rotation_rate;     ///< angular velocity of the pair, including rotation about its normal
 
     [[gnu::always_inline]] static ContactKinematics of(const PairMotion& motion, const Flow& flow) {
@@ -64,21 +65,25 @@ struct ContactKinematics {
     }
 };
 
-/// Hertz contact of two grains, of any sizes, at an overlap [a]. Unequal spheres have the stiffness
-/// of equal spheres of the diameter 2 d1 d2/(d1 + d2).
+/// Elastic normal force and normal stiffness of a Hertz contact of two grains, of any sizes, at an
+/// overlap [diameters] and a modulus [s22]. Unequal spheres have the stiffness of equal spheres of
+/// the diameter 2 d1 d2/(d1 + d2).
 [[gnu::always_inline]] inline Hertz hertz_contact(double overlap, const PairSizes& sizes,
                                                   double modulus) {
     return Hertz::at(overlap, modulus * std::sqrt(sizes.diameter));
 }
 
-/// Tangential stiffness K_T of a contact [a s22]; `root` is the square root of its overlap.
+/// Tangential stiffness K_T of a contact, tangential force over sliding displacement [a s22];
+/// `root` is the square root of its overlap over the grain diameter a.
 [[gnu::always_inline]] inline double tangential_stiffness(double root, const PairSizes& sizes,
                                                           const Material& material) {
     const double modulus = material.modulus * std::sqrt(sizes.diameter);
     return tangential_ratio(material.poisson_ratio) * (modulus / 2 * root);
 }
 
-/// Viscous normal force of a contact, positive while the grains approach each other [a^2 s22].
+/// Viscous normal force of a contact, positive while the grains approach each other [a^2 s22];
+/// `normal_speed` is the rate at which the distance of their centres grows, `damping` the fraction
+/// of critical damping.
 [[gnu::always_inline]] inline double viscous_force(const Hertz& hertz, double normal_speed,
                                                    const PairSizes& sizes, double damping) {
     return hertz.viscous(-normal_speed, damping) * std::sqrt(sizes.mass);
@@ -89,19 +94,20 @@ struct ContactKinematics {
 struct NormalForces {
     double overlap;        ///< overlap of the grains; 0 without contact
     double gap;            ///< gap between the surfaces; 0 in contact
-    double root;           ///< sqrt(overlap)
-    double elastic;        ///< elastic normal force F_N
-    double viscous;        ///< viscous normal force F_viscous
-    double joined = 0;     ///< 1 where a bridge joins the grains, else 0
-    double capillary = 0;  ///< attraction by the bridge
-    double stiffness;      ///< tangential stiffness K_T
-    double coulomb_limit;  ///< largest tangential force
+    double root;           ///< square root of `overlap`
+    double elastic;        ///< elastic normal force F_N of the contact, a repulsion
+    double viscous;        ///< viscous normal force of the contact, positive for repulsion
+    double joined = 0;     ///< 1 where a liquid bridge joins the grains, else 0
+    double capillary = 0;  ///< attraction by the liquid bridge; 0 without bridge
+    double stiffness;      ///< tangential stiffness K_T of the contact
+    double coulomb_limit;  ///< largest tangential force that the contact carries before it slides
 
     /// Total normal force, positive where it drives the grains apart [a^2 s22].
     double total() const { return elastic + viscous - capillary; }
 };
 
-/// Normal forces of a contact without bridge.
+/// Elastic and viscous normal force, tangential stiffness and Coulomb limit of a pair of grains
+/// without bridge, reduced units; all are zero without contact.
 [[gnu::always_inline]] inline NormalForces contact_forces(const ContactKinematics& kinematics,
                                                           const PairSizes& sizes,
                                                           const Material& material) {
@@ -118,9 +124,9 @@ struct NormalForces {
             .coulomb_limit = material.friction * hertz.elastic};
 }
 
-/// Adds the attraction of a bridge to the normal forces of a pair. A bridge joins the grains if
-/// they touch, or if a bridge joined them at the step before (`before`: 1 or 0) and has not
-/// ruptured.
+/// Sets `forces.joined` and `forces.capillary`, the attraction by a liquid bridge [a^2 s22]. A
+/// bridge joins the grains if they touch, or if a bridge joined them at the step before (`before`:
+/// 1 or 0) and has not ruptured.
 [[gnu::always_inline]] inline void add_bridge(NormalForces& forces, double before,
                                               const PairSizes& sizes, const BridgeLaw& bridges) {
     forces.joined = bridges.joined(forces.overlap, forces.gap, before);
@@ -169,8 +175,8 @@ struct TangentialStep {
     }
 };
 
-/// Torque on either grain of a pair by the tangential force on the second grain, for equal arms
-/// [a^3 s22].
+/// Torque on each grain of a pair by the tangential force `tangential` that acts on the second
+/// grain (its opposite acts on the first), for grains of equal size [a^3 s22].
 [[gnu::always_inline]] inline Xyz contact_torque(const ContactKinematics& kinematics,
                                                  const Xyz& tangential) {
     return -(kinematics.distance * 0.5) * cross(kinematics.normal, tangential);

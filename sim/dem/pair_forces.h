@@ -19,8 +19,8 @@ struct PairNeeds {
 
 /// Adds the forces and torques of the pairs in the range `stretch` to `net_force` and advances the
 /// tangential forces of their contacts by one step. If the grains are wet, contacts form bridges,
-/// and grains that a bridge joins attract each other; see pair_contact.h for the laws. Returns the
-/// sums over these pairs.
+/// and grains that a bridge joins attract each other; see pair_contact.h for the laws. Returns
+/// virial, largest overlap and energies of these pairs.
 ///
 /// Pairs are processed in batches through vector lanes. The instruction set is chosen at run time
 /// and does not change a bit of the result. Setting a need that the sample does not have does not
@@ -30,12 +30,13 @@ PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const 
                      const PairNeeds& needs, std::vector<Grains::ForceAndTorque>& net_force);
 
 /// Adds the forces and torques of the pairs in the range `stretch` to `net_force`, computing only
-/// the parts that the sample needs (`PairNeeds::of`), and returns the sums over these pairs.
+/// the parts that the sample needs (`PairNeeds::of`); returns virial, largest overlap and energies
+/// of these pairs.
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      std::vector<Grains::ForceAndTorque>& net_force);
 
-/// Sets the net forces and torques of all grains to the sums over the near pairs alone, and returns
-/// the sums over these pairs.
+/// Sets the net forces and torques on all grains to the sums over the pairs `near` alone (narrow
+/// list), and returns virial, largest overlap and energies of these pairs.
 PairSums pair_forces(Grains& grains, Pairs& near, const PairLaws& laws);
 
 }  // namespace pendular::dem

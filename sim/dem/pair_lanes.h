@@ -55,8 +55,8 @@ struct alignas(64) SizeLanes {
     }
 };
 
-/// Sums over pairs, kept per lane so that the order of summation does not depend on the width of
-/// the vector unit.
+/// Sums of virial and energies, and the largest overlap, over pairs of grains (PairSums), kept per
+/// lane so that the order of summation does not depend on the width of the vector unit.
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
     Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};  ///< energies as in PairEnergy
@@ -70,7 +70,7 @@ struct alignas(64) LaneSums {
     PairSums total(EnergyAccounting accounting) const;
 };
 
-/// Displacement from the cell to each of its periodic images, indexed by image_code.
+/// Displacement from the periodic cell to each of its images [diameters], indexed by image_code.
 using Shifts = std::array<Vector, image_code::count + 1>;
 
 inline Shifts image_shifts(const Cell& cell) {
@@ -95,7 +95,7 @@ inline Shifts image_shifts(const Cell& cell) {
     out[3] = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
 }
 
-/// Writes four vectors to elements k to k + 3 of the x, y and z arrays.
+/// Writes the components of the four vectors `in` to elements k to k + 3 of `to.x`, `to.y`, `to.z`.
 [[gnu::always_inline]] inline void to_lanes(const Vector::Lanes (&in)[4], std::size_t k,
                                             XyzLanes& to) {
     Vector::Lanes out[4];
@@ -105,7 +105,7 @@ inline Shifts image_shifts(const Cell& cell) {
     *reinterpret_cast<Vector::Lanes*>(&to.z[k]) = out[2];
 }
 
-/// Gathers elements k to k + 3 of the x, y and z arrays into four vectors.
+/// Gathers elements k to k + 3 of `from.x`, `from.y` and `from.z` into the four vectors `out`.
 [[gnu::always_inline]] inline void from_lanes(const XyzLanes& from, std::size_t k,
                                               Vector::Lanes (&out)[4]) {
     const Vector::Lanes in[4] = {*reinterpret_cast<const Vector::Lanes*>(&from.x[k]),
@@ -115,7 +115,8 @@ inline Shifts image_shifts(const Cell& cell) {
     transpose(in, out);
 }
 
-/// Reads the sizes of the batch of pairs that starts at `begin`.
+/// Writes the sizes of the batch of pairs that starts at index `begin` of `pairs`, computed from
+/// the diameters of their grains, to `sizes`.
 [[gnu::always_inline]] inline void gather_sizes(const Grains& grains, const Pairs& pairs,
                                                 std::size_t begin, SizeLanes& sizes) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -127,15 +128,15 @@ inline Shifts image_shifts(const Cell& cell) {
     }
 }
 
-/// Part of the relative motion of pairs that a loop reads.
+/// Part of the relative motion of two grains that a loop over pairs reads.
 enum class Gathered {
     separation,       ///< positions only, for pairs that cannot touch
     motion,           ///< positions and velocities of pairs of equal grains
     weighted_motion,  ///< positions and velocities; angular velocities weighted with their arms
 };
 
-/// Reads the relative motion of the batch of pairs that starts at `begin`, grain by grain, and
-/// transposes it into lanes.
+/// Reads the relative positions and, depending on `part`, velocities of the batch of pairs that
+/// starts at index `begin` of `pairs`, and transposes them into the lanes of `b`.
 template <Gathered part>
 [[gnu::always_inline]] inline void gather(const Grains::Motion* motion, const Pairs& pairs,
                                           std::size_t begin, const Shifts& shifts,
@@ -174,7 +175,8 @@ enum class Torques {
     separate,  ///< different torques: Batch::first_torque and Batch::torque
 };
 
-/// Adds the forces and torques of a batch of pairs to the net forces of their grains.
+/// Adds the forces and torques of the batch of pairs that starts at index `begin` of `pairs` to
+/// `net_force`, the net force and torque on each grain.
 template <Torques torques>
 [[gnu::always_inline]] inline void scatter(const Batch& b, const Pairs& pairs, std::size_t begin,
                                            Grains::ForceAndTorque* net_force) {

@@ -11,33 +11,39 @@
 
 namespace pendular::dem {
 
-/// Energy stored in pairs, and energy lost in them during one step [a^3 s22].
+/// Energies stored in the pairs of grains of a sample, and lost in them during one step [a^3 s22].
 struct PairEnergy {
-    double elastic = 0;    ///< stored: normal (2/15) E~ h^(5/2) plus tangential s^2/(2 K_T)
+    /// Energy stored in contacts: (2/15) E~ h^(5/2) in normal direction plus s^2/(2 K_T) in
+    /// tangential direction; E~: modulus, h: overlap, s: tangential force, K_T: tangential
+    /// stiffness.
+    double elastic = 0;
     double capillary = 0;  ///< stored: potential energy of the bridges, zero at rupture
-    double friction = 0;   ///< lost by sliding
-    double viscosity = 0;  ///< lost by the viscous part of the normal force; see `viscous_loss`
-    double bridges = 0;    ///< lost where bridges form: their potential jumps below zero
-    /// Lost by tangential springs without sliding: K_T changes with the overlap while the spring is
-    /// loaded, and the component of the force along the new normal is removed.
+    double friction = 0;   ///< energy lost by contacts that slide at the Coulomb limit
+    double viscosity = 0;  ///< lost by contacts' viscous normal forces; set from `viscous_loss`
+    double bridges = 0;    ///< lost where bridges form: their potential energy jumps below zero
+    /// Energy lost by the tangential springs of contacts without sliding: their stiffness changes
+    /// with the overlap while they are loaded, and the component of the tangential force along the
+    /// new normal is removed.
     double unloading = 0;
 
     PairEnergy& operator+=(const PairEnergy& other);
 };
 
-/// Sums over the pairs of one force evaluation, reduced units.
+/// Sums over the pairs of grains in one force evaluation, reduced units: F is the force on the
+/// second grain of a pair, r the vector from the first to the second centre.
 struct PairSums {
-    double virial_11 = 0;  ///< sum of F1 r1, compression positive
+    double virial_11 = 0;  ///< sum of F1 r1 over the pairs, positive in compression
     double virial_22 = 0;
     double virial_33 = 0;
-    double virial_12 = 0;  ///< sum of F1 r2, negative in simple shear
+    double virial_12 = 0;  ///< sum of F1 r2 over the pairs, negative in simple shear
     double largest_overlap = 0;
     PairEnergy energy;  ///< zero without energy accounting
 
     PairSums& operator+=(const PairSums& other);
 };
 
-/// Whether a force evaluation adds up energies, which nearly doubles the time of a step.
+/// Whether a force evaluation also adds up stored and lost energies (PairEnergy), which nearly
+/// doubles the time of a step.
 enum class EnergyAccounting { off, on };
 
 class GrainEffects;
@@ -53,8 +59,8 @@ struct PairLaws {
     const GrainEffects* effects = nullptr;  ///< effects on the forces between grains; null: none
 };
 
-/// Range of pairs of a list, in whole batches: index of the first pair, and of the pair after the
-/// last.
+/// Range of pairs in a neighbour list, in whole batches: index of the first pair, and of the pair
+/// after the last.
 using Stretch = std::pair<std::size_t, std::size_t>;
 
 }  // namespace pendular::dem

@@ -11,10 +11,11 @@
 namespace pendular::dem {
 
 /// List of pairs of neighbouring grains, sorted by first and then by second grain; `first` is the
-/// smaller number. The separation of a pair points from `first` to the image of `second`.
+/// smaller of the two grains' numbers. The separation of a pair points from the centre of grain
+/// `first` to that of the periodic image `image` of grain `second`.
 struct Neighbours {
     std::vector<std::int32_t> first, second;
-    std::vector<std::uint8_t> image;  ///< image_code of the second grain
+    std::vector<std::uint8_t> image;  ///< code of the second grain's periodic image (image_code)
 
     std::size_t size() const { return first.size(); }
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
@@ -29,10 +30,11 @@ struct Neighbours {
 
 /// Pairs of grains with their contact history, as a structure of arrays.
 struct Pairs : Neighbours {
-    std::vector<double> sx, sy, sz;  ///< tangential force on the second grain
-    std::vector<double> root;        ///< sqrt(overlap) of the last step, 0 without contact
+    std::vector<double> sx, sy, sz;  ///< tangential force on the second grain [a^2 s22]
+    std::vector<double> root;        ///< sqrt(overlap/a) at the last step, 0 without contact
     std::vector<double> bridge;      ///< 1 where a liquid bridge joins the grains, else 0
-    /// Values that effects on grains store: contact_history[value][pair].
+    /// Values that physical effects on grains store from step to step for each pair:
+    /// contact_history[value][pair].
     std::vector<std::vector<double>> contact_history;
 
     Pairs() = default;
@@ -40,7 +42,8 @@ struct Pairs : Neighbours {
     void clear();
     void reserve(std::size_t count);
     void add(std::int32_t i, std::int32_t j, std::uint8_t code);
-    /// Adds placeholder pairs, which never touch, until the size is a multiple of `batch`.
+    /// Adds placeholder pairs, which never touch, until the number of pairs is a multiple of
+    /// `batch`.
     void fill_up(std::size_t batch);
     /// Copies the contact history (tangential force, overlap, bridge and the values of effects) of
     /// pair `from` of another list to pair `to` of this list.
@@ -53,10 +56,12 @@ struct Pairs : Neighbours {
     }
 };
 
-/// Requirements of effects on grains for the neighbour lists.
+/// Requirements that the physical effects on grains in a run have of its neighbour lists
+/// (PairList).
 struct ListWants {
-    std::size_t contact_history = 0;  ///< number of values that effects store per pair
-    /// The distant list must hold all pairs that a bridge could join, not only joined pairs.
+    std::size_t contact_history = 0;  ///< number of values that effects store for each pair
+    /// Whether the distant list must hold all pairs that a liquid bridge could join, not only pairs
+    /// that one joins: needed where bridges form without contact.
     bool all_in_reach = false;
 };
 
@@ -76,29 +81,33 @@ struct ListWants {
 /// that the force loop reads memory in order.
 class PairList {
   public:
-    /// Pairs in a batch; narrow and distant list are filled up to whole batches.
+    /// Number of pairs in a batch, which the force loop processes at once. Narrow and distant list
+    /// are filled up to whole batches with placeholders.
     static constexpr std::size_t batch = 64;
     static constexpr double shortest_wide_skin = 0.2;
     static constexpr double narrow_skin = 0.02;
 
-    /// Bridges break at the gap `rupture_distance` [diameters]; 0: no bridges. The lists are made
-    /// by `parts` threads, whose number does not change them.
+    /// Makes empty lists for liquid bridges that break at the gap `rupture_distance` [diameters];
+    /// 0: no bridges. The lists are renewed by `parts` threads, whose number does not change them.
     explicit PairList(double rupture_distance = 0, int parts = 1, const ListWants& wants = {});
 
-    /// Renews the lists that are no longer valid after a step of this affine strain [1] and the
-    /// displacements that `grains` holds. When the wide list is renewed, the grains are wrapped
-    /// into the cell and may be renumbered.
+    /// Renews the neighbour lists that are no longer valid after a time step that strained the cell
+    /// by `affine_strain` [1], given the displacements that `grains` holds. When the wide list is
+    /// renewed, the grains are wrapped into the cell and may be renumbered.
     void update(Grains& grains, Cell& cell, double affine_strain);
-    /// Updates the lists as the overload without `largest_squared` does, for callers that know the
-    /// largest squared displacement of a grain since the narrow list was made.
+    /// Renews the neighbour lists that are no longer valid, as the overload without
+    /// `largest_squared` does, for callers that know this largest squared peculiar displacement of
+    /// a grain since the narrow list was made [a^2].
     void update(Grains& grains, Cell& cell, double affine_strain, double largest_squared);
 
-    /// Renews all lists now and keeps the contact history of their pairs.
+    /// Renews wide, narrow and distant list now, keeping the contact history of their pairs; wraps
+    /// the grains into the cell and renumbers them where shear has mixed them.
     void rebuild(Grains& grains, Cell& cell);
 
     Pairs& narrow() { return narrow_; }
     const Pairs& narrow() const { return narrow_; }
-    /// Number of real pairs in the narrow list; the placeholders after them fill up the last batch.
+    /// Number of real pairs in the narrow list; after them, placeholder pairs fill up the last
+    /// batch.
     std::size_t live() const { return live_; }
     /// Distant list: pairs without contact that a bridge joined, or could join, when the list was
     /// made. None of them can have come into contact since.
@@ -123,14 +132,16 @@ class PairList {
     void find_close_ones(const Grains& grains, const Cell& cell);
 
     double wide_skin_;
-    double reach_ = narrow_skin;  ///< gap below which the wide list must hold all pairs
+    double reach_ = narrow_skin;  ///< gap [diameters] below which the wide list must hold all pairs
     int parts_;
     ListWants wants_;
     double largest_ = 1;  ///< largest grain diameter
     Neighbours wide_;
     Pairs narrow_, distant_;
     std::size_t live_ = 0, live_distant_ = 0;
-    std::vector<Vector> moved_;  ///< peculiar displacements from wide to narrow list
+    /// Peculiar displacement of each grain between the making of the wide list and of the narrow
+    /// list.
+    std::vector<Vector> moved_;
     double wide_strain_ = 0, narrow_strain_ = 0, strain_since_renumbered_ = 1e9;
     std::size_t wide_rebuilds_ = 0, renewals_ = 0;
     // Buffers that are members only to reuse their memory.
@@ -138,14 +149,14 @@ class PairList {
     Pairs old_narrow_, old_distant_;
 };
 
-/// Returns all pairs of grains inside the cell whose surfaces are closer than `gap` [diameters].
-/// The function searches bins that are sheared with the lattice (`Bins`), or all pairs if the
-/// sample is too small for bins. The work is done by `parts` threads, whose number does not change
-/// the result.
+/// Returns all pairs of grains, periodic images included, whose surfaces are closer than `gap`
+/// [diameters]; all centres must lie inside the cell. Searches bins that are sheared with the
+/// lattice (`Bins`), or tests all pairs if the sample is too small for bins. The work is done by
+/// `parts` threads, whose number does not change the result.
 Neighbours find_pairs(const Grains& grains, const Cell& cell, double gap, int parts = 1);
 
-/// Returns the result of `find_pairs` by testing every pair of grains: slow, for small samples and
-/// as the reference in tests.
+/// Returns all pairs of grains whose surfaces are closer than `gap` [diameters], as `find_pairs`
+/// does, by testing every pair of grains: slow, for small samples and as the reference in tests.
 Neighbours find_pairs_by_brute_force(const Grains& grains, const Cell& cell, double gap);
 
 }  // namespace pendular::dem

@@ -47,8 +47,8 @@ struct alignas(64) Stages {
     }
 };
 
-/// Reads the angular velocity of the second grain less that of the first, for the batch of pairs
-/// that starts at `begin`.
+/// Writes the angular velocity of the second grain less that of the first to `rolling`, for each
+/// pair of the batch that starts at index `begin` of `pairs`.
 [[gnu::always_inline]] inline void gather_rolling(const Grains::Motion* motion, const Pairs& pairs,
                                                   std::size_t begin, XyzLanes& rolling) {
     const std::int32_t* first = pairs.first.data() + begin;

@@ -21,8 +21,8 @@ void in_parts(int parts, const Work& work) {
     }
 }
 
-/// Range [begin, end) of part number `part` when `count` items are divided into `parts` parts at
-/// multiples of `grain` items.
+/// Range [begin, end) of the items in part number `part`, from 0 on, when `count` items are divided
+/// into `parts` parts of nearly equal size, cut only at multiples of `grain` items.
 inline std::pair<std::size_t, std::size_t> range_of(int part, int parts, std::size_t count,
                                                     std::size_t grain = 1) {
     const std::size_t grains = (count + grain - 1) / grain;

@@ -36,8 +36,8 @@ struct RunResult {
     double wall_seconds = 0;
     bool crystallised = false;
     bool steady = false;
-    bool precise = true;       ///< whether every requested standard error was reached
-    Trace trace;               ///< one entry per block of strain, transient included
+    bool precise = true;       ///< whether all errors in RunParameters::precision were reached
+    Trace trace;               ///< averages over blocks of strain 0.02, transient included
     StoredSample final_state;  ///< state from which another run may start
     std::string failure;       ///< why the run failed (set by `run_all`); empty: success
 
@@ -72,10 +72,11 @@ struct RunOptions {
     int threads = 1;
     std::vector<Observer> observers;
     const StoredSample* start = nullptr;  ///< initial state if RunParameters::start is not 0
-    /// The run resumes from this file if it exists, and writes it whenever it is due and when the
-    /// run is stopped; null: no checkpoints.
+    /// Checkpoint file: the run resumes from it if it exists, and writes it whenever it is due
+    /// (Checkpoint::due) and when the run is stopped; null: no checkpoints.
     Checkpoint* checkpoint = nullptr;
-    /// Lines "name = value" that distinguish this run from any other, stored in the checkpoint.
+    /// Parameters of the run in lines "name = value", stored in its checkpoint, so that no other
+    /// run resumes from it.
     std::string description = {};
 };
 constexpr int most_threads = 1024;
@@ -84,8 +85,8 @@ constexpr int most_threads = 1024;
 /// grains counts as crystallised [1].
 constexpr double crystal_solid_fraction = 0.645;
 
-/// Localization above which the shear does not count as uniform [1]; Badetti et al. (2018) find
-/// less in every flow that they report.
+/// Localization (0: uniform shear, 1: infinitely thin shear band) above which a flow does not count
+/// as uniform [1]; Badetti et al. (2018) find less in every flow that they report.
 constexpr double localised_above = 0.05;
 
 /// Simulates a sample in steady shear and returns its time averages over `parameters.strain`, or
@@ -100,10 +101,11 @@ constexpr double localised_above = 0.05;
 RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options = {});
 
-/// Solid fraction Phi of a run less the solid fraction that rigid grains would have, from the mean
-/// overlap of contacts [1]:
+/// Solid fraction Phi of a run less the solid fraction that rigid grains would have [1], from the
+/// mean overlap of contacts over the grain diameter a:
 ///     Phi - Phi (rigid) = 1.23 x 3 Phi <overlap>/a
-/// The factor 1.23 +- 0.15 was measured between kappa 300 and 4000 on dry grains of friction 0.12.
+/// The factor 1.23 +- 0.15 was measured at stiffness numbers kappa between 300 and 4000 on dry
+/// grains of friction 0.12.
 double rigidity_shift(double solid_fraction, double mean_overlap);
 constexpr double rigidity_factor = 1.23;
 constexpr double rigidity_factor_error = 0.15;

@@ -17,16 +17,18 @@ class GrainEffects;
 /// normal stress [1].
 constexpr double largest_inertial_number = 0.5;
 
-/// Standard error of one observable at which a run may stop averaging.
+/// Standard error, in the observable's unit, of one observable's time average, at which a run may
+/// stop averaging.
 struct Precision {
     Observable which = Observable::stress_ratio;
     double standard_error = 0;
 };
-/// Parses a precision, written as "stress_ratio=0.003".
+/// Parses an observable's name and the standard error at which a run may stop averaging it, written
+/// as "stress_ratio=0.003".
 /// @throws std::invalid_argument where the text is not of this form or the observable is unknown
 Precision precision_named(std::string_view text);
 
-/// Shortest averaged strain whose standard errors can be relied on [1].
+/// Shortest strain that a run must average over before its standard errors can be relied on [1].
 constexpr double shortest_precise_strain = 2;
 
 /// Everything that determines one run of steady shear, reduced units.
@@ -35,7 +37,7 @@ struct RunParameters {
     double inertial_number = 1e-3;   ///< inertial number I
     double stiffness_number = 1000;  ///< stiffness number kappa
     double poisson_ratio = 0.3;      ///< Poisson ratio nu
-    double damping = 0.98;           ///< zeta, fraction of critical damping of the normal motion
+    double damping = 0.98;           ///< zeta, fraction of critical damping in normal direction
     std::optional<Wetting> wetting;  ///< liquid bridges; none: dry
     int grains = 2000;
     double strain = 10;  ///< averaged strain, after the transient
@@ -43,7 +45,8 @@ struct RunParameters {
     /// Fingerprint of the run whose final state is the initial state of this run; 0: start from a
     /// random gas.
     std::uint64_t start = 0;
-    /// Averaging may stop before `strain` once all these standard errors are reached; empty: never.
+    /// Standard errors: once all of them are reached, averaging may stop before `strain`; empty: it
+    /// never stops before.
     std::vector<Precision> precision = {};
     /// Names of the effects on grains that act in the run, with parameter values in reduced units.
     /// A record only: the solver takes the effects as GrainEffects.

@@ -25,15 +25,16 @@ void for_each_pair(const Grains& grains, const Cell& cell, const Pairs& pairs, c
     }
 }
 
-/// Hertz contact of pair k, from the overlap of the last step that `pairs` stores.
+/// Elastic normal force and normal stiffness of the contact of pair k, from its overlap at the last
+/// step, which `pairs` stores, and the modulus [s22]; reduced units, zero without contact.
 inline Hertz contact_of(const Grains& grains, const Pairs& pairs, std::size_t k, double modulus) {
     const PairSizes sizes = grains.sizes(static_cast<std::size_t>(pairs.first[k]),
                                          static_cast<std::size_t>(pairs.second[k]));
     return hertz_contact(pairs.root[k] * pairs.root[k], sizes, modulus);
 }
 
-/// Gap between the surfaces of pair k when its centres are separated by r [diameters]; negative:
-/// overlap.
+/// Gap between the surfaces of the grains of pair k, whose centres are separated by the vector `r`
+/// [diameters]; negative: overlap.
 inline double gap_of(const Grains& grains, const Pairs& pairs, std::size_t k, const Vector& r) {
     return std::sqrt(dot(r, r)) -
            grains.contact_distance(static_cast<std::size_t>(pairs.first[k]),

@@ -13,15 +13,18 @@
 
 namespace pendular::dem {
 
-/// Strain of one block of a run [1]. The averages over a block are one sample in the time series of
-/// the run.
+/// Shear strain over which each block of a run is averaged [1]. The averages over one block are one
+/// sample in the time series of the run.
 constexpr double block_strain = 0.02;
 
-/// Averages over one block of strain; stresses are over the imposed normal stress.
+/// Averages over one block of a run, a shear strain of `block_strain`; stresses are over the
+/// imposed normal stress [1], compression positive.
 struct Block {
     double strain = 0;
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
-    PairEnergy dissipation;  ///< losses only: power per volume over shear rate [s22]
+    /// Power lost per volume over shear rate, by each mechanism of loss [s22]; the stored energies
+    /// are left 0.
+    PairEnergy dissipation;
     Structure structure;
     FieldSums fields;
 
@@ -33,23 +36,25 @@ struct Block {
     }
 };
 
-/// Block of strain in progress. It is filled step by step, so that a run can stop between any two
-/// steps and resume there.
+/// Block of a run (a strain of `block_strain`) whose averages are still being summed. It is filled
+/// step by step, so that a run can stop between any two steps and resume there.
 class OpenBlock {
   public:
     OpenBlock() = default;
     explicit OpenBlock(const ShearCell& sample);
 
     bool full(const ShearCell& sample) const { return sample.strain() >= begin_ + block_strain; }
-    double begin() const { return begin_; }  ///< strain at which the block begins
-    /// Advances the sample by one step and adds its state to the block.
+    double begin() const { return begin_; }  ///< strain of the sample when the block began [1]
+    /// Advances the sample by one time step and adds its stress and solid fraction, and at some
+    /// steps also dissipation, velocities and contact network, to the sums of the block.
     void step(ShearCell& sample);
     /// Whether a run should now check for stop requests and due checkpoints: every 16 steps, right
     /// after `step` has sampled the velocities of all grains.
     static bool pauses(const ShearCell& sample);
-    /// Ends the block and returns its averages: stresses and solid fraction over all steps, other
-    /// quantities over some. Profiles of solid fraction and distributions over pairs are taken from
-    /// the last state only, as more states would cost several per cent of a fast run's time.
+    /// Ends the block and returns its averages: stresses and solid fraction over all its steps,
+    /// other quantities over some of them. Profiles of solid fraction and distributions over pairs
+    /// are taken from the last state `sample` only, as more states would cost several per cent of a
+    /// fast run's time.
     Block close(const ShearCell& sample);
 
     template <typename Archive>
@@ -92,8 +97,9 @@ class Series {
         }
         return result;
     }
-    /// Series over the blocks from `from` on whose mean is the ratio of the means of numerator and
-    /// denominator, and whose scatter is the scatter of that ratio to first order.
+    /// Returns one value per block, from block number `from` on. Their mean is the mean of
+    /// `numerator(block)` over the mean of `denominator(block)`, and their scatter is the scatter
+    /// of this ratio to first order.
     template <typename Numerator, typename Denominator>
     std::vector<double> ratio(std::size_t from, Numerator numerator,
                               Denominator denominator) const {
@@ -118,11 +124,13 @@ class Series {
     std::vector<double> structure(std::size_t from, double Structure::*which) const {
         return values(from, [&](const Block& b) { return b.structure.*which; });
     }
-    /// Averages of one field over the blocks from `from` on; each bin is a ratio of means.
+    /// Averages, with standard errors, of the field `which` in each of `bins` over the blocks from
+    /// number `from` on: mean of the blocks' sums over mean of their weights; NaN where a bin has
+    /// no data.
     BinnedMeans field(std::size_t from, Field which, const Bins1d& bins) const;
-    /// Number of leading blocks to leave out as transient; empty: not steady yet. It is found from
-    /// stress ratio, solid fraction and, if `wet`, bridges without contact per grain (Z_d), which
-    /// become steady last.
+    /// Number of blocks at the start of the run to leave out of averages, as the flow is not yet
+    /// steady in them; empty: not steady so far. It is found from stress ratio, solid fraction and,
+    /// if `wet`, bridges without contact per grain (Z_d), which become steady last.
     std::optional<std::size_t> transient(bool wet) const;
     Trace trace() const;
 

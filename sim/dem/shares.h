@@ -9,9 +9,10 @@
 
 namespace pendular::dem {
 
-/// Ranges of near and distant pairs, in whole batches, and the range of grains that occur in no
-/// later pair. Pairs are sorted by their first grain, which has the lower number. The grains of a
-/// section can therefore move as soon as its pairs are done, while they are still in the cache.
+/// Part of a time step that is done at once: ranges of near and distant pairs, in whole batches,
+/// and the range of grains that occur in no later pair. Pairs are sorted by their first grain,
+/// which has the lower number. The grains of a section can therefore move as soon as its pairs are
+/// done, while they are still in the cache.
 struct Section {
     using Range = std::pair<std::size_t, std::size_t>;
     Range grains, near, distant;
@@ -30,8 +31,9 @@ struct Share {
     }
 };
 
-/// Divides the pairs and `grains` grains of a sample among `parts` threads. Each share has the same
-/// number of near pairs, as far as whole batches allow.
+/// Divides the pairs and all `grains` grains of a sample among `parts` threads; returns one share
+/// per thread, each with the same number of near pairs (narrow list), as far as whole batches
+/// allow.
 std::vector<Share> shares_of(const PairList& pairs, std::size_t grains, int parts);
 
 }  // namespace pendular::dem

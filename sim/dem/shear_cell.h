@@ -14,7 +14,8 @@
 
 namespace pendular::dem {
 
-/// Stress over the imposed normal stress [1]; compression positive, pair forces plus kinetic term.
+/// Mean stress in a sample over the imposed normal stress [1], from the forces between grains plus
+/// the kinetic term of their velocity fluctuations; compression positive.
 struct Stress {
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0;
 
@@ -49,14 +50,15 @@ Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diam
 /// changes; smaller where the damping is more than critical.
 class ShearCell {
   public:
-    /// Starts from a random gas of `count` grains. Bridges form from the end of `compress` on. Each
-    /// step is divided among `parts` threads; forces are summed part by part, so that runs with the
+    /// Starts from a random gas of `count` grains, sheared at the rate `shear_rate` (the inertial
+    /// number). Bridges form from the end of `compress` on. Each time step is divided among `parts`
+    /// threads; forces are summed part by part, so that runs with the
     /// same number of parts agree bit for bit.
     /// @throws std::invalid_argument for fewer than 64 grains
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
-    /// Starts from a given sample in a given uniform flow. Its stress is not controlled until
-    /// `hold_normal_stress`, and no bridges form until `let_bridges_form`.
+    /// Starts from a given sample in a given uniform flow. The servo does not hold its normal
+    /// stress until `hold_normal_stress(true)`, and no bridges form until `let_bridges_form(true)`.
     ShearCell(Sample sample, const Material& material, const Flow& flow,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
 
@@ -66,33 +68,35 @@ class ShearCell {
     static constexpr int fewest_grains = 64;
     static constexpr double time_step_fraction = 0.2;
 
-    /// Advances the sample by one leapfrog step: forces at x(t) from v(t - dt/2), then velocities,
-    /// then positions.
+    /// Advances the sample by one leapfrog step of length dt: forces from the positions at t and
+    /// the velocities at t - dt/2, then velocities, then positions, then the cell.
     /// @throws SimulationError where the stress is not finite or an overlap exceeds half a diameter
     void step(EnergyAccounting accounting = EnergyAccounting::off);
 
     /// Lowers the height of the initial random gas at a constant rate until s22 first reaches 1;
     /// from then on the servo holds s22, and bridges form.
+    /// s22 is the normal stress across the height over its imposed value.
     /// @return false where the solid fraction reaches 0.8 before s22 reaches 1
-    /// @throws Interrupted when a stop is requested
+    /// @throws Interrupted when a stop is requested; SimulationError where `step` does
     bool compress(const std::stop_token& stop = {});
 
     const Grains& grains() const { return grains_; }
     const Cell& cell() const { return cell_; }
     const PairList& pairs() const { return pairs_; }
     const Material& material() const { return material_; }
-    /// Law of the bridges, changes by effects included.
+    /// Law of the liquid bridges, with the changes that effects on grains make to it.
     const BridgeLaw& bridges() const { return bridges_; }
     const GrainEffects& effects() const { return effects_; }
-    /// Stress of the last step, from the forces at its beginning.
+    /// Mean stress of the sample in the last time step, over the imposed normal stress [1], from
+    /// the forces at the beginning of that step.
     const Stress& stress() const { return stress_; }
     const Flow& flow() const { return flow_; }
     double shear_rate() const { return flow_.shear_rate; }
-    /// Energies of the pairs in the last step; zero if that step was made without energy
-    /// accounting.
+    /// Energies that pairs of grains stored, and lost, in the last step [a^3 s22]; zero if that
+    /// step was made without energy accounting.
     const PairEnergy& energy() const { return energy_; }
-    /// Kinetic energy of the peculiar motion and of the rotation, half a step after the last forces
-    /// [a^3 s22].
+    /// Kinetic energy of all grains, of their peculiar motion (without the imposed flow) and their
+    /// rotation, half a time step after the last forces [a^3 s22].
     double kinetic_energy() const { return motion_.energy(); }
     double strain() const { return strain_; }
     double time_step() const { return time_step_; }
@@ -101,12 +105,13 @@ class ShearCell {
 
     /// Sets the imposed flow. While the normal stress is held, the servo changes the height rate.
     void set_flow(const Flow& flow) { flow_ = flow; }
-    /// Switches on or off the servo that holds s22 at 1.
+    /// Switches on or off the servo that holds the normal stress s22 at its imposed value, 1, by
+    /// changing the height of the cell.
     void hold_normal_stress(bool held) { servo_ = held; }
     /// Switches on or off the liquid bridges, which form on contact.
     void let_bridges_form(bool form) { bridging_ = form; }
     /// Sets the time step to this fraction of sqrt(m/K_N) instead of `time_step_fraction`, for
-    /// tests of convergence.
+    /// tests of convergence; m: grain mass, K_N: normal stiffness of the stiffest contact.
     void set_time_step_fraction(double fraction) { fraction_ = fraction; }
 
     /// Saves or loads the state. A state can be loaded only into a ShearCell with the same number
@@ -126,7 +131,8 @@ class ShearCell {
     /// each grain of the share after its last pair and adds to `moved`.
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                         const PairLaws& laws, MotionSums* moved = nullptr);
-    /// Adds the forces that other parts summed for the grains of this part.
+    /// Adds to the net forces on the grains of thread `part` the forces that other threads summed
+    /// for these grains, and clears the latter.
     void collect_net_forces(int part);
     std::vector<Grains::ForceAndTorque>& net_forces_of(int part);
     std::vector<Grains::ForceAndTorque> all_net_forces();
@@ -144,8 +150,8 @@ class ShearCell {
     Flow flow_;
     int parts_ = 1;
     std::vector<Share> shares_;
-    std::size_t shares_made_at_ = 0;  ///< PairList::renewals when `shares_` were made
-    /// Net forces summed by the parts after the first.
+    std::size_t shares_made_at_ = 0;  ///< value of PairList::renewals when `shares_` were made
+    /// Net forces on the grains as summed by each thread after the first.
     std::vector<std::vector<Grains::ForceAndTorque>> other_net_forces_;
     Stress stress_;
     PairEnergy energy_;
@@ -155,8 +161,8 @@ class ShearCell {
     double bead_volume_ = 0;
     double time_step_ = 0;
     double strain_ = 0;
-    double largest_overlap_ = 0;  ///< largest overlap of the last step
-    double recent_overlap_ = 0;   ///< largest overlap since the time step was last updated
+    double largest_overlap_ = 0;  ///< largest overlap of contacts in the last step [diameters]
+    double recent_overlap_ = 0;   ///< largest overlap since `time_step_` was updated [diameters]
     std::uint64_t steps_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace pendular::dem {
 
 /// Pair of grains in contact or joined by a bridge, to be drawn as a line.
 struct DrawnPair {
-    Vector from, to;          ///< centres; `to` may be an image outside the cell
+    Vector from, to;          ///< centres [a]; `to` may be a periodic image outside the cell
     double normal_force = 0;  ///< elastic normal force; 0 without contact [a^2 s22]
     double bridge_force = 0;  ///< attraction of the bridge [a^2 s22]
     bool touching = false;
@@ -28,8 +28,8 @@ struct Snapshot {
     };
     std::uint64_t step = 0;
     double time = 0;    ///< time since the flow began [sqrt(m/(a s22))]
-    double strain = 0;  ///< strain since the flow began
-    Cell cell;          ///< cell with its offset between -length/2 and length/2
+    double strain = 0;  ///< shear strain since the flow began [1]
+    Cell cell;          ///< periodic cell, its offset between -length/2 and length/2
     std::vector<Grain> grains;
     std::vector<DrawnPair> pairs;
 };
@@ -59,7 +59,8 @@ class Snapshots {
     Snapshots(const Snapshots&) = delete;
     Snapshots& operator=(const Snapshots&) = delete;
 
-    /// Writes a snapshot of the sample if one is due at this strain; an Observer of a run.
+    /// Writes a snapshot of the sample if one is due at `strain`, the strain since the flow began
+    /// [1]. With this operator the object can be an Observer of a run.
     /// @throws std::runtime_error where a file cannot be written
     void operator()(const ShearCell& sample, double strain);
     std::size_t count() const { return frames_.size(); }

@@ -20,7 +20,8 @@ struct Structure {
 #define STRUCTURE_OBSERVABLE(name, ...) double name = 0;
 #include "data/quantities/observables.def"
 
-    /// Add the values of another state, or divide all members by a number of states.
+    /// Adds the observables of another state, member by member. After the states are summed, `/=`
+    /// by their number gives their mean.
     Structure& operator+=(const Structure& other);
     Structure& operator/=(double count);
 
@@ -35,7 +36,8 @@ struct Structure {
     static std::span<double Structure::*const> members();
 };
 
-/// Computes the structure of a state from its near and distant pairs; bridge forces include changes
+/// Computes the observables of the contact and bridge networks in one state from its pairs `near`
+/// (narrow list) and `distant` (other pairs that a bridge may join); bridge forces include changes
 /// by `effects`. Near pairs that overlapped in the last step are contacts. Their bond order is
 ///     Q6 = [4 pi/13 sum_m |<Y_6m(n)>|^2]^(1/2) = [<<P6(n . n')>>]^(1/2),
 /// n being the contact directions: 0 for isotropic directions up to 1/sqrt(contacts), 0.575 for the

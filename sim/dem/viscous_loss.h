@@ -6,10 +6,10 @@
 
 namespace pendular::dem {
 
-/// Energy that the viscous forces of contacts dissipate in one step [a^3 s22], given the near pairs
-/// and the net forces on all grains: force times time step times the mean of the normal speeds
-/// before and after the step. Near critical damping a step changes the normal speed by half, so
-/// that the speed before the step alone would overstate the loss.
+/// Energy that the viscous normal forces of all contacts dissipate in one time step [a^3 s22]:
+/// viscous force times time step times the mean of the normal speeds before and after the step,
+/// which follow from `net_forces`. `near` holds all contacts. Near critical damping a step changes
+/// the normal speed by half, so that the speed before it alone would overstate the loss.
 double viscous_loss(const Grains& grains, const std::vector<Grains::ForceAndTorque>& net_forces,
                     const Pairs& near, const PairLaws& laws);
 

@@ -6,9 +6,9 @@
 
 namespace pendular {
 
-/// Function that simulates samples with these bridge volumes V0/a^3 [1], one short run each, and
-/// returns their liquid contents [1]. `which`: index of each sample in the list of requested liquid
-/// contents.
+/// Function that simulates wet samples, one short run for each bridge volume V0/a^3 [1] in
+/// `bridge_volumes`, and returns their liquid contents Phi_L/Phi_S [1]. `which`: index of each
+/// sample in the list of requested liquid contents.
 using MeasureLiquidContents = std::function<std::vector<double>(
     std::span<const std::size_t> which, std::span<const double> bridge_volumes)>;
 
@@ -23,7 +23,7 @@ std::vector<double> bridge_volumes(std::span<const double> liquid_contents,
                                    const MeasureLiquidContents& measure);
 
 /// Returns the bridge volume V0/a^3 [1] that gives a liquid content [1] at a typical coordination
-/// number; `bridge_volumes` starts from it.
+/// number (bridges per grain); the search by `bridge_volumes` starts from this volume.
 double first_bridge_volume(double liquid_content);
 
 }  // namespace pendular

@@ -8,7 +8,8 @@
 namespace pendular {
 
 /// Returns the files of the study that a virtual laboratory writes, its recordings and study.toml,
-/// as text by file name. The files do not contain the true friction and the effects.
+/// as texts by file name. The files state neither the true friction nor the effects that acted,
+/// which a calibration has to find.
 std::map<std::string, std::string> study_files(const LabResult& result);
 
 }  // namespace pendular

@@ -7,8 +7,9 @@
 
 namespace pendular {
 
-/// Reads a campaign file and returns the runs that it requests, without duplicates: first all runs
-/// of the [[grid]] tables, then of [[list]], then of [[sobol]].
+/// Reads a campaign file (TOML list of simulation runs to carry out) and returns the parameters of
+/// the runs that it requests, without duplicates: first all runs of the [[grid]] tables, then of
+/// [[list]], then of [[sobol]].
 ///
 ///     seed = 1                            # from which the seed of every run follows
 ///     [[grid]]                            # every combination
@@ -32,8 +33,9 @@ namespace pendular {
 ///         that cannot be simulated, and where the file requests no run or too many
 std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file);
 
-/// Divides `runs` into `shares` shares of about equal cost and returns share number `share`,
-/// counted from 1. The division does not depend on which runs a store already holds.
+/// Divides `runs` into `shares` groups of about equal expected computing time and returns group
+/// number `share`, counted from 1, the longest run first. The division does not depend on which
+/// runs a store (file of earlier runs) already holds.
 std::vector<dem::RunParameters> share_of(const std::vector<dem::RunParameters>& runs, int share,
                                          int shares);
 

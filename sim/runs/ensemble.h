@@ -15,10 +15,10 @@ class RunStore;
 struct EnsembleProgress {
     std::size_t runs_done = 0;
     std::size_t runs = 0;     ///< number of runs in the group
-    double fraction = 0;      ///< completed fraction of the work, by `expected_cost` [1]
-    double seconds_left = 0;  ///< estimate from the speed so far [s]; 0 while unknown
+    double fraction = 0;      ///< completed fraction of the total `expected_cost` [1]
+    double seconds_left = 0;  ///< estimated time to the end [s]; 0 while unknown
 };
-/// Callback that receives the progress.
+/// Callback that receives the progress of a group of runs as the runs advance.
 using EnsembleReport = std::function<void(const EnsembleProgress&)>;
 
 /// How runs are carried out: number of threads, stop flag, progress callback and store.
@@ -26,8 +26,8 @@ struct Workers {
     int threads = 1;
     std::stop_token stop;
     EnsembleReport report;  ///< called from one thread at a time
-    /// Store that receives every run as it ends, with its time series and final state, which are
-    /// then omitted from the results; null: no store.
+    /// Store (SQLite file of runs) that receives every run as it ends, with its time series and
+    /// final state, which are then omitted from the returned results; null: no store.
     RunStore* store = nullptr;
     /// Whether a run that is in the store is read from it instead of being simulated again.
     bool reads_store = true;
@@ -38,12 +38,13 @@ struct Workers {
 /// whose simulation fails holds only its parameters and RunResult::failure. A run read from a store
 /// has no profiles.
 /// @throws std::invalid_argument for a run that cannot be simulated, dem::Interrupted on a stop
-///         request, and whatever the store throws; the first error ends the other runs
+///         request, and whatever the functions of the store throw; the first error ends all runs
 std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers);
 
-/// Carries out one run. If its simulation fails, the result holds only the parameters of the run
-/// and RunResult::failure.
+/// Carries out one simulation run in the calling thread and returns its time averages. If the
+/// simulation fails (dem::SimulationError), the result holds only the parameters of the run and
+/// RunResult::failure; whatever else `simulate` throws is not caught.
 dem::RunResult run_one(const dem::RunParameters& run, const dem::RunOptions& options);
 
 /// Returns the indices of `runs` by decreasing expected cost: the order in which to start them, so
@@ -55,9 +56,10 @@ std::vector<std::size_t> longest_first(const std::vector<dem::RunParameters>& ru
 double expected_cost(const dem::RunParameters& run);
 
 /// Returns the wall time [s] that `runs` are expected to take on `threads` threads, one run per
-/// thread, from their `expected_cost` and the median speed of the `measured` runs. The speed of a
-/// run is taken from measured runs that also have bridges or none and effects or none, if there are
-/// any, else from all. The time is at least that of the longest run; empty if no run was measured.
+/// thread, from their `expected_cost` and the median wall time per cost of `measured`, runs already
+/// carried out. For each run the median is over measured runs that are wet or dry, and with or
+/// without effects, as the run is; if there are none, over all. The time is at least that of the
+/// longest run; empty if no measured run succeeded.
 std::optional<double> expected_seconds(const std::vector<dem::RunParameters>& runs,
                                        const std::vector<dem::RunResult>& measured, int threads);
 

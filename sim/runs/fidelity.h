@@ -6,23 +6,23 @@
 
 namespace pendular {
 
-/// Named set of simulation settings for a study: sample size, stiffness, slowest shear and averaged
-/// strain.
+/// Named set of simulation settings, a trade of accuracy for computing time: number of grains,
+/// stiffness, lowest inertial number and averaged strain of the runs of a study.
 struct Fidelity {
     std::string name;
     int grains = 0;               ///< number of grains in a run
-    double stiffness_number = 0;  ///< stiffness number kappa [1]
+    double stiffness_number = 0;  ///< stiffness number kappa of the contacts [1]
     /// Lowest simulated inertial number I [1]. Predictions at lower I are extrapolated from runs at
     /// this I and above.
     double lowest_inertial_number = 0;
-    double strain = 0;  ///< averaged strain of one run [1]
+    double strain = 0;  ///< strain over which one run averages [1]
 };
 
-/// Returns the fidelity with this name: quick, standard or paper.
+/// Returns the set of simulation settings with this name: quick, standard or paper.
 /// @throws InputError for any other name, naming the three fidelities
 Fidelity fidelity_named(std::string_view name);
 
-/// All fidelities, in order of increasing cost.
+/// All sets of simulation settings (quick, standard, paper), in order of increasing computing time.
 const std::vector<Fidelity>& fidelities();
 
 }  // namespace pendular

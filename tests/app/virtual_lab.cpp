@@ -58,7 +58,7 @@ TEST(VirtualLabCommand, RefusesBeforeItSimulates) {
     } cases[] = {
         {"", "usage: pendular virtual-lab OUT"},
         {taken, "is not empty; name a new folder"},
-        {taken + "/kept.txt", "is no folder"},
+        {taken + "/kept.txt", "is a file"},
         {taken + "/kept.txt/lab", "cannot be written"},
         {free + " --friction=-1", "friction -1"},
         {free + " --dry-normal-stresses \"1, 2\"", "--dry-normal-stresses: \"2\" has no unit"},

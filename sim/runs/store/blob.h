@@ -6,7 +6,7 @@ namespace pendular {
 
 /// Returns bytes compressed with zlib.
 std::string compressed(const std::string& bytes);
-/// Returns the original bytes of a string from `compressed`.
+/// Returns the original bytes of a string that `compressed` returned: decompresses zlib data.
 /// @throws std::runtime_error where the bytes are not valid zlib data
 std::string expanded(const std::string& bytes);
 

@@ -10,18 +10,18 @@
 
 namespace pendular {
 
-/// One cell of a table of runs: empty, a number or a text.
+/// One cell (row and column) of a table of simulation runs: empty, a number or a text.
 using RunCell = std::variant<std::monostate, std::int64_t, double, std::string>;
 
-/// One column of a table of runs, in a store or in a CSV file, with the conversions between a run
-/// and the column's cell.
+/// One column of a table of simulation runs, in a store (SQLite file of runs) or a CSV file, with
+/// the conversions between a run and its cell in this column.
 struct RunColumn {
     enum class Type { integer, real, text };
     std::string name;
     Type type = Type::real;
     bool determines = false;  ///< whether the column is an input of the run, not a result
-    std::function<RunCell(const dem::RunResult&)> get;         ///< returns the cell of a run
-    std::function<void(dem::RunResult&, const RunCell&)> set;  ///< sets the value in a run
+    std::function<RunCell(const dem::RunResult&)> get;         ///< cell of a run
+    std::function<void(dem::RunResult&, const RunCell&)> set;  ///< sets a run's value
 };
 
 /// All columns of a table of runs: the inputs of a run, its outcome, and each observable with its

@@ -16,11 +16,11 @@ class Database;
 
 namespace pendular {
 
-/// A run as read from a store.
+/// A simulation run as read from a store (SQLite file of runs) or from a CSV file of runs.
 struct StoredRun {
-    std::int64_t id = 0;      ///< number of the run in the store
+    std::int64_t id = 0;      ///< number of the run in the store; 0: from no store
     int physics_version = 0;  ///< version of the solver that gave the run
-    dem::RunResult run;       ///< trace and final state only from `get` and `nearest`
+    dem::RunResult run;       ///< has trace and final state only from `get` and `nearest`
 };
 
 /// The store: the user's SQLite file of all runs that were carried out. The key of a run is all
@@ -35,7 +35,7 @@ struct StoredRun {
 /// written.
 class RunStore {
   public:
-    /// Opens the store, and creates the file and its folder if missing.
+    /// Opens the SQLite file of runs, and creates the file and its folder if missing.
     /// @throws InputError where the file is missing and `must_exist` is true
     explicit RunStore(const std::filesystem::path& file, bool must_exist = false);
     ~RunStore();
@@ -47,37 +47,40 @@ class RunStore {
     /// Returns the stored run with these parameters, number of threads and the current physics
     /// version, without trace and final state; empty where there is none.
     std::optional<dem::RunResult> find(const dem::RunParameters& parameters, int threads = 1) const;
-    /// Adds a run. Returns false, and changes nothing, where the store already has it.
+    /// Adds a run with its trace and final state. Returns false, and changes nothing, if the store
+    /// already has a run of equal parameters, number of threads and physics version.
     bool add(const dem::RunResult& run, int physics_version = dem::physics_version);
 
     /// Returns the stored run, with its final state, whose parameters are nearest to `parameters`,
-    /// among steady runs with the same number of grains that are dry or wet as `parameters` is;
-    /// empty where there is none. The squared distance is, with the last two terms for wet runs,
+    /// among runs that did not fail, are steady, not crystallised, of equal number of grains, and
+    /// dry or wet as `parameters` is; empty where there is none. The squared distance, with d the
+    /// difference of the two runs and the last two terms for wet runs only, is
     ///     (d friction/0.1)^2 + (d ln I)^2 + (d ln kappa)^2 + (d ln P*)^2 + (d ln V0)^2.
     std::optional<StoredRun> nearest(const dem::RunParameters& parameters) const;
 
-    /// Number of stored runs.
+    /// Number of runs in the store, of all physics versions and failed runs included.
     std::size_t size() const;
     /// Returns the stored runs, without trace and final state, that satisfy an SQL condition on the
     /// columns ("friction = 0.09 AND reduced_pressure IS NULL"), in the order in which they were
     /// added. An empty condition selects all runs.
     /// @throws InputError for a condition that SQLite does not understand
     std::vector<StoredRun> select(const std::string& condition = "") const;
-    /// Returns the run with this id, including trace and final state.
-    /// @throws InputError where there is none
+    /// Returns the run with this number (StoredRun::id), including trace and final state.
+    /// @throws InputError where the store has no run with this number
     StoredRun get(std::int64_t id) const;
-    /// Removes the runs with these ids. Returns the number of removed runs.
+    /// Removes the runs with these numbers (StoredRun::id) from the store, ignoring numbers that it
+    /// does not have. Returns the number of removed runs.
     std::size_t remove(const std::vector<std::int64_t>& ids);
     /// Adds the runs of another store that are missing in this store, including traces and final
     /// states. Returns the number of added runs.
     std::size_t merge(const RunStore& other);
 
-    /// Path of the user's store: $PENDULAR_STORE, else $XDG_DATA_HOME/pendular/runs.sqlite, else
-    /// ~/.local/share/pendular/runs.sqlite.
+    /// Path of the user's store (SQLite file of runs): $PENDULAR_STORE, else
+    /// $XDG_DATA_HOME/pendular/runs.sqlite, else ~/.local/share/pendular/runs.sqlite.
     static std::filesystem::path standard_file();
 
-    static constexpr int format = 1;  ///< version of the file format
-    /// File name of a store in memory, without a file.
+    static constexpr int format = 1;  ///< version of the store's file format
+    /// Name to pass to the constructor for a store that is kept in memory only, without a file.
     static constexpr const char* in_memory = ":memory:";
 
   private:
