@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/diagnosis/study_evidence.h"
+#include "analysis/misfit/compare.h"
 #include "app/belief.h"
 #include "app/command.h"
 #include "app/console.h"
@@ -85,13 +86,16 @@ int diagnose(const std::vector<std::string>& arguments) {
         console.line(suspects);
     }
     if (const auto remaining = remaining_checks(d, session->options().seed)) {
-        for (const std::string& line :
-             incomplete_lines(diagnosis, rms_errors(d, diagnosis.fit.prediction),
-                              rms_errors(d, diagnosis.leaders->model.fit.prediction), *remaining)) {
+        for (const std::string& line : incomplete_lines(
+                 diagnosis, rms_percent(d.readings, diagnosis.fit.prediction.value),
+                 rms_percent(d.readings, diagnosis.leaders->model.fit.prediction.value),
+                 *remaining)) {
             console.line(line);
         }
     }
-    if (const std::string line = discrepancy_line(remaining_discrepancy(d)); !line.empty()) {
+    if (const std::string line =
+            discrepancy_line(remaining_discrepancy(d, session->study().model.discrepancy[0]));
+        !line.empty()) {
         console.line(line);
     }
     console.table(unseen_table(diagnosis, models), 3);

@@ -258,7 +258,7 @@ std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<d
     if (!d.leaders) return {};
     const std::string effects = joined(d.effects, "and");
     std::vector<std::string> lines = {fmt::format(
-        "With {}, the RMS error of shear stress falls from {:.2f} % to {:.2f} %, that of solid "
+        "With {}, the RMS error of shear stress goes from {:.2f} % to {:.2f} %, that of solid "
         "fraction from {:.2f} % to {:.2f} %.",
         effects, before[0], after[0], before[1], after[1])};
     lines.push_back(fmt::format(

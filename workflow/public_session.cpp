@@ -162,7 +162,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 std::vector<Reading> Session::readings() const {
     std::vector<Reading> result;
-    for (const pendular::Reading& reading : dry_first(inside_->session->measurements(), {})) {
+    for (const pendular::Reading& reading : dry_first(inside_->session->measurements())) {
         result.push_back(reading_of(reading));
     }
     return result;
@@ -199,6 +199,7 @@ Verdict Session::diagnose() const {
         const StudyDiagnosis d = inside_->session->diagnose();
         return Verdict{.verdict = std::string(to_string(d.diagnosis.verdict)),
                        .effects = d.diagnosis.effects,
+                       .complete = d.diagnosis.complete,
                        .suspects = d.diagnosis.suspects,
                        .chi2 = d.diagnosis.chi2,
                        .degrees_of_freedom = d.diagnosis.dof,

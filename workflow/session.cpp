@@ -40,7 +40,7 @@ CalibratedStudy Session::calibrate(const FitOptions& fit) const {
 
 ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) const {
     Calibration c = read_calibration(folder_ / "fit.json", input_.study,
-                                     dry_first(measurements(), study().model));
+                                     dry_first(measurements()));
     StudyModel model(input_.study, c);
     c.prediction = predict_readings(model.model(), c);
     Comparison comparison = pendular::compare(c);
@@ -57,7 +57,7 @@ ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) c
 
 Prediction Session::predict(const std::vector<Condition>& conditions) const {
     const Calibration c = read_calibration(folder_ / "fit.json", input_.study,
-                                           dry_first(measurements(), study().model));
+                                           dry_first(measurements()));
     std::vector<Reading> wanted;
     for (const Condition& condition : conditions) {
         wanted.push_back(

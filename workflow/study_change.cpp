@@ -110,7 +110,7 @@ std::optional<Calibration> earlier_fit(const std::filesystem::path& file,
                                        const ResolvedStudy& study,
                                        const Measurements& measurements) {
     try {
-        Calibration c = read_calibration(file, study, dry_first(measurements, study.study().model));
+        Calibration c = read_calibration(file, study, dry_first(measurements));
         return c.fit.converged ? std::optional(std::move(c)) : std::nullopt;
     } catch (const InputError&) {
         return std::nullopt;

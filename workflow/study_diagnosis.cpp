@@ -95,7 +95,7 @@ void check_readings(const std::vector<Reading>& readings, const Study& study,
 
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session) {
-    StudyDiagnosis result{.readings = dry_first(measurements, study.study().model)};
+    StudyDiagnosis result{.readings = dry_first(measurements)};
     check_readings(result.readings, study, session.fidelity);
     result.models = std::make_unique<StudyModels>(study, conditions_of(result.readings),
                                                   session.fidelity, known_for(study, session));
@@ -142,26 +142,21 @@ std::optional<Checks> remaining_checks(const StudyDiagnosis& d, std::uint64_t se
     return checks_of(d, model.chosen, model.fit.prediction, seed);
 }
 
-double remaining_discrepancy(const StudyDiagnosis& d) {
+/// Ratio of a likely discrepancy to the RMS misfit from which on the misfit varies more quickly
+/// with the conditions than a discrepancy does [1]: only an excessive one could then describe it.
+constexpr double rougher = 3;
+
+double remaining_discrepancy(const StudyDiagnosis& d, double stated) {
     const Diagnosis& diagnosis = d.diagnosis;
     if (diagnosis.complete) return 0;
     const auto best = std::ranges::min_element(diagnosis.tried, {}, &Explanation::chi2);
     const Fit& fit = diagnosis.leaders               ? diagnosis.leaders->model.fit
                      : best != diagnosis.tried.end() ? best->fit
                                                      : diagnosis.fit;
-    return likely_discrepancy(d.evidence.measured, fit.prediction, d.readings);
-}
-
-std::array<double, 2> rms_errors(const StudyDiagnosis& d, const Prediction& prediction) {
-    std::array<double, 2> squares{};
-    for (std::size_t k = 0; k < d.readings.size(); ++k) {
-        for (const std::size_t o : {0u, 1u}) {
-            const auto entry = static_cast<Eigen::Index>(2 * k + o);
-            const double off = prediction.value(entry) / d.evidence.measured.value(entry) - 1;
-            squares[o] += off * off / static_cast<double>(d.readings.size());
-        }
-    }
-    return {100 * std::sqrt(squares[0]), 100 * std::sqrt(squares[1])};
+    const double further =
+        likely_discrepancy(d.evidence.measured, fit.prediction, conditions_of(d.readings));
+    const double misfit = rms_percent(d.readings, fit.prediction.value)[0] / 100;
+    return further > 0 && further < rougher * misfit ? std::hypot(stated, further) : 0;
 }
 
 std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models) {

@@ -47,15 +47,11 @@ Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 /// `seed`: seed of the random errors from which p values are computed.
 std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// RMS errors of (shear stress, solid fraction) [%] of a prediction of the study's readings:
-/// 100 sqrt(mean((predicted/measured - 1)^2)).
-std::array<double, 2> rms_errors(const StudyDiagnosis& diagnosis, const Prediction& prediction);
-
-/// Smooth error of the model, relative to the shear stress [1], that would account for the
-/// residuals of the refitted model with the leading effects or, without leading effects, of the
-/// refitted model with the lowest chi2 (if none was refitted, of the model as it is); 0 where a
-/// model fits or no such error is likely.
-double remaining_discrepancy(const StudyDiagnosis& diagnosis);
+/// Discrepancy of the model, relative to the shear stress [1], that would account for the misfit
+/// that the named effects leave, or that the best refitted model leaves where none is named: the
+/// `stated` discrepancy together with a further one. 0 where the model fits, no further
+/// discrepancy is likely, or the misfit varies too quickly with the conditions to be one.
+double remaining_discrepancy(const StudyDiagnosis& diagnosis, double stated);
 
 /// Returns the models that fit the readings according to a diagnosis, between which the next
 /// measurement should decide. Where no model fits: the model with the leading effects, if there are

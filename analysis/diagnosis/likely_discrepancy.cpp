@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "calib/fit/discrepancy.h"
+#include "calib/model/discrepancy.h"
 
 namespace pendular {
 namespace {
@@ -14,20 +14,6 @@ constexpr double least = 0.0005, greatest = 0.2, step = 1.25;
 /// Difference of the log likelihood from which on an exact model is rejected, p = 0.05 with the
 /// size at the bound of its range (half of chi2 with one degree of freedom beyond 2.71).
 constexpr double significant = 2.71 / 2;
-
-/// Covariance of the shear stresses by an error of relative size 1.
-Eigen::MatrixXd unit_covariance(const Measured& measured, const std::vector<Reading>& readings) {
-    Eigen::MatrixXd covariance =
-        Eigen::MatrixXd::Zero(measured.value.size(), measured.value.size());
-    for (std::size_t i = 0; i < readings.size(); ++i) {
-        for (std::size_t k = 0; k < readings.size(); ++k) {
-            covariance(2 * static_cast<Eigen::Index>(i), 2 * static_cast<Eigen::Index>(k)) =
-                discrepancy_correlation(readings[i].condition, readings[k].condition) *
-                readings[i].value(0) * readings[k].value(0);
-        }
-    }
-    return covariance;
-}
 
 /// Restricted log likelihood of residuals with these derivatives, up to a constant.
 double log_likelihood(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& residuals,
@@ -47,9 +33,9 @@ double log_likelihood(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& 
 }  // namespace
 
 double likely_discrepancy(const Measured& measured, const Prediction& prediction,
-                          const std::vector<Reading>& readings) {
+                          const std::vector<Condition>& conditions) {
     const Eigen::MatrixXd errors = measured.covariance + prediction.covariance;
-    const Eigen::MatrixXd unit = unit_covariance(measured, readings);
+    const Eigen::MatrixXd unit = discrepancy_covariance(conditions, prediction.value, {1, 0});
     const Eigen::VectorXd residuals = measured.value - prediction.value;
     const double exact = log_likelihood(errors, residuals, prediction.jacobian);
     double best = 0, highest = exact + significant;

@@ -88,6 +88,23 @@ double Misfit::p() const {
                : cdf(complement(chi_squared(dof), chi2));
 }
 
+std::array<double, 2> rms_percent(const std::vector<Reading>& readings,
+                                  const Eigen::VectorXd& values) {
+    std::array<double, 2> result{};
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        for (const std::size_t o : {0, 1}) {
+            const double predicted = values(static_cast<Eigen::Index>(2 * k + o));
+            result[o] +=
+                std::pow(predicted / readings[k].value(static_cast<Eigen::Index>(o)) - 1, 2) /
+                static_cast<double>(readings.size());
+        }
+    }
+    for (double& rms : result) {
+        rms = 100 * std::sqrt(rms);
+    }
+    return result;
+}
+
 Comparison compare(const std::vector<Reading>& readings, const Prediction& prediction,
                    int parameters, std::size_t fitted) {
     const Measured measured = stack(readings);
@@ -113,14 +130,9 @@ Comparison compare(const std::vector<Reading>& readings, const Prediction& predi
         for (std::size_t observable = 0; observable < 2; ++observable) {
             const auto i = at + static_cast<Eigen::Index>(observable);
             result.by_observable[observable] += terms(i);
-            result.rms_percent[observable] +=
-                std::pow(prediction.value(i) / measured.value(i) - 1, 2) /
-                static_cast<double>(readings.size());
         }
     }
-    for (double& rms : result.rms_percent) {
-        rms = 100 * std::sqrt(rms);
-    }
+    result.rms_percent = rms_percent(readings, prediction.value);
     result.by_condition = misfit_by_condition(readings, result.readings, misfit, total);
     result.by_file = misfit_by_file(result.readings);
     return result;

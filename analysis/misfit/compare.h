@@ -88,13 +88,20 @@ struct Comparison {
     /// Parts of chi2 from (shear stress, solid fraction) of all readings; their sum is chi2 of all
     /// readings.
     std::array<double, 2> by_observable{};
-    /// RMS errors of the predicted (shear stress, solid fraction) over all readings [%]:
-    /// 100 sqrt(mean((predicted/measured - 1)^2)).
+    /// RMS errors of the predicted (shear stress, solid fraction) over all readings [%]; see the
+    /// function `rms_percent`.
     std::array<double, 2> rms_percent{};
     Misfit total;      ///< misfit of all readings and direct measurements
     Misfit fitted;     ///< misfit of the fitted readings and the direct measurements
     Misfit predicted;  ///< misfit of the readings that were only predicted, not fitted
 };
+
+/// RMS errors of predicted (shear stress, solid fraction) over all readings [%]:
+///     100 sqrt(mean((predicted/measured - 1)^2)).
+/// @param values predicted shear stress [Pa] and solid fraction [1] of each reading, in turn;
+///        further entries are ignored
+std::array<double, 2> rms_percent(const std::vector<Reading>& readings,
+                                  const Eigen::VectorXd& values);
 
 /// Compares every reading with its prediction:
 ///     chi2 = e' (Sigma_measurement + Sigma_simulation)^-1 e,  e = measured - predicted,

@@ -267,7 +267,7 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
                             const CalibrationRequest& request, const Workers& workers,
                             const CalibrationReport& report) {
     const Study& study = resolved;
-    Calibration c{.readings = dry_first(measurements, study.model),
+    Calibration c{.readings = dry_first(measurements),
                   .grains = study.grains,
                   .liquid = study.liquid,
                   .model = study.model,

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "calib/fit/discrepancy.h"
-
 namespace pendular {
 
 std::size_t dry_count(const std::vector<Reading>& readings) {
@@ -16,10 +14,9 @@ std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from
             readings.begin() + static_cast<std::ptrdiff_t>(to)};
 }
 
-std::vector<Reading> dry_first(const Measurements& measurements, const ModelSettings& model) {
+std::vector<Reading> dry_first(const Measurements& measurements) {
     auto readings = measurements.readings;
     std::ranges::stable_partition(readings, [](const Reading& r) { return r.condition.dry(); });
-    add_discrepancy(readings, model.discrepancy);
     return readings;
 }
 

@@ -9,9 +9,8 @@
 namespace pendular {
 
 /// Returns the readings of a study in the order of a calibration: dry readings, then wet readings,
-/// each in run order. Their errors include `model.discrepancy`, the expected error of the model
-/// (`add_discrepancy`).
-std::vector<Reading> dry_first(const Measurements& measurements, const ModelSettings& model);
+/// each in run order.
+std::vector<Reading> dry_first(const Measurements& measurements);
 
 /// Number of dry readings among `readings`.
 std::size_t dry_count(const std::vector<Reading>& readings);

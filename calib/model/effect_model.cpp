@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "calib/model/discrepancy.h"
 #include "sim/catalogue/instrument.h"
 
 namespace pendular {
@@ -208,6 +209,10 @@ Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
     const Eigen::MatrixXd slopes = shown_by_predicted(truths, inside.value);
     if (what == PredictionPart::covariance) {
         result.covariance = slopes * inside.covariance * slopes.transpose();
+        if (study_.model.discrepancy != std::array{0.0, 0.0}) {
+            result.covariance +=
+                discrepancy_covariance(conditions, result.value, study_.model.discrepancy);
+        }
         result.run_noise = slopes * inside.run_noise * slopes.transpose();
     }
     result.jacobian = Eigen::MatrixXd::Zero(inside.value.size(), parameters.size());

@@ -21,7 +21,8 @@ namespace pendular {
 /// instrument shows. A reading that no effect touches is predicted exactly as by the inner model.
 /// Derivatives by an effect's parameter are central differences with a step of a thousandth of the
 /// parameter's smallest value of interest. Predictions are smooth functions of the parameters, so
-/// that the differences contain no noise.
+/// that the differences contain no noise. The covariance of a prediction includes the discrepancy
+/// that the study states for its model.
 class EffectModel : public Predictor {
   public:
     /// Adds `effects` to the model `inside`. The effects must outlive this model. Effects that

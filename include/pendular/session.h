@@ -66,6 +66,7 @@ struct Verdict {
     /// alternatives that explain the readings equally well; "inconclusive": effects that these
     /// readings would not reveal.
     std::vector<std::string> effects;
+    bool complete = true;  ///< whether the model with the named effects explains the readings
     std::vector<std::string> suspects;  ///< measurements whose error would explain the readings too
     double chi2 = 0;                    ///< misfit chi2 of the study's model, nothing added [1]
     int degrees_of_freedom = 0;         ///< degrees of freedom of `chi2`

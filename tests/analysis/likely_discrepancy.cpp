@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "calib/fit/discrepancy.h"
+#include "calib/model/discrepancy.h"
 
 namespace analysis_likely_discrepancy_test {
 
@@ -33,20 +33,20 @@ class LikelyDiscrepancy : public testing::Test {
 
     /// Estimate from readings whose model is off by a smooth error of this relative size.
     double estimate(double size) {
-        std::vector<Reading> errors = readings_;
-        add_discrepancy(errors, {size, 0});
-        const Measured truth = stack(errors);
-        const Eigen::MatrixXd root = Eigen::LLT<Eigen::MatrixXd>(truth.covariance).matrixL();
-        const Eigen::VectorXd noise =
-            Eigen::VectorXd::NullaryExpr(truth.value.size(), [&] { return normal_(random_); });
         Measured measured = stack(readings_);
+        const Eigen::MatrixXd covariance =
+            measured.covariance +
+            discrepancy_covariance(conditions_of(readings_), measured.value, {size, 0});
+        const Eigen::MatrixXd root = Eigen::LLT<Eigen::MatrixXd>(covariance).matrixL();
+        const Eigen::VectorXd noise =
+            Eigen::VectorXd::NullaryExpr(measured.value.size(), [&] { return normal_(random_); });
         const Prediction prediction{
             measured.value,
             measured.value,  // a factor on all values is fitted
             Eigen::MatrixXd::Zero(measured.value.size(), measured.value.size()),
             {}};
         measured.value += root * noise;
-        return likely_discrepancy(measured, prediction, readings_);
+        return likely_discrepancy(measured, prediction, conditions_of(readings_));
     }
 
     std::vector<Reading> readings_;

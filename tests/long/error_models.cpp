@@ -150,7 +150,7 @@ TEST_P(ErrorModels, RaiseNoFalseAlarmsAndLeaveErrorsRight) {
     std::vector<double> errors;
     for (std::uint64_t seed = 1; seed <= studies; ++seed) {
         const Measurements all = measured(GetParam(), first_seed + seed);
-        const auto readings = dry_first(all, {});
+        const auto readings = dry_first(all);
         const Diagnosis d = diagnose(laboratory_models(), evidence_of(readings, all.scatter),
                                      {.draws = 2000, .seed = seed});
         alarms += d.verdict != Verdict::nothing_missing && d.verdict != Verdict::inconclusive;

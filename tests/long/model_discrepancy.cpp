@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "analysis/diagnosis/diagnosis.h"
-#include "calib/fit/discrepancy.h"
+#include "calib/model/discrepancy.h"
 #include "tests/physics/planted_readings.h"
 
 namespace pendular::model_discrepancy_test {
@@ -41,9 +41,9 @@ std::vector<Reading> readings_of(const EffectSet& on, const Eigen::VectorXd& par
                 .asDiagonal();
         readings.push_back(reading);
     }
-    std::vector<Reading> off = readings;
-    add_discrepancy(off, of_model);
-    const Eigen::VectorXd errors = drawn(stack(off).covariance, random);
+    const Eigen::VectorXd errors =
+        drawn(stack(readings).covariance + discrepancy_covariance(conditions(), values, of_model),
+              random);
     for (std::size_t k = 0; k < readings.size(); ++k) {
         readings[k].value += errors.segment<2>(2 * static_cast<Eigen::Index>(k));
     }
@@ -54,6 +54,16 @@ struct Counts {
     int alarms = 0, named = 0, named_in_part = 0, wrong = 0;
 };
 
+/// Models of a study that states the discrepancy.
+const StudyModels& inexact_models() {
+    static const StudyModels shared = [] {
+        Study study = planted_study();
+        study.model.discrepancy = of_model;
+        return models_of(conditions(), study);
+    }();
+    return shared;
+}
+
 /// Diagnoses of the studies, with the model's error stated or not.
 Counts diagnosed(const EffectSet& hidden, const Eigen::VectorXd& parameters, bool stated) {
     Counts counts;
@@ -61,10 +71,9 @@ Counts diagnosed(const EffectSet& hidden, const Eigen::VectorXd& parameters, boo
         hidden.empty() ? std::vector<std::string>{}
                        : std::vector<std::string>{models().candidates()[hidden.front()].name};
     for (std::uint64_t seed = 1; seed <= studies; ++seed) {
-        std::vector<Reading> readings = readings_of(hidden, parameters, 70000 + seed);
-        if (stated) add_discrepancy(readings, of_model);
-        const Diagnosis d =
-            diagnose(models(), evidence_of(readings, {}), {.draws = 2000, .seed = seed});
+        const std::vector<Reading> readings = readings_of(hidden, parameters, 70000 + seed);
+        const Diagnosis d = diagnose(stated ? inexact_models() : models(),
+                                     evidence_of(readings, {}), {.draws = 2000, .seed = seed});
         counts.alarms +=
             d.verdict != Verdict::nothing_missing && d.verdict != Verdict::inconclusive;
         const bool right = d.verdict == Verdict::missing && d.effects == truth;

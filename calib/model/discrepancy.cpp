@@ -1,0 +1,44 @@
+#include "calib/model/discrepancy.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace pendular {
+namespace {
+
+constexpr double stress_length = std::numbers::ln10;
+constexpr double rate_length = 0.1;
+constexpr double liquid_length = 0.1;
+
+double square(double x) {
+    return x * x;
+}
+
+}  // namespace
+
+double discrepancy_correlation(const Condition& a, const Condition& b) {
+    const double distance =
+        square(std::log(a.normal_stress / b.normal_stress) / stress_length) +
+        square((std::sqrt(a.inertial_number) - std::sqrt(b.inertial_number)) / rate_length) +
+        square((std::sqrt(a.liquid_content) - std::sqrt(b.liquid_content)) / liquid_length);
+    return std::exp(-distance / 2);
+}
+
+Eigen::MatrixXd discrepancy_covariance(const std::vector<Condition>& conditions,
+                                       const Eigen::VectorXd& values,
+                                       const std::array<double, 2>& discrepancy) {
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(values.size(), values.size());
+    for (std::size_t a = 0; a < conditions.size(); ++a) {
+        for (std::size_t b = 0; b < conditions.size(); ++b) {
+            const double correlation = discrepancy_correlation(conditions[a], conditions[b]);
+            for (const std::size_t o : {0, 1}) {
+                const auto i = static_cast<Eigen::Index>(2 * a + o),
+                           k = static_cast<Eigen::Index>(2 * b + o);
+                covariance(i, k) = square(discrepancy[o]) * correlation * values(i) * values(k);
+            }
+        }
+    }
+    return covariance;
+}
+
+}  // namespace pendular
