@@ -6,57 +6,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "data/recordings/autoregression.h"
+
 namespace pendular {
 namespace {
-
-double plain_mean(std::span<const double> samples) {
-    double sum = 0;
-    for (double sample : samples)
-        sum += sample;
-    return sum / static_cast<double>(samples.size());
-}
-
-/// Lagged covariances C(t) of two series. Each lag is computed when it is first needed, since
-/// windows are short and most lags are never used.
-class Covariances {
-  public:
-    Covariances(std::span<const double> first, std::span<const double> second)
-        : first_(centred(first)), second_(centred(second)) {}
-
-    /// C(lag), averaged over both directions of the lag.
-    double operator()(std::size_t lag) {
-        while (known_.size() <= lag)
-            known_.push_back(at(known_.size()));
-        return known_[lag];
-    }
-
-    /// C(0) + 2 sum_{t=1}^{window} C(t).
-    double summed(std::size_t window) {
-        double sum = (*this)(0);
-        for (std::size_t lag = 1; lag <= window; ++lag)
-            sum += 2 * (*this)(lag);
-        return sum;
-    }
-
-  private:
-    static std::vector<double> centred(std::span<const double> samples) {
-        std::vector<double> result(samples.begin(), samples.end());
-        const double mean = plain_mean(samples);
-        for (double& sample : result)
-            sample -= mean;
-        return result;
-    }
-
-    double at(std::size_t lag) const {
-        const std::size_t pairs = first_.size() - lag;
-        double sum = 0;
-        for (std::size_t i = 0; i < pairs; ++i)
-            sum += first_[i] * second_[i + lag] + first_[i + lag] * second_[i];
-        return sum / (2 * static_cast<double>(pairs));
-    }
-
-    std::vector<double> first_, second_, known_;
-};
 
 /// Integrated autocorrelation time with the window that it was summed over.
 struct Correlation {
@@ -69,7 +22,7 @@ struct Correlation {
 ///     exp(-W/tau) < tau/sqrt(W n),   tau = S / ln((2 tau_int + 1)/(2 tau_int - 1)),   S = 1.5.
 /// Two corrections for the bias of the estimated mean follow, eqs. (32) and (49).
 /// Source: Wolff, Comput. Phys. Commun. 156 (2004) 143.
-Correlation windowed_correlation(Covariances& covariance, std::size_t n) {
+Correlation windowed_correlation(LaggedCovariances& covariance, std::size_t n) {
     constexpr double s = 1.5;
     const double count = static_cast<double>(n);
     double tau_int = 0.5;
@@ -87,80 +40,6 @@ Correlation windowed_correlation(Covariances& covariance, std::size_t n) {
     const double unbiased = covariance.summed(window) + (2 * w + 1) * bias;
     const double two_tau = unbiased / (covariance(0) + bias) * (1 + (2 * w + 1) / count);
     return {two_tau, window};
-}
-
-/// An autoregression x_t = sum_j a_j x_(t-j) + innovation, grown order by order (Levinson-Durbin).
-struct Autoregression {
-    std::vector<double> coefficients;
-    double innovation = 0;  ///< variance of the innovation
-
-    double order() const { return static_cast<double>(coefficients.size()); }
-
-    /// Increases the order by one. `biased` returns the covariance at a lag, divided by n at all
-    /// lags, which keeps the recursion stable.
-    template <typename Lagged>
-    void grow(const Lagged& biased) {
-        const std::size_t next_order = coefficients.size() + 1;
-        double reflection = biased(next_order);
-        for (std::size_t j = 1; j < next_order; ++j)
-            reflection -= coefficients[j - 1] * biased(next_order - j);
-        reflection /= innovation;
-        std::vector<double> next(next_order, reflection);
-        for (std::size_t j = 1; j < next_order; ++j)
-            next[j - 1] = coefficients[j - 1] - reflection * coefficients[next_order - j - 1];
-        coefficients = std::move(next);
-        innovation *= 1 - reflection * reflection;
-    }
-
-    /// Spectral density at frequency zero: n times the variance of the mean of n samples. The sum a
-    /// of the coefficients is corrected for its bias -(1 + 3 a)/n (Marriott and Pope 1954, for
-    /// order 1) and kept below 1 - 2/n.
-    double spectrum_at_zero(double count) const {
-        double sum = 0;
-        for (const double a : coefficients)
-            sum += a;
-        if (!coefficients.empty()) sum = std::min(sum + (1 + 3 * sum) / count, 1 - 2 / count);
-        return innovation * count / (count - 1 - order()) / ((1 - sum) * (1 - sum));
-    }
-};
-
-/// Integrated autocorrelation time 2 tau of n samples, from the autoregression up to order 10 that
-/// fits best by the Bayesian information criterion.
-double autoregressive_correlation(Covariances& covariance, std::size_t n) {
-    const double count = static_cast<double>(n);
-    const std::size_t highest = std::min<std::size_t>(10, n / 10);
-    const auto biased = [&](std::size_t lag) {
-        return covariance(lag) * (count - static_cast<double>(lag)) / count;
-    };
-    Autoregression model{{}, biased(0)};
-    double best = count * std::log(model.innovation);
-    double spectrum = model.spectrum_at_zero(count);
-    while (model.coefficients.size() < highest) {
-        model.grow(biased);
-        if (model.innovation <= 0) break;  // deterministic series
-        const double criterion =
-            count * std::log(model.innovation) + std::log(count) * model.order();
-        if (criterion >= best) continue;
-        best = criterion;
-        spectrum = model.spectrum_at_zero(count);
-    }
-    return spectrum / covariance(0);
-}
-
-/// Samples less their variation along the best straight line; the mean stays.
-std::vector<double> without_line(std::span<const double> samples) {
-    const double centre = static_cast<double>(samples.size() - 1) / 2;
-    const double mean = plain_mean(samples);
-    double products = 0, squares = 0;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const double t = static_cast<double>(i) - centre;
-        products += t * (samples[i] - mean);
-        squares += t * t;
-    }
-    std::vector<double> result(samples.begin(), samples.end());
-    for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] -= products / squares * (static_cast<double>(i) - centre);
-    return result;
 }
 
 /// Whether a variance about a mean is no more than rounding errors of the arithmetic.
@@ -185,17 +64,33 @@ bool still_drifts(std::span<const double> samples) {
 
 }  // namespace
 
+std::vector<double> without_line(std::span<const double> samples) {
+    const double centre = static_cast<double>(samples.size() - 1) / 2;
+    const double mean = plain_mean(samples);
+    double products = 0, squares = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double t = static_cast<double>(i) - centre;
+        products += t * (samples[i] - mean);
+        squares += t * t;
+    }
+    std::vector<double> result(samples.begin(), samples.end());
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] -= products / squares * (static_cast<double>(i) - centre);
+    return result;
+}
+
 Mean mean_of_correlated(std::span<const double> samples) {
     if (samples.empty()) throw std::invalid_argument("the mean of no samples");
     const std::size_t n = samples.size();
     const double count = static_cast<double>(n);
     const double mean = plain_mean(samples);
     if (n == 1) return {mean, std::numeric_limits<double>::infinity(), 1};
-    Covariances covariance(samples, samples);
+    LaggedCovariances covariance(samples, samples);
     if (constant(covariance(0), mean)) return {mean, 0, 1};
 
-    const double two_tau = std::max(windowed_correlation(covariance, n).samples,
-                                    autoregressive_correlation(covariance, n));
+    const double two_tau =
+        std::max(windowed_correlation(covariance, n).samples,
+                 best_autoregression(covariance, n).spectrum_at_zero(count) / covariance(0));
     // The error is an estimate from about n/(2 tau) independent samples. It is widened so that the
     // mean square of deviations over errors is 1, while it exceeds 1 for Student's t.
     const double independent = count / two_tau;
@@ -210,7 +105,7 @@ double covariance_of_means(std::span<const double> first, std::span<const double
     const Mean b = mean_of_correlated(second);
     if (first.size() < 2 || a.standard_error == 0 || b.standard_error == 0) return 0;
 
-    Covariances own_first(first, first), own_second(second, second), cross(first, second);
+    LaggedCovariances own_first(first, first), own_second(second, second), cross(first, second);
     std::size_t window = std::max(windowed_correlation(own_first, first.size()).window,
                                   windowed_correlation(own_second, first.size()).window);
     double product = own_first.summed(window) * own_second.summed(window);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace pendular {
 
@@ -25,6 +26,10 @@ struct Mean {
 /// @throws std::invalid_argument if there are no samples
 /// Source: Wolff, Comput. Phys. Commun. 156 (2004) 143, "Monte Carlo errors with less errors".
 Mean mean_of_correlated(std::span<const double> samples);
+
+/// Samples less their variation along the best straight line, in the unit of the samples; the mean
+/// stays.
+std::vector<double> without_line(std::span<const double> samples);
 
 /// Covariance of the means of two series that were sampled together, in the product of their units:
 /// sum of the cross-correlations over the larger of the windows that `mean_of_correlated` finds for
