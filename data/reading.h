@@ -9,6 +9,7 @@
 
 #include "data/grains.h"
 #include "data/input_error.h"
+#include "data/recordings/findings/finding.h"
 
 namespace pendular {
 
@@ -145,6 +146,8 @@ struct Measurements {
     ReplicateScatter scatter;        ///< scatter that the readings' covariances contain
     std::vector<Excluded> excluded;  ///< rows that make no reading
     std::vector<Doubt> doubts;       ///< doubts about the files' values; most values were set aside
+    /// What the rows of the recordings show besides the steady means, such as a wobble of the lid.
+    std::vector<RecordingFinding> findings;
     /// Messages for the user about the import, such as a torque whose sign was flipped.
     std::vector<std::string> notes;
 };

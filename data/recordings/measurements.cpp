@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "data/recordings/contradictions.h"
 #include "data/recordings/copies.h"
 #include "data/recordings/cut_files.h"
+#include "data/recordings/findings/look_inside.h"
+#include "data/recordings/findings/saturation.h"
 #include "data/recordings/grain_weight.h"
 #include "data/recordings/plausibility.h"
 #include "data/recordings/readings.h"
@@ -25,6 +30,7 @@ void append(Measurements& to, const Measurements& from) {
     append(to.readings, from.readings);
     append(to.excluded, from.excluded);
     append(to.doubts, from.doubts);
+    append(to.findings, from.findings);
     append(to.notes, from.notes);
 }
 
@@ -32,6 +38,7 @@ void append(Measurements& to, const Measurements& from) {
 struct FilesBefore {
     RunClock clock;
     KnownRows rows;
+    InsideRecordings inside;
 };
 
 Measurements read_file(const std::filesystem::path& file, const Source& source, const Study& study,
@@ -46,15 +53,29 @@ Measurements read_file(const std::filesystem::path& file, const Source& source, 
     const Contradictions contradictions =
         take_out_contradictions(recording, cell, study.import, result);
     if (recording.size() == 0) return result;
-    Measurements part =
-        reduce_recording(recording, cell, study.grains, source.liquid_content.value_or(0),
-                         before.clock, study.import);
+    std::vector<RecordedStep> steps = recorded_steps(recording);
+    const std::vector<Saturation> saturated = saturations(recording, steps);
+    separate_from_spikes(saturated, recording.file, steps, result);
+    before.inside.look_at(recording.file, steps, cell, study.import.least_strain);
+    Measurements part = reduce_steps(steps, recording, cell, study.grains,
+                                     source.liquid_content.value_or(0), before.clock, study.import);
     set_aside_contradicted(contradictions, part);
+    set_aside_saturated(saturated, recording, steps, study.import, part);
     doubt_stuck_columns(recording, part, study.import);
     if (part.readings.empty() && !study.import.keep_implausible)
         doubt_filling(recording, cell, part);
     append(result, part);
     return result;
+}
+
+/// Findings inside of the recordings of a study; none where the study has only tables of readings.
+std::vector<RecordingFinding> inside_findings(const std::vector<Reading>& readings,
+                                              const Study& study, const InsideRecordings& inside) {
+    if (!study.cell) return {};
+    std::vector<Reading> recorded;
+    std::ranges::copy_if(readings, std::back_inserter(recorded),
+                         [](const Reading& reading) { return reading.within_run_only; });
+    return inside.findings(recorded, *study.cell);
 }
 
 /// Range of liquid contents [1] in which the liquid forms separate bridges.
@@ -88,6 +109,8 @@ Measurements read_measurements(const Study& study) {
             append(all, read_file(file, source, study, before));
     count_readings_once(all);
     doubt_impossible_readings(all, study);
+    doubt_saturated(all, study.import);
+    append(all.findings, inside_findings(all.readings, study, before.inside));
     append(all.notes, notes_on_cut_files(study, all));
     pool_replicates(all, study.scatter);
     if (const auto note = grain_weight_note(study, all.readings)) all.notes.push_back(*note);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "data/recordings/findings/wobble.h"
 #include "data/recordings/robust.h"
-#include "data/recordings/spikes.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
 #include "data/recordings/unsteady.h"
@@ -121,8 +121,10 @@ std::string short_strain(const char* what, double strain, const StepSeries& seri
 
 /// Adds the reading of one step to `result`, or the step with the reason to `result.excluded`. Adds
 /// the number of the step to `coarse` if the resolution of a column limits the reading's error.
-void reduce_step(const StepSeries& series, int number, const Setting& setting,
-                 std::vector<int>& coarse, Measurements& result) {
+void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<int>& coarse,
+                 Measurements& result) {
+    const StepSeries& series = step.series;
+    const int number = step.number;
     const auto exclude = [&](std::size_t end, const std::string& reason) {
         result.excluded.push_back({{setting.recording.file, series.line.front(), 0},
                                    series.line[end - 1],
@@ -131,17 +133,17 @@ void reduce_step(const StepSeries& series, int number, const Setting& setting,
     if (series.size() < shortest_step)
         return exclude(series.size(),
                        fmt::format("has {} rows, {} are needed", series.size(), shortest_step));
-    if (!turns(mean_of_correlated(series.angular_velocity)))
+    if (!step.lid_turns)
         return exclude(series.size(), "the lid does not turn: rest or consolidation");
     if (const double strain = strain_of(series, setting.cell); strain < setting.least_strain)
         return exclude(series.size(), short_strain("it", strain, series, setting));
-    std::string why;
-    const auto begin = end_of_transient(series, why);
-    if (!begin) return exclude(series.size(), why);
+    const auto begin = step.steady;
+    if (!begin) return exclude(series.size(), step.why_unsteady);
     if (series.size() - *begin < shortest_step)
         return exclude(series.size(), fmt::format("{} rows are steady, {} are needed",
                                                   series.size() - *begin, shortest_step));
-    const StepSeries steady = series.from(*begin);
+    const StepSeries level = series.from(*begin);
+    const StepSeries steady = level.from(whole_turns_begin(level));
     if (const double strain = strain_of(steady, setting.cell); strain < setting.least_strain)
         return exclude(series.size(), short_strain("its steady part", strain, steady, setting));
     Means means = means_of(steady);
@@ -151,6 +153,12 @@ void reduce_step(const StepSeries& series, int number, const Setting& setting,
     if (*begin > 0)
         exclude(*begin, fmt::format("transient of {:.3g} s, until torque and gap are steady",
                                     series.time[*begin] - series.time.front()));
+    if (steady.size() < level.size())
+        result.excluded.push_back(
+            {{setting.recording.file, level.line.front(), 0},
+             level.line[level.size() - steady.size() - 1],
+             fmt::format("step {}: part of a turn of the lid, whose wobble would bias the mean",
+                         number)});
     if (means.coarse) coarse.push_back(number);
     result.readings.push_back(reading_of(means, steady, number, setting));
 }
@@ -183,6 +191,13 @@ Measurements reduce_recording(const Recording& recording, const AnnularCell& cel
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content, RunClock& clock,
                               const ImportSettings& choice) {
+    return reduce_steps(recorded_steps(recording), recording, cell, grains, liquid_content, clock,
+                        choice);
+}
+
+Measurements reduce_steps(const std::vector<RecordedStep>& steps, const Recording& recording,
+                          const AnnularCell& cell, const GrainProperties& grains,
+                          double liquid_content, RunClock& clock, const ImportSettings& choice) {
     Setting setting{recording,
                     cell,
                     grains,
@@ -192,18 +207,16 @@ Measurements reduce_recording(const Recording& recording, const AnnularCell& cel
                     least_step(recording.height)};
     Measurements result;
     std::vector<int> flipped, interpolated, coarse, spiked;
-    int number = 0;
-    for (const Step& step : split_steps(recording)) {
-        StepSeries series = step_series(recording, step);
-        ++number;
-        if (const auto rows = take_out_spikes(series); !rows.empty()) {
-            spiked.push_back(number);
-            exclude_spikes(series, rows, recording.file, result);
+    for (const RecordedStep& step : steps) {
+        if (!step.spikes.empty()) {
+            spiked.push_back(step.number);
+            exclude_spikes(step.series, step.spikes, recording.file, result);
         }
-        if (series.flipped) flipped.push_back(number);
-        if (series.interpolated) interpolated.push_back(number);
-        setting.time_shift = clock.shift(recording.time[step.begin], recording.time[step.end - 1]);
-        reduce_step(series, number, setting, coarse, result);
+        if (step.series.flipped) flipped.push_back(step.number);
+        if (step.series.interpolated) interpolated.push_back(step.number);
+        setting.time_shift =
+            clock.shift(recording.time[step.rows.begin], recording.time[step.rows.end - 1]);
+        reduce_step(step, setting, coarse, result);
     }
     note_steps(spiked, recording.file,
                "single rows jump far off their neighbours and back; they were left out (listed in "

@@ -2,6 +2,7 @@
 
 #include "data/annular_cell.h"
 #include "data/reading.h"
+#include "data/recordings/findings/recorded_step.h"
 #include "data/recordings/recording.h"
 #include "data/recordings/run_clock.h"
 #include "data/study/study.h"
@@ -27,12 +28,21 @@ namespace pendular {
 /// description of the step (`looks_like`): grains lose their initial arrangement only over strains
 /// of order 1, so the step may not be in steady shear even if torque and gap are constant.
 ///
+/// If torque, force or gap vary periodically with the rotation of the lid, and the mean would be
+/// biased by it, the mean is taken over a whole number of turns (`whole_turns_begin`).
+///
 /// The time of a reading is the mean time of the steady part, by `clock`.
 /// @param liquid_content volume of liquid over volume of grains [1]
 /// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content, RunClock& clock,
                               const ImportSettings& choice = {});
+
+/// Converts the steps of a recording, as `recorded_steps` returns them, to readings, with the
+/// parameters and results of `reduce_recording`.
+Measurements reduce_steps(const std::vector<RecordedStep>& steps, const Recording& recording,
+                          const AnnularCell& cell, const GrainProperties& grains,
+                          double liquid_content, RunClock& clock, const ImportSettings& choice);
 
 /// Converts each step of the first recording of a study to a reading, with the default settings of
 /// import: the clock starts at 0.

@@ -1,0 +1,157 @@
+#include "data/recordings/findings/drift.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "data/recordings/findings/false_alarms.h"
+#include "data/recordings/robust.h"
+#include "data/recordings/time_series.h"
+
+namespace pendular {
+namespace {
+
+constexpr double least_distance = 0.005, clear_bend = 2.5, same_sense = 0.75;
+constexpr std::size_t least_steps = 3;
+
+/// Second half of the samples of a step.
+std::span<const double> second_half(const std::vector<double>& values) {
+    return std::span(values).subspan(values.size() / 2);
+}
+
+/// Columns of a recording that should be constant after the transient.
+struct LevelColumn {
+    const char* quantity;
+    std::vector<double> StepSeries::*values;
+};
+constexpr LevelColumn level_columns[] = {{"torque", &StepSeries::torque},
+                                         {"height", &StepSeries::height}};
+
+bool examined(const RecordedStep& step) {
+    return step.lid_turns && step.series.size() >= 2 * shortest_step;
+}
+
+/// Relative changes of one column over the steps of a study, pooled.
+struct PooledChange {
+    double value = 0, error = 0;  ///< weighted mean with its standard error [1]
+    double share = 0;             ///< share of the steps whose change has the sense of the mean [1]
+};
+
+PooledChange pooled(const std::vector<const StepTrend*>& trends) {
+    double weights = 0, sum = 0;
+    for (const StepTrend* trend : trends) {
+        const double weight = std::pow(trend->course.mean / trend->course.change_error, 2);
+        weights += weight;
+        sum += weight * trend->course.change / trend->course.mean;
+    }
+    PooledChange result{sum / weights, 0, 0};
+    double squares = 0;
+    for (const StepTrend* trend : trends) {
+        const Course& c = trend->course;
+        const double relative = c.change / c.mean;
+        squares += std::pow((relative - result.value) * c.mean / c.change_error, 2);
+        result.share += relative * result.value > 0;
+    }
+    const double count = static_cast<double>(trends.size());
+    result.share /= count;
+    result.error = std::sqrt(std::max(1.0, squares / (count - 1)) / weights);
+    return result;
+}
+
+}  // namespace
+
+double Course::distance_at_end() const {
+    // An exponential approach decays from one third of the samples to the next by the factor r; the
+    // means of the thirds differ by (change -+ 2 bend)/3.
+    const double r = (change + 2 * bend) / (change - 2 * bend);
+    if (!(r > 0 && r < 1)) return 0;
+    const double last_third = std::abs(change + 2 * bend) / 3 * r / (1 - r), decay = -std::log(r);
+    return last_third * decay / std::expm1(decay);
+}
+
+std::optional<Course> course_of(std::span<const double> samples) {
+    if (samples.size() < shortest_step) return std::nullopt;
+    const auto n = static_cast<Eigen::Index>(samples.size());
+    const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(n, -1, 1);
+    Eigen::MatrixXd columns(n, 3);
+    columns << Eigen::ArrayXd::Ones(n), x / 2, (3 * x.square() - 1) / 2;
+    const Eigen::Map<const Eigen::VectorXd> values(samples.data(), n);
+    const Eigen::VectorXd fit = columns.householderQr().solve(values);
+    const Eigen::VectorXd residuals = values - columns * fit;
+    const Mean noise = mean_of_correlated({residuals.data(), samples.size()});
+    if (noise.standard_error <= 1e-12 * std::abs(fit(0))) return std::nullopt;
+    // Variances of the coefficients of the Legendre polynomials 1, x, (3 x^2 - 1)/2 are as 1:3:5.
+    return Course{.mean = fit(0),
+                  .change = fit(1),
+                  .change_error = 2 * std::sqrt(3.0) * noise.standard_error,
+                  .bend = fit(2),
+                  .bend_error = std::sqrt(5.0) * noise.standard_error,
+                  .freedom = static_cast<double>(n) / noise.correlation_samples - 3};
+}
+
+std::vector<StepTrend> step_trends(const std::string& file,
+                                   const std::vector<RecordedStep>& steps) {
+    std::vector<StepTrend> result;
+    for (const RecordedStep& step : steps) {
+        if (!examined(step)) continue;
+        for (const LevelColumn& column : level_columns)
+            if (const auto course = course_of(second_half(step.series.*column.values)))
+                result.push_back({column.quantity, file, step.number, *course});
+    }
+    return result;
+}
+
+std::vector<RecordingFinding> run_in_tests(const std::string& file,
+                                           const std::vector<RecordedStep>& steps) {
+    std::vector<RecordingFinding> tests;
+    for (const StepTrend& trend : step_trends(file, steps)) {
+        const Course& c = trend.course;
+        const double distance = c.distance_at_end();
+        const bool bends = std::abs(c.bend) > clear_bend * c.bend_error && distance > 0;
+        const bool far = distance > least_distance * std::abs(c.mean);
+        tests.push_back(
+            {.kind = RecordingFinding::Kind::unfinished_run_in,
+             .quantity = trend.quantity,
+             .files = {file},
+             .step = trend.step,
+             .size = distance,
+             .relative = distance / std::abs(c.mean),
+             .p = bends && far ? two_sided_p(c.change / c.change_error, c.freedom) : 1});
+    }
+    return tests;
+}
+
+std::vector<RecordingFinding> drift_tests(const std::vector<StepTrend>& trends,
+                                          const std::vector<RecordingFinding>& unfinished) {
+    std::vector<RecordingFinding> tests;
+    for (const LevelColumn& column : level_columns) {
+        std::vector<const StepTrend*> chosen;
+        RecordingFinding test{.kind = RecordingFinding::Kind::drift, .quantity = column.quantity};
+        for (const StepTrend& trend : trends) {
+            const bool runs_in = std::ranges::any_of(unfinished, [&](const RecordingFinding& each) {
+                return each.files.front() == trend.file && each.step == trend.step;
+            });
+            if (trend.quantity != column.quantity || runs_in) continue;
+            chosen.push_back(&trend);
+            if (test.files.empty() || test.files.back() != trend.file)
+                test.files.push_back(trend.file);
+        }
+        if (chosen.size() < least_steps) continue;
+        const PooledChange change = pooled(chosen);
+        test.count = chosen.size();
+        // Over the whole of a step, twice the change of its second half.
+        test.relative = 2 * change.value;
+        test.relative_error = 2 * change.error;
+        std::vector<double> sizes;
+        for (const StepTrend* trend : chosen)
+            sizes.push_back(std::abs(trend->course.mean));
+        test.size = test.relative * median(sizes);
+        test.size_error = test.relative_error * median(sizes);
+        const double freedom = std::max(static_cast<double>(chosen.size()) - 1, 10.0);
+        test.p = change.share >= same_sense ? two_sided_p(change.value / change.error, freedom) : 1;
+        tests.push_back(std::move(test));
+    }
+    return tests;
+}
+
+}  // namespace pendular

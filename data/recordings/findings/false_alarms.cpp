@@ -1,0 +1,31 @@
+#include "data/recordings/findings/false_alarms.h"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numeric>
+
+namespace pendular {
+
+std::vector<RecordingFinding> significant_findings(std::vector<RecordingFinding> tested) {
+    std::vector<double> p;
+    for (const RecordingFinding& each : tested)
+        p.push_back(each.p);
+    std::ranges::sort(p);
+    double limit = -1;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+        const double allowed =
+            finding_significance * static_cast<double>(k + 1) / static_cast<double>(p.size());
+        if (p[k] <= allowed) limit = p[k];
+    }
+    std::erase_if(tested, [&](const RecordingFinding& each) { return each.p > limit; });
+    return tested;
+}
+
+double two_sided_p(double z, double freedom) {
+    if (!std::isfinite(z)) return 0;
+    const boost::math::students_t law(std::max(freedom, 1.0));
+    return 2 * boost::math::cdf(boost::math::complement(law, std::abs(z)));
+}
+
+}  // namespace pendular

@@ -1,0 +1,257 @@
+#include "data/recordings/findings/level_change.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+
+#include "data/recordings/findings/false_alarms.h"
+#include "data/recordings/replicate_groups.h"
+#include "data/recordings/robust.h"
+
+namespace pendular {
+namespace {
+
+constexpr double least_freedom = 3;
+/// Smallest number of recordings on each side of a step, since one odd recording is no step.
+constexpr Eigen::Index least_side = 2;
+/// Ratio of the squared deviations with an offset to those with a factor, below which a change is
+/// called an offset [1].
+constexpr double clearly_better = 0.8;
+
+/// Paths of the files of readings, in the order of their first reading in time.
+std::vector<std::string> files_in_order(const std::vector<Reading>& readings) {
+    std::map<std::string, double> begin;
+    for (const Reading& r : readings) {
+        const auto [at, fresh] = begin.try_emplace(r.origin.file, r.condition.time);
+        if (!fresh) at->second = std::min(at->second, r.condition.time);
+    }
+    std::vector<std::string> files;
+    for (const auto& [file, time] : begin)
+        files.push_back(file);
+    std::ranges::stable_sort(files, {}, [&](const std::string& file) { return begin[file]; });
+    return files;
+}
+
+/// Comparison of the recordings of a study: a linear map that removes from values of readings what
+/// their conditions explain and averages the rest over each recording.
+struct FileComparison {
+    std::vector<std::string> files;  ///< in run order
+    Eigen::MatrixXd membership;      ///< readings x files: 1 where a reading is of a file
+    Eigen::MatrixXd reduce;          ///< files x readings
+    Eigen::MatrixXd centre;          ///< readings x readings, before the averages over files
+    double freedom = 0;              ///< degrees of freedom of the reduced values, for one slope
+
+    Eigen::Index count() const { return static_cast<Eigen::Index>(files.size()); }
+    /// 1 for readings of file k and later files, 0 for earlier readings.
+    Eigen::VectorXd from(Eigen::Index k) const {
+        return membership.rightCols(count() - k).rowwise().sum();
+    }
+};
+
+FileComparison comparison_of(const std::vector<Reading>& readings) {
+    FileComparison result{.files = files_in_order(readings)};
+    const auto n = static_cast<Eigen::Index>(readings.size());
+    result.membership = Eigen::MatrixXd::Zero(n, result.count());
+    for (Eigen::Index r = 0; r < n; ++r) {
+        const std::string& file = readings[static_cast<std::size_t>(r)].origin.file;
+        result.membership(r, std::ranges::find(result.files, file) - result.files.begin()) = 1;
+    }
+    return result;
+}
+
+/// Averages of readings over each file: files x readings.
+Eigen::MatrixXd averages(const Eigen::MatrixXd& membership) {
+    return membership.colwise().sum().cwiseInverse().asDiagonal() * membership.transpose();
+}
+
+/// Number of sets of files that no condition connects.
+std::size_t separate_sets(const std::vector<std::vector<std::size_t>>& groups,
+                          const Eigen::MatrixXd& membership) {
+    std::vector<Eigen::Index> set(static_cast<std::size_t>(membership.cols()));
+    std::iota(set.begin(), set.end(), 0);
+    const auto file_of = [&](std::size_t reading) {
+        Eigen::Index file = 0;
+        membership.row(static_cast<Eigen::Index>(reading)).maxCoeff(&file);
+        return static_cast<std::size_t>(file);
+    };
+    for (const auto& group : groups) {
+        for (const std::size_t reading : group) {
+            const Eigen::Index old = set[file_of(reading)], joined = set[file_of(group.front())];
+            std::ranges::replace(set, old, joined);
+        }
+    }
+    std::ranges::sort(set);
+    return static_cast<std::size_t>(std::ranges::unique(set).begin() - set.begin());
+}
+
+/// Readings at conditions that at least two files share.
+std::vector<Reading> repeated_readings(const std::vector<Reading>& readings) {
+    std::vector<Reading> result;
+    for (const auto& group : replicate_groups(readings)) {
+        const bool shared = std::ranges::any_of(group, [&](std::size_t k) {
+            return readings[k].origin.file != readings[group.front()].origin.file;
+        });
+        if (!shared) continue;
+        for (const std::size_t k : group)
+            result.push_back(readings[k]);
+    }
+    return result;
+}
+
+/// Comparison by repeated conditions: the mean of each condition is removed.
+FileComparison by_repetition(const std::vector<Reading>& readings) {
+    FileComparison result = comparison_of(readings);
+    const auto n = static_cast<Eigen::Index>(readings.size());
+    result.centre = Eigen::MatrixXd::Identity(n, n);
+    const auto groups = replicate_groups(readings);
+    for (const auto& group : groups)
+        for (const std::size_t a : group)
+            for (const std::size_t b : group)
+                result.centre(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) -=
+                    1.0 / static_cast<double>(group.size());
+    result.reduce = averages(result.membership) * result.centre;
+    result.freedom = static_cast<double>(result.files.size()) -
+                     static_cast<double>(separate_sets(groups, result.membership)) - 1;
+    return result;
+}
+
+/// Readings of the liquid content and volume of grains with most readings.
+std::vector<Reading> largest_filling(const std::vector<Reading>& readings) {
+    std::map<std::pair<double, double>, std::vector<Reading>> fillings;
+    for (const Reading& r : readings)
+        fillings[{r.condition.liquid_content, r.condition.bead_volume.value_or(0)}].push_back(r);
+    std::vector<Reading> largest;
+    for (auto& [filling, members] : fillings)
+        if (members.size() > largest.size()) largest = std::move(members);
+    return largest;
+}
+
+/// Comparison by a smooth function of the conditions, fitted to the means of the files.
+FileComparison by_smooth_trend(const std::vector<Reading>& readings) {
+    FileComparison result = comparison_of(readings);
+    const auto n = static_cast<Eigen::Index>(readings.size());
+    Eigen::MatrixXd columns(n, 4);
+    for (Eigen::Index r = 0; r < n; ++r) {
+        const Condition& c = readings[static_cast<std::size_t>(r)].condition;
+        const double stress = std::log(c.normal_stress / 1e3);
+        const double rate = std::log(std::max(c.inertial_number, 1e-6) / 1e-2);
+        columns.row(r) << 1, stress, stress * stress, rate;
+    }
+    const Eigen::MatrixXd average = averages(result.membership);
+    // Set points scatter by a few thousandths: directions that vary less are no trend.
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> trend(average * columns);
+    trend.setThreshold(0.02);
+    const Eigen::Index rank = trend.rank();
+    const Eigen::MatrixXd basis = Eigen::MatrixXd(trend.householderQ()).leftCols(rank);
+    result.centre = Eigen::MatrixXd::Identity(n, n);
+    result.reduce = average - basis * (basis.transpose() * average);
+    result.freedom = static_cast<double>(result.count() - rank) - 1;
+    return result;
+}
+
+/// Straight line through the origin of reduced values against a reduced regressor.
+struct OriginLine {
+    double slope = 0, error = 0, squares = INFINITY;
+};
+
+OriginLine origin_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double freedom) {
+    const double length = x.squaredNorm(), slope = x.dot(y) / length;
+    const double squares = (y - slope * x).squaredNorm();
+    return {slope, std::sqrt(squares / freedom / length), squares};
+}
+
+/// Whether at least `least_side` files lie on each side of a step, in its reduced regressor.
+bool has_two_sides(const Eigen::VectorXd& x) {
+    constexpr double some = 0.01;
+    return (x.array() > some).count() >= least_side && (x.array() < -some).count() >= least_side;
+}
+
+/// Whether an offset of the column [unit of `scale`] describes the change better than a factor.
+/// `scale`: value of the column at each reading.
+bool is_offset(const FileComparison& files, const Eigen::VectorXd& change,
+               const Eigen::VectorXd& values, const Eigen::VectorXd& scale) {
+    const auto squares = [&](const Eigen::VectorXd& regressor) {
+        return origin_line(files.centre * regressor, files.centre * values, 1).squares;
+    };
+    return squares(change.cwiseQuotient(scale)) < clearly_better * squares(change);
+}
+
+/// Most significant step between the recordings in one column; p 1 for none.
+/// @param values logarithm of the quantity that is constant at repeated conditions, by reading
+/// @param column value of the column at each reading, in its SI unit
+RecordingFinding strongest_step(const FileComparison& files, const Eigen::VectorXd& values,
+                                const Eigen::VectorXd& column) {
+    const Eigen::VectorXd reduced = files.reduce * values;
+    const Eigen::VectorXd order = Eigen::VectorXd::LinSpaced(files.count(), -1, 1);
+    const double steady_trend =
+        origin_line(files.reduce * (files.membership * order), reduced, files.freedom).squares;
+    RecordingFinding best{.kind = RecordingFinding::Kind::level_change,
+                          .count = files.files.size()};
+    OriginLine line;
+    Eigen::Index first = 0;
+    int tested = 0;
+    for (Eigen::Index k = 1; k < files.count(); ++k) {
+        const Eigen::VectorXd x = files.reduce * files.from(k);
+        if (!has_two_sides(x)) continue;
+        ++tested;
+        const OriginLine each = origin_line(x, reduced, files.freedom);
+        if (each.squares < line.squares) line = each, first = k;
+    }
+    if (tested == 0 || line.squares >= steady_trend || line.error <= 0) return best;
+    const Eigen::VectorXd change = files.from(first);
+    best.p = std::min(1.0, tested * two_sided_p(line.slope / line.error, files.freedom));
+    best.relative = std::expm1(line.slope);
+    best.relative_error = std::exp(line.slope) * line.error;
+    best.files.assign(files.files.begin() + first, files.files.end());
+    best.offset = is_offset(files, change, values, column);
+    const double usual_value = median({column.begin(), column.end()});
+    best.size = best.relative * usual_value;
+    best.size_error = best.relative_error * usual_value;
+    if (best.offset) {
+        const OriginLine offset = origin_line(files.centre * change.cwiseQuotient(column),
+                                              files.centre * values, files.freedom);
+        best.size = offset.slope;
+        best.size_error = offset.error;
+    }
+    return best;
+}
+
+/// Values of a function of readings, one for each.
+template <typename Function>
+Eigen::VectorXd of_each(const std::vector<Reading>& readings, const Function& function) {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(readings.size()));
+    std::ranges::transform(readings, result.begin(),
+                           [&](const Reading& each) { return std::invoke(function, each); });
+    return result;
+}
+
+}  // namespace
+
+std::vector<RecordingFinding> level_change_tests(const std::vector<Reading>& readings,
+                                                 const AnnularCell& cell) {
+    std::vector<Reading> compared = repeated_readings(readings);
+    FileComparison files = by_repetition(compared);
+    if (files.freedom < least_freedom) {
+        compared = largest_filling(readings);
+        files = by_smooth_trend(compared);
+        // One degree more, since no function of the conditions is exact.
+        if (files.freedom < least_freedom + 1) return {};
+    }
+    // Repeated conditions have the stress ratio in common: set points scatter, and torque with
+    // them.
+    const Eigen::VectorXd ratios = of_each(compared, &Reading::stress_ratio);
+    const Eigen::VectorXd torques =
+        of_each(compared, [&](const Reading& r) { return torque(r.value(0), cell); });
+    const Eigen::VectorXd gaps =
+        of_each(compared, [&](const Reading& r) { return height(r.value(1), cell); });
+    std::vector<RecordingFinding> tests = {strongest_step(files, ratios.array().log(), torques),
+                                           strongest_step(files, gaps.array().log(), gaps)};
+    tests[0].quantity = "torque";
+    tests[1].quantity = "height";
+    return tests;
+}
+
+}  // namespace pendular

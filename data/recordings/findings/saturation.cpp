@@ -1,0 +1,232 @@
+#include "data/recordings/findings/saturation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+
+#include "data/recordings/plausibility.h"
+#include "data/recordings/robust.h"
+
+namespace pendular {
+namespace {
+
+constexpr double certain_saturation = 1e-4, band_share = 2e-4, clear_edge = 5;
+constexpr std::size_t least_below = 20, least_rows = 3;
+/// Limits of several steps at one torque: their agreement, and the growth of force between them
+/// [1].
+constexpr double equal_torques = 0.005, growing_force = 1.2;
+constexpr double spoilt_share = 0.01;
+
+/// Runs of neighbouring rows.
+std::vector<Step> runs_of(const std::vector<bool>& marked) {
+    std::vector<Step> runs;
+    for (std::size_t k = 0; k < marked.size(); ++k) {
+        if (!marked[k]) continue;
+        if (runs.empty() || runs.back().end != k)
+            runs.push_back({k, k + 1});
+        else
+            runs.back().end = k + 1;
+    }
+    return runs;
+}
+
+/// One column as magnitudes, with its rows at the largest value.
+struct TopRows {
+    std::vector<double> values;
+    double top = 0, resolution = 0, band = 0;
+    std::vector<bool> marked;
+    std::vector<Step> runs;  ///< runs of marked rows
+
+    explicit TopRows(std::vector<double> column) : values(std::move(column)) {
+        for (double& value : values)
+            value = std::abs(value);
+        top = *std::ranges::max_element(values);
+        resolution = least_step(values);
+        band = std::max(0.5 * resolution, band_share * top);
+        for (const double value : values)
+            marked.push_back(value >= top - band);
+        runs = runs_of(marked);
+    }
+};
+
+/// Whether the rows beside the marked runs lie clearly lower, as beside a smooth peak they do not.
+bool has_sharp_edges(const TopRows& rows) {
+    std::vector<double> edges;
+    for (const Step& run : rows.runs) {
+        if (run.begin > 0) edges.push_back(rows.top - rows.values[run.begin - 1]);
+        if (run.end < rows.values.size()) edges.push_back(rows.top - rows.values[run.end]);
+    }
+    return median(edges) > clear_edge * rows.band;
+}
+
+/// Probability that as many separate runs reach the largest value, from the number of rows in an
+/// equally sparse range below it [1].
+double crowding_p(const TopRows& rows) {
+    const std::size_t runs = rows.runs.size();
+    std::vector<double> below;
+    for (std::size_t k = 0; k < rows.values.size(); ++k)
+        if (!rows.marked[k]) below.push_back(rows.top - rows.band - rows.values[k]);
+    const std::size_t near = std::max(runs, least_below);
+    if (below.size() < near) return 1;
+    std::ranges::nth_element(below, below.begin() + static_cast<std::ptrdiff_t>(near) - 1);
+    const double width = std::max(rows.band, rows.resolution);
+    const double share = width / (width + below[near - 1]);
+    const boost::math::binomial law(static_cast<double>(runs + near), share);
+    return boost::math::cdf(boost::math::complement(law, static_cast<double>(runs) - 1));
+}
+
+/// Probability that rows stay as long at the largest value, from the share of the other rows that
+/// stay at the value of their neighbour [1].
+double flatness_p(const TopRows& rows) {
+    double staying = 0, others = 0, flat = 0;
+    for (std::size_t k = 1; k < rows.values.size(); ++k) {
+        if (rows.marked[k] && rows.marked[k - 1]) {
+            ++flat;
+        } else if (!rows.marked[k] && !rows.marked[k - 1]) {
+            ++others;
+            staying += std::abs(rows.values[k] - rows.values[k - 1]) <= rows.band;
+        }
+    }
+    if (others < static_cast<double>(least_below)) return 1;
+    return std::pow((staying + 1) / (others + 2), flat);
+}
+
+/// Saturation of the rows of a column at its largest value, if it is certain.
+std::optional<Saturation> at_largest(const Recording& recording, const std::string& quantity,
+                                     const std::vector<double>& column) {
+    const TopRows rows(column);
+    const auto count = std::ranges::count(rows.marked, true);
+    if (rows.top == 0 || count < static_cast<std::ptrdiff_t>(least_rows) || !has_sharp_edges(rows))
+        return std::nullopt;
+    // A force controller may hold its set point exactly, so that a constant force means nothing.
+    const double p =
+        quantity == "torque" ? 2 * std::min(crowding_p(rows), flatness_p(rows)) : crowding_p(rows);
+    if (p >= certain_saturation) return std::nullopt;
+    Saturation found{.quantity = quantity, .limit = rows.top, .p = p};
+    for (std::size_t k = 0; k < rows.marked.size(); ++k)
+        if (rows.marked[k]) found.lines.insert(recording.line[k]);
+    return found;
+}
+
+/// Step with the medians of its columns, as magnitudes.
+struct StepLevels {
+    const RecordedStep* step;
+    double force, torque;
+};
+
+/// Saturation of whole steps: torques of the steps with the largest forces that do not grow.
+std::optional<Saturation> in_several_steps(const std::vector<RecordedStep>& steps) {
+    std::vector<StepLevels> levels;
+    for (const RecordedStep& step : steps)
+        if (const auto part = level_part(step))
+            levels.push_back({&step, median(part->normal_force), median(part->torque)});
+    std::ranges::sort(levels, std::greater{}, &StepLevels::force);
+    std::size_t count = levels.empty() ? 0 : 1;
+    while (count < levels.size() &&
+           std::abs(levels[count].torque / levels[0].torque - 1) < equal_torques &&
+           levels[count - 1].force > growing_force * levels[count].force)
+        ++count;
+    if (count < 3) return std::nullopt;
+    // Torques that differ at random by up to the growth of the force agree this rarely.
+    const double p =
+        std::pow(equal_torques / std::log(growing_force), static_cast<double>(count - 1));
+    Saturation found{.quantity = "torque", .limit = levels[0].torque, .p = p};
+    for (std::size_t k = 0; k < count; ++k)
+        found.lines.insert(levels[k].step->series.line.begin(), levels[k].step->series.line.end());
+    return found;
+}
+
+/// Number of lines of a set from `first` to `last`.
+std::ptrdiff_t lines_within(const std::set<int>& lines, int first, int last) {
+    return std::distance(lines.lower_bound(first), lines.upper_bound(last));
+}
+
+std::string limit_text(const std::string& quantity, double limit) {
+    return quantity == "torque"
+               ? fmt::format("torque stands at its largest value, {:.4g} mN m", 1e3 * limit)
+               : fmt::format("normal force stands at its largest value, {:.4g} N", limit);
+}
+
+}  // namespace
+
+std::vector<Saturation> saturations(const Recording& recording,
+                                    const std::vector<RecordedStep>& steps) {
+    std::vector<Saturation> found;
+    auto torque = at_largest(recording, "torque", recording.torque);
+    if (!torque) torque = in_several_steps(steps);
+    if (torque) found.push_back(*std::move(torque));
+    if (auto force = at_largest(recording, "normal_force", recording.normal_force))
+        found.push_back(*std::move(force));
+    return found;
+}
+
+void separate_from_spikes(const std::vector<Saturation>& saturated, const std::string& file,
+                          std::vector<RecordedStep>& steps, Measurements& result) {
+    for (RecordedStep& step : steps) {
+        std::erase_if(step.spikes, [&](std::size_t k) {
+            const int line = step.series.line[k];
+            const auto cause = std::ranges::find_if(
+                saturated, [&](const Saturation& each) { return each.lines.contains(line); });
+            if (cause == saturated.end()) return false;
+            result.excluded.push_back(
+                {{file, line, 0},
+                 line,
+                 "saturated: the " + limit_text(cause->quantity, cause->limit)});
+            return true;
+        });
+    }
+}
+
+void set_aside_saturated(const std::vector<Saturation>& saturated, const Recording& recording,
+                         const std::vector<RecordedStep>& steps, const ImportSettings& choice,
+                         Measurements& part) {
+    for (const Saturation& each : saturated) {
+        for (const RecordedStep& step : steps) {
+            const auto rows = lines_within(each.lines, recording.line[step.rows.begin],
+                                           recording.line[step.rows.end - 1]);
+            if (rows < static_cast<std::ptrdiff_t>(least_rows)) continue;
+            part.findings.push_back(
+                {.kind = RecordingFinding::Kind::saturation,
+                 .quantity = each.quantity,
+                 .files = {recording.file},
+                 .step = step.number,
+                 .size = each.limit,
+                 .relative = static_cast<double>(rows) /
+                             static_cast<double>(step.rows.end - step.rows.begin),
+                 .p = each.p,
+                 .corrected = !choice.keep_implausible});
+        }
+        if (choice.keep_implausible) continue;
+        std::erase_if(part.readings, [&](const Reading& reading) {
+            const auto rows = lines_within(each.lines, reading.origin.line, reading.last_line);
+            const double all = reading.last_line - reading.origin.line + 1;
+            if (static_cast<double>(rows) <= spoilt_share * all) return false;
+            part.excluded.push_back(left_out(
+                reading,
+                fmt::format("set aside: step {}: saturated: in {} of {:.0f} rows the {}",
+                            reading.step, rows, all, limit_text(each.quantity, each.limit))));
+            return true;
+        });
+    }
+}
+
+void doubt_saturated(Measurements& measurements, const ImportSettings& choice) {
+    for (const char* const quantity : {"torque", "normal_force"}) {
+        std::vector<RecordingFinding> found;
+        std::ranges::copy_if(
+            measurements.findings, std::back_inserter(found), [&](const RecordingFinding& each) {
+                return each.kind == RecordingFinding::Kind::saturation && each.quantity == quantity;
+            });
+        if (found.empty()) continue;
+        Doubt doubt{.what = sentences(found).front(),
+                    .quantity = quantity,
+                    .set_aside = !choice.keep_implausible};
+        for (const RecordingFinding& each : found)
+            doubt.origins.push_back({each.files.front(), 0, 0});
+        measurements.doubts.push_back(std::move(doubt));
+    }
+}
+
+}  // namespace pendular
