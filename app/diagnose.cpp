@@ -19,6 +19,7 @@
 #include "workflow/diagnosis_json.h"
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
+#include "workflow/recording_evidence.h"
 
 namespace pendular::app {
 namespace {
@@ -73,9 +74,15 @@ int diagnose(const std::vector<std::string>& arguments) {
     const Checks checks = checks_of(d, session->options().seed);
     auto json = to_json(diagnosis, models, d.evidence, checks);
     json["line"] = verdict_line(diagnosis, models, checks);
+    const std::vector<RecordingEvidence> recordings = recording_evidence(d, measurements.findings);
+    json["recordings"] = to_json(recordings);
     add_belief(json, belief);
     write_json(common->out_folder() / "diagnosis.json", json);
+    const std::string shown = recordings_line(recordings);
+    const bool shown_first = !recordings.empty() && recordings.front().explains_most();
+    if (shown_first) console.line(shown);
     console.answer(verdict_line(diagnosis, models, checks) + caution(d, measurements));
+    if (!shown_first && !shown.empty()) console.line(shown);
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
         if (k != belief.misfit_reason) console.line("Doubt: " + belief.reasons[k]);
     }

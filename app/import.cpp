@@ -24,6 +24,21 @@ std::string set_aside_text(const Measurements& measurements) {
                : fmt::format(", among them the rows of {} doubt{}", count, count == 1 ? "" : "s");
 }
 
+/// Heading and sentences on what the rows of the recordings show besides the steady means; empty
+/// for nothing. Saturations are left out without `all`, since doubts name them.
+std::vector<std::string> findings_lines(std::vector<RecordingFinding> findings, bool all) {
+    if (!all) {
+        std::erase_if(findings, [](const RecordingFinding& each) {
+            return each.kind == RecordingFinding::Kind::saturation;
+        });
+    }
+    std::vector<std::string> lines;
+    for (const std::string& sentence : sentences(findings, all))
+        lines.push_back("  " + sentence);
+    if (!lines.empty()) lines.insert(lines.begin(), "The recordings themselves show:");
+    return lines;
+}
+
 }  // namespace
 
 int import(const std::vector<std::string>& arguments) {
@@ -55,6 +70,7 @@ int import(const std::vector<std::string>& arguments) {
         console.line(fmt::format("Doubt: {} {}", doubt.what,
                                  doubt.set_aside ? "Set aside; see excluded.csv." : "Kept."));
     }
+    console.table(findings_lines(measurements.findings, console.all()), 6);
     console.table(readings_table(measurements), 6);
     if (console.all()) console.table(excluded_table(measurements), 0);
     console.table(scatter_table(measurements), 5);

@@ -87,6 +87,7 @@ Json to_json(const Measurements& measurements) {
                                   {"readings", doubt.origins.size()},
                                   {"set_aside", doubt.set_aside}});
     }
+    json["findings"] = findings_json(measurements.findings);
     json["notes"] = measurements.notes;
     return json;
 }

@@ -37,6 +37,25 @@ Json direct_json(const DirectMeasurement& direct) {
     return json;
 }
 
+Json findings_json(const std::vector<RecordingFinding>& findings) {
+    Json json = Json::array();
+    for (const RecordingFinding& each : findings) {
+        json.push_back({{"kind", to_string(each.kind)},
+                        {"quantity", each.quantity},
+                        {"files", each.files},
+                        {"step", each.step},
+                        {"steps", each.count},
+                        {"size", uncertain(each.size, each.size_error)},
+                        {"relative", uncertain(each.relative, each.relative_error)},
+                        {"period", each.period},
+                        {"offset", each.offset},
+                        {"corrected", each.corrected},
+                        {"p", each.p},
+                        {"line", sentences({each}).front()}});
+    }
+    return json;
+}
+
 Json cohesion_lines_json(const std::vector<CohesionLine>& lines) {
     const auto estimate = [](const Estimate& e) { return uncertain(e.value, e.standard_error); };
     Json json = Json::array();

@@ -7,6 +7,7 @@
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/compare.h"
 #include "calib/fit/cohesion_lines.h"
+#include "data/recordings/findings/finding.h"
 #include "sim/catalogue/direct_measurement.h"
 
 namespace pendular {
@@ -31,6 +32,10 @@ nlohmann::ordered_json direct_json(const DirectMeasurement& direct);
 /// Adds the judgement whether a fit can be believed to the JSON of the fit, as the keys
 /// `believable` and `reasons`.
 void add_belief(nlohmann::ordered_json& json, const Belief& belief);
+
+/// JSON array of what the rows of recordings show besides the steady means, one object for each
+/// finding.
+nlohmann::ordered_json findings_json(const std::vector<RecordingFinding>& findings);
 
 /// JSON array of cohesion lines (Mohr-Coulomb lines through measured or predicted wet readings).
 nlohmann::ordered_json cohesion_lines_json(const std::vector<CohesionLine>& lines);
