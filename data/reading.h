@@ -146,7 +146,7 @@ struct Measurements {
     ReplicateScatter scatter;        ///< scatter that the readings' covariances contain
     std::vector<Excluded> excluded;  ///< rows that make no reading
     std::vector<Doubt> doubts;       ///< doubts about the files' values; most values were set aside
-    /// What the rows of the recordings show besides the steady means, such as a wobble of the lid.
+    /// Findings inside the recordings: what their rows show besides the steady means, such as a wobble of the lid.
     std::vector<RecordingFinding> findings;
     /// Messages for the user about the import, such as a torque whose sign was flipped.
     std::vector<std::string> notes;

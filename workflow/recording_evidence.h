@@ -9,7 +9,7 @@
 
 namespace pendular {
 
-/// What recordings show besides their steady means, as evidence in a diagnosis.
+/// Finding inside the recordings of a study, as evidence in a diagnosis.
 struct RecordingEvidence {
     RecordingFinding finding;
     /// Share of the excess chi2 - dof of the model without further effects that a common factor on

@@ -246,8 +246,8 @@ TEST(Saturation, IsNoSmoothPeakNoCoarseColumnAndNoSpike) {
     EXPECT_THAT(saturations(smooth, recorded_steps(smooth)), IsEmpty());
     Recording wave = ordinary_recording(
         "wave.csv", 1, {.torque = 0, .force = 0, .gap = 0, .filling = 0, .step = 0},
-        [](RowOfStep row, int) {
-            row.torque = 0.03 * (1 + 0.05 * std::sin(2 * M_PI * row.time / 20));
+        [](RowOfStep row, int step) {
+            row.torque = 0.03 * (step + 1) * (1 + 0.05 * std::sin(2 * M_PI * row.time / 20));
         });
     EXPECT_THAT(saturations(wave, recorded_steps(wave)), IsEmpty());
     Recording coarse = ordinary_recording("coarse.csv", 1, {.torque_resolution = 2e-3});
