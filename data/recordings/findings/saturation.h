@@ -20,7 +20,8 @@ struct Saturation {
 
 /// Finds columns of a recording that are cut off at their largest value (torque by magnitude,
 /// normal force). Rows count as saturated if they are within half the resolution or within 2e-4 of
-/// the largest value. A column is saturated (p < 1e-4) in any of these cases:
+/// the largest value. A column is saturated in any of these cases,
+/// the first two at p < 1e-4:
 /// - More separate runs of rows reach the largest value than reach values just below it. Ordinary
 ///   noise has fewer, since values become rarer towards the largest one; the p value is binomial.
 /// - The torque stays at the largest value from row to row, while other rows of the recording
