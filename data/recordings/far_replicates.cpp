@@ -159,8 +159,12 @@ void set_condition_apart(const ReplicateTable& table, const Values& values, Eige
     for (const ReplicatedValue& value : values) {
         if (value.condition != far.condition) continue;
         result.variance[value.reading](o) += far.variance;
-        origins.push_back(readings[value.reading].origin);
-        places.push_back(fmt::format("{}:{}", table.name_of(value.file), origins.back().line));
+        const Reading& reading = readings[value.reading];
+        origins.push_back(reading.origin);
+        places.push_back(
+            reading.step > 0
+                ? fmt::format("step {} of {}", reading.step, table.name_of(value.file))
+                : fmt::format("{}:{}", table.name_of(value.file), reading.origin.line));
     }
     result.doubts.push_back(doubt_about(
         o, fmt::format("The replicates {} differ in {} far beyond the scatter of the others; look "

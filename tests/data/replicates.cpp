@@ -296,6 +296,12 @@ TEST(Replicates, NameAReadingFarFromItsReplicate) {
     pool_replicates(all);
     ASSERT_EQ(all.doubts.size(), 1u);
     EXPECT_THAT(all.doubts[0].what, HasSubstr("file_0.csv:7"));
+    Measurements recorded = four_files(random, {0, 0});
+    recorded.readings[5].value(0) *= 1.08;
+    recorded.readings[5].step = 6;
+    pool_replicates(recorded);
+    ASSERT_EQ(recorded.doubts.size(), 1u);
+    EXPECT_THAT(recorded.doubts[0].what, HasSubstr("step 6 of file_0.csv"));
     EXPECT_GT(relative_variance(all.readings[5], 0), std::pow(0.03, 2));
     EXPECT_LT(relative_variance(all.readings[4], 0), std::pow(0.03, 2));
 }
