@@ -1,11 +1,13 @@
 // `pendular add` and `pendular drop`: adds an effect to a study or removes it, and reports the
 // change of the error.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/belief.h"
 #include "app/command.h"
@@ -104,6 +106,16 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
     for (const auto& line :
          advice_on(change, before.ladder_step, after.ladder_step, common.study.string())) {
         console.note(line);
+    }
+    if (const auto& rivals = after.ladder_step.rivals; !rivals.empty()) {
+        std::vector<std::string> names;
+        for (const auto& rival : rivals) {
+            names.push_back(fmt::format("{}", fmt::join(rival, " with ")));
+        }
+        console.line(fmt::format(
+            "In the last diagnosis, other effects explained the readings as well as {}: {}. "
+            "'pendular diagnose' and 'pendular next' go on comparing them.",
+            change.effect, fmt::join(names, ", ")));
     }
     if (!before.calibration.fit.converged) {
         console.note("The fit before the change did not converge: " +

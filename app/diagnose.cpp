@@ -20,6 +20,7 @@
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
 #include "workflow/recording_evidence.h"
+#include "workflow/rival_effects.h"
 
 namespace pendular::app {
 namespace {
@@ -76,6 +77,8 @@ int diagnose(const std::vector<std::string>& arguments) {
     json["line"] = verdict_line(diagnosis, models, checks);
     const std::vector<RecordingEvidence> recordings = recording_evidence(d, measurements.findings);
     json["recordings"] = to_json(recordings);
+    json["model_effects"] = names_of(session->study().model.effects);
+    json["rivals"] = to_json(d.rivals);
     add_belief(json, belief);
     write_json(common->out_folder() / "diagnosis.json", json);
     const std::string shown = recordings_line(recordings);
@@ -89,7 +92,15 @@ int diagnose(const std::vector<std::string>& arguments) {
     console.line(fit_line(diagnosis));
     console.table(checks_table(checks), 3);
     console.table(diagnosis_table(diagnosis, models), 4);
-    if (const std::string suspects = suspects_line(diagnosis, d.evidence); !suspects.empty()) {
+    if (const std::string line =
+            rivals_line(d.rivals, diagnosis.chi2, session->resolved().catalogue());
+        !line.empty()) {
+        console.line(line);
+    }
+    // Where effects explain the whole misfit, readings deviate because of them.
+    const bool explained = diagnosis.verdict == Verdict::missing && diagnosis.complete;
+    if (const std::string suspects = suspects_line(diagnosis, d.evidence);
+        !suspects.empty() && (!explained || console.all())) {
         console.line(suspects);
     }
     if (const auto remaining = remaining_checks(d, session->options().seed)) {

@@ -34,6 +34,7 @@ LadderStep ladder_step_from(const Json& json) {
                            .change = json.at("change"),
                            .effect = json.at("effect"),
                            .effects = json.at("effects"),
+                           .rivals = json.value("rivals", decltype(LadderStep::rivals)()),
                            .parameters = {},
                            .chi2 = json.at("chi2"),
                            .dof = json.at("dof"),
@@ -65,15 +66,12 @@ Ladder ladder_from(const Json& json) {
 }  // namespace
 
 Json to_json(const LadderStep& ladder_step) {
-    Json json = {{"step", ladder_step.step},
-                 {"change", ladder_step.change},
-                 {"effect", ladder_step.effect},
-                 {"effects", ladder_step.effects},
-                 {"chi2", ladder_step.chi2},
-                 {"dof", ladder_step.dof},
-                 {"rms_percent", pair_json(ladder_step.rms_percent)},
-                 {"left_out_percent", nullptr},
-                 {"parameters", Json::object()}};
+    Json json = {
+        {"step", ladder_step.step},     {"change", ladder_step.change},
+        {"effect", ladder_step.effect}, {"effects", ladder_step.effects},
+        {"rivals", ladder_step.rivals}, {"chi2", ladder_step.chi2},
+        {"dof", ladder_step.dof},       {"rms_percent", pair_json(ladder_step.rms_percent)},
+        {"left_out_percent", nullptr},  {"parameters", Json::object()}};
     if (ladder_step.left_out_percent) {
         json["left_out_percent"] = pair_json(*ladder_step.left_out_percent);
     }

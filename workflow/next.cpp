@@ -21,7 +21,7 @@ NextMeasurement next_measurement(const ResolvedStudy& resolved, const StudyDiagn
     const Rig rig = study.rig.value_or(rig_of(d.readings));
     const std::vector<Point> points = points_of(rig, resolved, last_time(d.readings));
     NextMeasurement next{.study = study,
-                         .rivals = rivals_of(d.diagnosis, *d.models),
+                         .rivals = rivals_of(d),
                          .points = points,
                          .plans = {},
                          .sharpenings = {},

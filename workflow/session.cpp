@@ -7,6 +7,8 @@
 #include "data/input_error.h"
 #include "workflow/belief.h"
 #include "workflow/fit_file.h"
+#include "workflow/ladder_file.h"
+#include "workflow/rival_effects.h"
 
 namespace pendular {
 
@@ -39,8 +41,7 @@ CalibratedStudy Session::calibrate(const FitOptions& fit) const {
 }
 
 ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) const {
-    Calibration c = read_calibration(folder_ / "fit.json", input_.study,
-                                     dry_first(measurements()));
+    Calibration c = read_calibration(folder_ / "fit.json", input_.study, dry_first(measurements()));
     StudyModel model(input_.study, c);
     c.prediction = predict_readings(model.model(), c);
     Comparison comparison = pendular::compare(c);
@@ -56,8 +57,8 @@ ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) c
 }
 
 Prediction Session::predict(const std::vector<Condition>& conditions) const {
-    const Calibration c = read_calibration(folder_ / "fit.json", input_.study,
-                                           dry_first(measurements()));
+    const Calibration c =
+        read_calibration(folder_ / "fit.json", input_.study, dry_first(measurements()));
     std::vector<Reading> wanted;
     for (const Condition& condition : conditions) {
         wanted.push_back(
@@ -68,7 +69,9 @@ Prediction Session::predict(const std::vector<Condition>& conditions) const {
 }
 
 StudyDiagnosis Session::diagnose() const {
-    return diagnose_study(input_.study, measurements(), options_);
+    StudyDiagnosis diagnosis = diagnose_study(input_.study, measurements(), options_);
+    diagnosis.rivals = rivals_alive(diagnosis, input_.study, read_ladder(folder_ / "ladder.json"));
+    return diagnosis;
 }
 
 NextMeasurement Session::next(const StudyDiagnosis& diagnosis) const {

@@ -50,6 +50,8 @@ class Session {
     Session(StudyInput input, SessionOptions options, std::filesystem::path folder);
 
     const Study& study() const { return input_.study; }
+    /// The study with its catalogue of effects.
+    const ResolvedStudy& resolved() const { return input_.study; }
     const Measurements& measurements() const { return input_.measurements; }
     const SessionOptions& options() const { return options_; }
 

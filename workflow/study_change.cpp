@@ -16,6 +16,7 @@
 #include "workflow/fit_file.h"
 #include "workflow/known_runs.h"
 #include "workflow/ladder_file.h"
+#include "workflow/rival_effects.h"
 
 namespace pendular {
 namespace {
@@ -73,7 +74,7 @@ nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& befo
                                const LadderStep& after, bool written) {
     const auto side = [](const LadderStep& ladder_step) {
         auto json = to_json(ladder_step);
-        for (const char* of_the_ladder : {"step", "change", "effect"}) {
+        for (const char* of_the_ladder : {"step", "change", "effect", "rivals"}) {
             json.erase(of_the_ladder);
         }
         return json;
@@ -81,6 +82,7 @@ nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& befo
     return {{"change", word_for(change.change)},
             {"effect", change.effect},
             {"written", written},
+            {"rivals", after.rivals},
             {"before", side(before)},
             {"after", side(after)}};
 }
@@ -156,6 +158,9 @@ ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measur
     const ResolvedStudy& changed = change.study;
     Fitted after = fitted(changed, fit_study(changed, measurements, session, fit), session);
     after.belief = belief_in(changed, measurements, after.calibration, after.comparison);
+    if (what == Action::add) {
+        after.ladder_step.rivals = rivals_in(options.folder / "diagnosis.json", study, effect);
+    }
     const bool written = after.calibration.fit.converged;
     if (written) {
         apply_change(change, before.ladder_step, after, ladder, options.folder);

@@ -159,7 +159,9 @@ double remaining_discrepancy(const StudyDiagnosis& d, double stated) {
     return further > 0 && further < rougher * misfit ? std::hypot(stated, further) : 0;
 }
 
-std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models) {
+std::vector<Rival> rivals_of(const StudyDiagnosis& study_diagnosis) {
+    const Diagnosis& diagnosis = study_diagnosis.diagnosis;
+    const StudyModels& models = *study_diagnosis.models;
     std::vector<Rival> rivals;
     for (const Explanation& each : diagnosis.confidence_set) {
         if (!each.suspect) {
@@ -175,6 +177,11 @@ std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& mode
     if (rivals.empty()) {
         rivals.push_back({"the model as it is", models.predictor({}), diagnosis.fit.parameters,
                           diagnosis.fit.covariance});
+    }
+    if (rivals.size() == 1) {
+        for (const RivalModel& rival : study_diagnosis.rivals) {
+            rivals.push_back(rival.fitted);
+        }
     }
     return rivals;
 }

@@ -16,6 +16,15 @@
 
 namespace pendular {
 
+/// Rival model: the study's model with other effects in place of a listed one, fitted to the
+/// readings.
+struct RivalModel {
+    std::string in_place_of;           ///< listed effect that the model lacks
+    std::vector<std::string> effects;  ///< effects that the model has instead
+    Rival fitted;
+    double chi2 = 0;  ///< chi2 of all entries in the fit of this model
+};
+
 /// Diagnosis of a study, with the readings, models and errors on which it is based.
 struct StudyDiagnosis {
     std::vector<Reading> readings;  ///< readings of the study, dry readings first
@@ -26,6 +35,8 @@ struct StudyDiagnosis {
     /// Column of the recordings that was probably read in a wrong unit, which would explain the
     /// misfit; empty: none was found.
     std::optional<UnitMistake> mistake = {};
+    /// Models that explain the readings as well, with other effects in place of a listed one.
+    std::vector<RivalModel> rivals = {};
     Belief belief = {};  ///< judgement of the fit of the model without further effects
 };
 
@@ -55,7 +66,8 @@ double remaining_discrepancy(const StudyDiagnosis& diagnosis, double stated);
 
 /// Returns the models that fit the readings according to a diagnosis, between which the next
 /// measurement should decide. Where no model fits: the model with the leading effects, if there are
-/// any, else the model without further effects.
-std::vector<Rival> rivals_of(const Diagnosis& diagnosis, const StudyModels& models);
+/// any, else the model without further effects. Where this leaves one model, the rivals of the
+/// effects that the study lists follow it.
+std::vector<Rival> rivals_of(const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

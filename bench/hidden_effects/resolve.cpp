@@ -52,7 +52,7 @@ class Campaign {
     }
     const Diagnosis& diagnosis() const { return found_.diagnosis; }
 
-    std::vector<Rival> rivals() const { return rivals_of(found_.diagnosis, *found_.models); }
+    std::vector<Rival> rivals() const { return rivals_of(found_); }
     std::vector<Point> points() const {
         std::vector<Point> points = points_of(rig_of_laboratory(plan_), input_->study, 100);
         std::erase_if(points, [&](const Point& point) {

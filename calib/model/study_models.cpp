@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 
 #include "data/input_error.h"
@@ -94,6 +95,20 @@ std::shared_ptr<const EffectModel> StudyModels::predictor(const EffectSet& chose
     std::vector<const Effect*> effects = study_.effects();
     for (const std::size_t k : chosen) {
         effects.push_back(offered_.at(k));
+    }
+    return assemble_model(study_, simulation_, effects);
+}
+
+std::shared_ptr<const EffectModel> StudyModels::exchanged(
+    const std::string& removed, const std::vector<std::string>& added) const {
+    std::vector<const Effect*> effects = study_.effects();
+    std::erase_if(effects, [&](const Effect* effect) { return effect->name == removed; });
+    for (const std::string& name : added) {
+        const Effect& effect = study_.catalogue().find(name);
+        if (!has_runs(effect)) {
+            throw std::invalid_argument("no known run has " + name + " alone");
+        }
+        effects.push_back(&effect);
     }
     return assemble_model(study_, simulation_, effects);
 }

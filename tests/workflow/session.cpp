@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "tests/support/data_support.h"
+#include "workflow/rival_effects.h"
 
 namespace pendular::workflow_session_test {
 
@@ -97,6 +99,49 @@ TEST_F(Sessions, EndAtACleanPointWhenToldToStop) {
     EXPECT_THROW(session.diagnose(), dem::Interrupted);
     EXPECT_THROW(session.add("wall-friction"), dem::Interrupted);
     EXPECT_FALSE(fs::exists(study_ / "out/fit.json"));
+}
+
+/// Appends effects "gain-a" and "gain-b", which multiply the torque by 1 + gain, to a study.toml.
+void append_two_gains(const fs::path& file) {
+    std::ofstream text(file, std::ios::app);
+    for (const char* name : {"gain-a", "gain-b"}) {
+        text << "\n[[effect]]\nname = \"" << name
+             << "\"\nparameter = \"gain\"\nlower = -0.5\nupper = 0.5\n"
+                "torque = \"torque*(1 + gain)\"\n";
+    }
+}
+
+TEST_F(Sessions, KeepTheRivalOfAnAddedEffect) {
+    // Two effects of one formula cannot be told apart, a wall's friction and a gain can.
+    append_two_gains(study_ / "study.toml");
+    fs::create_directories(study_ / "out");
+    std::ofstream(study_ / "out/diagnosis.json")
+        << R"({"model_effects": [], "confidence_set": [["gain-a"], ["gain-b"], ["lid-slip"]]})";
+    EXPECT_THAT(rivals_in(study_ / "out/diagnosis.json", session().study(), "torque-gain"),
+                testing::IsEmpty());
+    const ChangedStudy added = session().add("gain-a");
+    ASSERT_TRUE(added.written);
+    EXPECT_THAT(
+        added.after.ladder_step.rivals,
+        testing::ElementsAre(testing::ElementsAre("gain-b"), testing::ElementsAre("lid-slip")));
+    EXPECT_THAT(rivals_in(study_ / "out/diagnosis.json", session().study(), "gain-b"),
+                testing::IsEmpty())
+        << "the model has other effects than the one diagnosed";
+    const Session after = session();
+    const StudyDiagnosis diagnosis = after.diagnose();
+    ASSERT_EQ(diagnosis.rivals.size(), 1u);
+    EXPECT_EQ(diagnosis.rivals[0].in_place_of, "gain-a");
+    EXPECT_THAT(diagnosis.rivals[0].effects, testing::ElementsAre("gain-b"));
+    EXPECT_NEAR(diagnosis.rivals[0].chi2, diagnosis.diagnosis.chi2,
+                0.01 * diagnosis.diagnosis.chi2);
+    StudyDiagnosis complete = after.diagnose();
+    complete.diagnosis.confidence_set.clear();
+    complete.diagnosis.leaders.reset();
+    ASSERT_EQ(rivals_of(complete).size(), 2u);
+    EXPECT_EQ(rivals_of(complete).back().name, "gain-b in place of gain-a");
+    const std::string line =
+        rivals_line(diagnosis.rivals, diagnosis.diagnosis.chi2, after.resolved().catalogue());
+    EXPECT_THAT(line, HasSubstr("gain-b in place of gain-a"));
 }
 
 }  // namespace pendular::workflow_session_test

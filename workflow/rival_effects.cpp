@@ -1,0 +1,139 @@
+#include "workflow/rival_effects.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/misfit/weighted_residuals.h"
+#include "calib/fit/calibration.h"
+#include "calib/fit/fit.h"
+#include "data/files/text_file.h"
+
+namespace pendular {
+namespace {
+
+using Effects = std::vector<std::string>;
+
+/// Difference of Akaike's criterion from which on a rival counts as ruled out [1].
+constexpr double little_support = 7;
+
+std::vector<Effects> rivals_in_text(const std::string& text, const Effects& listed,
+                                    const std::string& effect) {
+    const auto json = nlohmann::json::parse(text);
+    const std::vector<Effects> sets = json.at("confidence_set");
+    const bool chosen = std::ranges::any_of(
+        sets, [&](const Effects& set) { return std::ranges::find(set, effect) != set.end(); });
+    if (json.at("model_effects").get<Effects>() != listed || !chosen) return {};
+    std::vector<Effects> rivals;
+    std::ranges::copy_if(sets, std::back_inserter(rivals), [&](const Effects& set) {
+        return std::ranges::find(set, effect) == set.end();
+    });
+    return rivals;
+}
+
+double criterion(double chi2, Eigen::Index parameters) {
+    return chi2 + 2 * static_cast<double>(parameters);
+}
+
+/// Effort of a fit that need not be more accurate than a small share of the errors.
+constexpr FitEffort quick{.most_steps = 50, .tolerance = 1e-8, .settled = 1e-4, .elsewhere = false};
+
+RivalModel fitted_rival(const StudyDiagnosis& d, const std::string& removed, const Effects& added) {
+    const auto predictor = d.models->exchanged(removed, added);
+    const ModelOfReadings model(predictor, conditions_of(d.readings), d.models->direct());
+    // The first fit has the weights of the starting values, the second the weights of its result.
+    Fit fitted = fit(model, d.evidence.measured, start_of(model), quick);
+    fitted = fit(model, d.evidence.measured, fitted.parameters, quick);
+    const std::string name = fmt::format("{} in place of {}", fmt::join(added, " + "), removed);
+    return {.in_place_of = removed,
+            .effects = added,
+            .fitted = {name, predictor, fitted.parameters, fitted.covariance},
+            .chi2 = WeightedResiduals(d.evidence.measured, fitted.prediction).chi2()};
+}
+
+}  // namespace
+
+Effects names_of(const std::vector<ListedEffect>& effects) {
+    Effects names;
+    for (const ListedEffect& effect : effects) {
+        names.push_back(effect.name);
+    }
+    return names;
+}
+
+std::vector<Effects> rivals_in(const std::filesystem::path& file, const Study& study,
+                               const std::string& effect) {
+    if (!std::filesystem::exists(file)) return {};
+    try {
+        return rivals_in_text(read_text(file), names_of(study.model.effects), effect);
+    } catch (const std::exception&) {
+        return {};  // another version's file, or none of a diagnosis
+    }
+}
+
+std::vector<RivalModel> rivals_alive(const StudyDiagnosis& d, const ResolvedStudy& study,
+                                     const Ladder& ladder) {
+    const Effects listed = names_of(study.study().model.effects);
+    const double limit =
+        criterion(d.diagnosis.chi2, d.diagnosis.fit.parameters.size()) + little_support;
+    std::vector<RivalModel> alive;
+    std::set<std::pair<std::string, Effects>> seen;
+    for (const LadderStep& step : ladder) {
+        const bool in_model = std::ranges::find(listed, step.effect) != listed.end();
+        for (const Effects& rival : step.rivals) {
+            const bool listed_too = std::ranges::any_of(rival, [&](const std::string& name) {
+                return std::ranges::find(listed, name) != listed.end();
+            });
+            if (!in_model || listed_too || !seen.emplace(step.effect, rival).second) continue;
+            try {
+                RivalModel model = fitted_rival(d, step.effect, rival);
+                if (criterion(model.chi2, model.fitted.parameters.size()) < limit) {
+                    alive.push_back(std::move(model));
+                }
+            } catch (const std::invalid_argument&) {
+                // The effect no longer exists or no known run has it.
+            } catch (const std::domain_error&) {
+                // The readings are impossible with this effect.
+            }
+        }
+    }
+    return alive;
+}
+
+std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
+                        const EffectCatalogue& catalogue) {
+    std::vector<std::string> models, methods;
+    std::set<std::string> effects;
+    for (const RivalModel& rival : rivals) {
+        models.push_back(fmt::format("{} (chi2 {:.2f})", rival.fitted.name, rival.chi2));
+        effects.insert(rival.in_place_of);
+        effects.insert(rival.effects.begin(), rival.effects.end());
+    }
+    for (const std::string& name : effects) {
+        if (const std::string& how = catalogue.find(name).directly; !how.empty()) {
+            methods.push_back(fmt::format("{} by {}", name, how));
+        }
+    }
+    if (models.empty()) return "";
+    return fmt::format("Other models fit as well as the present one (chi2 {:.2f}) or better: {}.{}",
+                       chi2, fmt::join(models, "; "),
+                       methods.empty() ? ""
+                                       : fmt::format(" What can be measured directly: {}.",
+                                                     fmt::join(methods, "; ")));
+}
+
+nlohmann::ordered_json to_json(const std::vector<RivalModel>& rivals) {
+    auto json = nlohmann::ordered_json::array();
+    for (const RivalModel& rival : rivals) {
+        json.push_back(
+            {{"in_place_of", rival.in_place_of}, {"effects", rival.effects}, {"chi2", rival.chi2}});
+    }
+    return json;
+}
+
+}  // namespace pendular
