@@ -42,15 +42,18 @@ std::vector<std::string> findings_lines(std::vector<RecordingFinding> findings, 
 }  // namespace
 
 int import(const std::vector<std::string>& arguments) {
-    Options options("import STUDY [options]",
-                    "Turns the recordings of a study into readings: shear stress and solid "
-                    "fraction of each steady\n"
-                    "step, with standard errors. Writes readings.csv and excluded.csv to the "
-                    "results folder;\n"
-                    "excluded.csv lists each range of rows that was left out, with the reason.",
-                    "  pendular import examples/dry-recordings\n"
-                    "  pendular import my-study --json -\n",
-                    true);
+    Options options(
+        "import STUDY [options]",
+        "Turns the recordings of a study into readings: shear stress and solid "
+        "fraction of each steady\n"
+        "step, with standard errors. Writes readings.csv and excluded.csv to the "
+        "results folder;\n"
+        "excluded.csv lists each range of rows that was left out, with the reason. Says "
+        "what the rows show\n"
+        "besides their means, such as a saturated torque or a lid that wobbles.",
+        "  pendular import examples/dry-recordings\n"
+        "  pendular import my-study --json -\n",
+        true);
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

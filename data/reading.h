@@ -32,10 +32,9 @@ struct Condition {
 struct SharedError {
     /// Number of the error's source: errors with the same number are fully correlated.
     std::size_t source = 0;
-    /// Standard errors of (shear stress [Pa], solid fraction [1]).
+    /// Standard errors of (shear stress [Pa], solid fraction [1]), widened where few fillings
+    /// determine them.
     Eigen::Vector2d size = Eigen::Vector2d::Zero();
-    /// Standard errors before they were widened because few replicates determine them.
-    Eigen::Vector2d estimated = Eigen::Vector2d::Zero();
     bool known = false;  ///< whether `size` is known, rather than estimated from replicates
 };
 
@@ -146,7 +145,8 @@ struct Measurements {
     ReplicateScatter scatter;        ///< scatter that the readings' covariances contain
     std::vector<Excluded> excluded;  ///< rows that make no reading
     std::vector<Doubt> doubts;       ///< doubts about the files' values; most values were set aside
-    /// Findings inside the recordings: what their rows show besides the steady means, such as a wobble of the lid.
+    /// Findings inside the recordings: what their rows show besides the steady means, such as a
+    /// wobble of the lid.
     std::vector<RecordingFinding> findings;
     /// Messages for the user about the import, such as a torque whose sign was flipped.
     std::vector<std::string> notes;

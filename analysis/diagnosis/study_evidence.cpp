@@ -180,7 +180,7 @@ SharedErrors known_shared_errors(const std::vector<Reading>& readings, Eigen::In
             if (!error.known) continue;
             auto& column =
                 loadings.emplace(error.source, Eigen::VectorXd::Zero(entries)).first->second;
-            column.segment<2>(2 * static_cast<Eigen::Index>(k)) = error.estimated;
+            column.segment<2>(2 * static_cast<Eigen::Index>(k)) = error.size;
         }
     }
     SharedErrors shared{.loadings = Eigen::MatrixXd(entries, std::ssize(loadings)), .variance = 1};

@@ -257,23 +257,19 @@ Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const Whitening& whit
 void add_shared_errors(const std::vector<Reading>& readings, Measured& measured) {
     struct Part {
         Eigen::Index entry;
-        Eigen::Vector2d estimated, size;
+        Eigen::Vector2d size;
     };
     std::map<std::size_t, std::vector<Part>> sources;
     for (std::size_t k = 0; k < readings.size(); ++k) {
         for (const SharedError& error : readings[k].shared) {
-            sources[error.source].push_back(
-                {2 * static_cast<Eigen::Index>(k), error.estimated, error.size});
+            sources[error.source].push_back({2 * static_cast<Eigen::Index>(k), error.size});
         }
     }
     for (const auto& [source, parts] : sources) {
         for (const Part& a : parts) {
             for (const Part& b : parts) {
                 if (a.entry == b.entry) continue;
-                const Eigen::Matrix2d estimated = a.estimated * b.estimated.transpose();
-                measured.covariance.block<2, 2>(a.entry, b.entry) += estimated;
-                measured.widening.block<2, 2>(a.entry, b.entry) +=
-                    a.size * b.size.transpose() - estimated;
+                measured.covariance.block<2, 2>(a.entry, b.entry) += a.size * b.size.transpose();
             }
         }
     }

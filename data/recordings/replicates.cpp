@@ -289,7 +289,7 @@ void Pooling::add_filling(std::size_t k) {
         if (!(filling.variance > 0)) continue;
         const double size = reading.value(o) * std::sqrt(filling.variance);
         SharedError error{.source = 2 * table_.file_of[k] + static_cast<std::size_t>(o)};
-        error.estimated(o) = error.size(o) = size;
+        error.size(o) = size;
         reading.covariance(o, o) += size * size;
         reading.shared.push_back(error);
     }

@@ -88,8 +88,7 @@ void add_rounding(const ReplicateTable& table, const std::vector<Eigen::Vector2d
                 SharedError error{
                     .source = 2 * (table.files.size() + g) + static_cast<std::size_t>(o),
                     .known = true};
-                error.size(o) = error.estimated(o) =
-                    std::sqrt(rounding_correlation(scatter) * variance);
+                error.size(o) = std::sqrt(rounding_correlation(scatter) * variance);
                 reading.shared.push_back(error);
             }
         }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "data/recordings/findings/wobble.h"
 #include "data/recordings/robust.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
@@ -143,7 +142,7 @@ void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<i
         return exclude(series.size(), fmt::format("{} rows are steady, {} are needed",
                                                   series.size() - *begin, shortest_step));
     const StepSeries level = series.from(*begin);
-    const StepSeries steady = level.from(whole_turns_begin(level));
+    const StepSeries steady = level.from(step.beyond_whole_turns);
     if (const double strain = strain_of(steady, setting.cell); strain < setting.least_strain)
         return exclude(series.size(), short_strain("its steady part", strain, steady, setting));
     Means means = means_of(steady);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "data/recordings/findings/harmonics.h"
 #include "data/recordings/recording.h"
 #include "data/recordings/step_series.h"
 
@@ -18,10 +19,15 @@ struct RecordedStep {
     bool lid_turns = false;             ///< whether the lid turns
     std::optional<std::size_t> steady;  ///< index of the first sample after the transient, if any
     std::string why_unsteady = {};      ///< reason why no part is steady; empty: a part is
+    /// Periodic parts of the columns in the `level_part`; empty if it is too short for them.
+    std::vector<PeriodicColumn> periodic = {};
+    /// Number of samples at the beginning of the steady part to leave out of means, so that a
+    /// wobble does not bias them (`whole_turns_begin`).
+    std::size_t beyond_whole_turns = 0;
 };
 
-/// Splits a recording into steps, takes spikes out of them, and finds the transient of each step
-/// with at least `shortest_step` rows in which the lid turns.
+/// Splits a recording into steps, takes spikes out of them, and finds the transient and the
+/// periodic parts of each step with at least `shortest_step` rows in which the lid turns.
 /// @throws InputError if the torque has both signs within a step
 std::vector<RecordedStep> recorded_steps(const Recording& recording);
 

@@ -20,15 +20,13 @@ struct Saturation {
 
 /// Finds columns of a recording that are cut off at their largest value (torque by magnitude,
 /// normal force). Rows count as saturated if they are within half the resolution or within 2e-4 of
-/// the largest value. A column is saturated in any of these cases,
-/// the first two at p < 1e-4:
+/// the largest value. A column is saturated in any of these cases, the first two at p < 1e-4:
 /// - More separate runs of rows reach the largest value than reach values just below it. Ordinary
 ///   noise has fewer, since values become rarer towards the largest one; the p value is binomial.
 /// - The torque stays at the largest value from row to row, while other rows of the recording
 ///   differ from their neighbours.
 /// - The torques of at least three steps with the largest forces agree within 0.5 %, while the
-/// force
-///   increases by at least 20 % from each to the next.
+///   force increases by at least 20 % from each to the next.
 /// Smooth peaks are no saturation: rows beside a saturated run must lie clearly lower.
 std::vector<Saturation> saturations(const Recording& recording,
                                     const std::vector<RecordedStep>& steps);

@@ -38,7 +38,8 @@ SuddenChanges sudden_changes(const std::vector<double>& series, double resolutio
     const double limit = std::max(sudden * robust_deviation(increments), resolved * resolution);
     SuddenChanges found;
     for (std::size_t k = 0; k < increments.size();) {
-        const bool down = increments[k]<-limit, up = increments[k]> limit;
+        const bool down = increments[k] < -limit;
+        const bool up = increments[k] > limit;
         double change = 0;
         do {
             change += increments[k++];

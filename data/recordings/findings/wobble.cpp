@@ -1,151 +1,16 @@
 #include "data/recordings/findings/wobble.h"
 
-#include <Eigen/QR>
-#include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "data/recordings/autoregression.h"
 
 namespace pendular {
-namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double least_turns = 2, least_samples_per_turn = 8;
-constexpr std::size_t least_samples = 40;
-constexpr int highest_per_turn = 2, most_neighbours = 20;
-/// p value of a periodic part below which means are taken over whole turns [1].
-constexpr double certain_wobble = 1e-3;
-
-double turns_covered(std::span<const double> angle) {
-    const double n = static_cast<double>(angle.size());
-    return std::abs(angle.back() - angle.front()) / turn * n / (n - 1);
-}
-
-bool enough_turns(std::span<const double> angle) {
-    if (angle.size() < least_samples) return false;
-    const double turns = turns_covered(angle);
-    return turns >= least_turns &&
-           static_cast<double>(angle.size()) >= least_samples_per_turn * turns;
-}
-
-/// Constant, line, and cosine and sine of each harmonic at each sample.
-Eigen::MatrixXd harmonic_columns(std::span<const double> angle) {
-    const auto n = static_cast<Eigen::Index>(angle.size());
-    const Eigen::Map<const Eigen::ArrayXd> phase(angle.data(), n);
-    Eigen::MatrixXd columns(n, 2 + 2 * highest_per_turn);
-    columns.col(0).setOnes();
-    columns.col(1).setLinSpaced(n, -1, 1);
-    for (int q = 1; q <= highest_per_turn; ++q) {
-        columns.col(2 * q) = (q * phase).cos();
-        columns.col(2 * q + 1) = (q * phase).sin();
-    }
-    return columns;
-}
-
-/// Squared amplitude of the periodic part of residuals at q periods per turn.
-double squared_amplitude(const Eigen::VectorXd& residuals, std::span<const double> angle,
-                         double q) {
-    const Eigen::Map<const Eigen::ArrayXd> phase(angle.data(), residuals.size());
-    const double scale = 2 / static_cast<double>(residuals.size());
-    const double c = scale * residuals.dot((q * phase).cos().matrix());
-    const double s = scale * residuals.dot((q * phase).sin().matrix());
-    return c * c + s * s;
-}
-
-/// Mean ratio of the power of residuals to the spectrum of their noise at frequencies near q
-/// periods per turn, with the number of these frequencies. Frequencies next to those of the
-/// harmonics are left out, since the fit of the harmonics took away their power.
-struct NoiseLevel {
-    double ratio = 1;
-    int frequencies = 0;
-};
-
-NoiseLevel noise_near(int q, const Eigen::VectorXd& residuals, std::span<const double> angle,
-                      const Autoregression& noise) {
-    const double n = static_cast<double>(angle.size()), turns = turns_covered(angle);
-    const int centre = static_cast<int>(std::lround(q * turns));
-    double sum = 0;
-    int count = 0;
-    for (int away = 1; away < n / 2 && count < most_neighbours; ++away) {
-        for (const int k : {centre - away, centre + away}) {
-            const double per_turn = k / turns;
-            if (k < 1 || k > 0.45 * n || count >= most_neighbours) continue;
-            if (std::abs(per_turn - std::round(per_turn)) * turns < 0.75 &&
-                std::round(per_turn) <= highest_per_turn)
-                continue;
-            sum += n * squared_amplitude(residuals, angle, per_turn) / (4 * noise.spectrum(k / n));
-            ++count;
-        }
-    }
-    return {count > 0 ? sum / count : 1, count};
-}
-
-/// Columns of a recording in which a wobble may show.
-struct WobblingColumn {
-    const char* quantity;
-    std::vector<double> StepSeries::*values;
-};
-constexpr WobblingColumn wobbling_columns[] = {{"torque", &StepSeries::torque},
-                                               {"normal_force", &StepSeries::normal_force},
-                                               {"height", &StepSeries::height}};
-
-/// Number of samples to leave out at the beginning so that a whole number of turns remains.
-std::size_t samples_beyond_whole_turns(std::span<const double> angle) {
-    const double per_turn = static_cast<double>(angle.size()) / turns_covered(angle);
-    const double whole = std::floor(turns_covered(angle)) * per_turn;
-    return angle.size() - static_cast<std::size_t>(std::lround(whole));
-}
-
-}  // namespace
-
-std::vector<double> rotation_angle(const StepSeries& series) {
-    std::vector<double> angle = {0};
-    for (std::size_t k = 1; k < series.size(); ++k)
-        angle.push_back(angle.back() +
-                        (series.angular_velocity[k] + series.angular_velocity[k - 1]) / 2 *
-                            (series.time[k] - series.time[k - 1]));
-    return angle;
-}
-
-std::vector<Harmonic> harmonics(std::span<const double> samples, std::span<const double> angle) {
-    if (!enough_turns(angle)) return {};
-    const auto n = static_cast<Eigen::Index>(samples.size());
-    const Eigen::Map<const Eigen::VectorXd> values(samples.data(), n);
-    const Eigen::MatrixXd columns = harmonic_columns(angle);
-    const Eigen::VectorXd fit = columns.colPivHouseholderQr().solve(values);
-    const Eigen::VectorXd residuals = values - columns * fit;
-    const std::span<const double> left(residuals.data(), samples.size());
-    LaggedCovariances covariance(left, left);
-    const Autoregression noise = best_autoregression(covariance, samples.size());
-    const double rounding = 1e-12 * values.cwiseAbs().maxCoeff();
-    if (noise.innovation <= rounding * rounding) return {};
-
-    std::vector<Harmonic> result;
-    const double count = static_cast<double>(n);
-    for (int q = 1; q <= highest_per_turn; ++q) {
-        const NoiseLevel level = noise_near(q, residuals, angle, noise);
-        if (level.frequencies == 0) continue;
-        const double spectrum = level.ratio * noise.spectrum(q * turns_covered(angle) / count);
-        const double amplitude = std::hypot(fit(2 * q), fit(2 * q + 1));
-        const double f = count * amplitude * amplitude / (4 * spectrum), k = level.frequencies;
-        result.push_back({q, amplitude, std::sqrt(2 * spectrum / count), std::pow(1 + f / k, -k)});
-    }
-    return result;
-}
 
 std::vector<RecordingFinding> wobble_tests(const std::string& file,
                                            const std::vector<RecordedStep>& steps) {
     std::vector<RecordingFinding> tests;
     for (const RecordedStep& step : steps) {
-        const auto part = level_part(step);
-        if (!part) continue;
-        const std::vector<double> angle = rotation_angle(*part);
-        const bool corrected = step.steady && whole_turns_begin(*part) > 0;
-        for (const WobblingColumn& column : wobbling_columns) {
-            const std::vector<double>& values = (*part).*column.values;
-            const double mean = std::abs(plain_mean(values));
-            for (const Harmonic& h : harmonics(values, angle))
+        for (const PeriodicColumn& column : step.periodic) {
+            const double mean = std::abs(column.mean);
+            for (const Harmonic& h : column.harmonics)
                 tests.push_back({.kind = RecordingFinding::Kind::wobble,
                                  .quantity = column.quantity,
                                  .files = {file},
@@ -156,23 +21,10 @@ std::vector<RecordingFinding> wobble_tests(const std::string& file,
                                  .relative_error = h.standard_error / mean,
                                  .period = 1.0 / h.per_turn,
                                  .p = h.p,
-                                 .corrected = corrected && h.per_turn == 1});
+                                 .corrected = step.beyond_whole_turns > 0 && h.per_turn == 1});
         }
     }
     return tests;
-}
-
-std::size_t whole_turns_begin(const StepSeries& steady) {
-    const std::vector<double> angle = rotation_angle(steady);
-    if (!enough_turns(angle)) return 0;
-    const bool biased = std::ranges::any_of(wobbling_columns, [&](const WobblingColumn& column) {
-        const std::vector<double>& values = steady.*column.values;
-        const double error = mean_of_correlated(values).standard_error;
-        return std::ranges::any_of(harmonics(values, angle), [&](const Harmonic& h) {
-            return h.p < certain_wobble && h.amplitude > error;
-        });
-    });
-    return biased ? samples_beyond_whole_turns(angle) : 0;
 }
 
 }  // namespace pendular

@@ -1,0 +1,20 @@
+// Ordinary recordings: how often a study of them gives a finding, from seeds that no other test
+// uses.
+#include <gtest/gtest.h>
+
+#include "tests/support/ordinary_studies.h"
+
+namespace pendular::ordinary_recordings_test {
+
+// 400 studies with 5 % of false alarms would give more than 31 with a probability of 0.7 %.
+TEST(OrdinaryRecordings, SeldomGiveAFinding) {
+    constexpr std::uint64_t first = 70000;
+    int count = alarms(100, 3, {}, first);
+    count += alarms(100, 4, {.torque = 0.02, .correlation_rows = 10}, first + 100);
+    count += alarms(100, 6, {.correlation_rows = 0.2, .torque_resolution = 2e-4}, first + 200);
+    count += alarms(100, 8, {.filling = 0.04, .step = 0.02}, first + 300);
+    fmt::print("{} of 400 studies\n", count);
+    EXPECT_LE(count, 31);
+}
+
+}  // namespace pendular::ordinary_recordings_test
