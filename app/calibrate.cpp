@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -41,18 +39,6 @@ std::string basis_of(const Calibration& c) {
         c.runs.size(), ordered, c.fidelity.name, why);
 }
 
-/// Clause on why the profile interval is not the estimate plus and minus one standard error; empty
-/// where both agree within 20 % of the standard error.
-std::string why_not_standard_error(const Calibration& c) {
-    constexpr double noticeable = 0.2;
-    const double estimate = c.fit.parameters(0), error = c.fit.standard_error(0);
-    const double below = estimate - c.profile->first, above = c.profile->second - estimate;
-    const double apart = std::max(std::abs(below - error), std::abs(above - error));
-    return apart > noticeable * error
-               ? "; it differs from the standard error because chi2 is not a parabola here"
-               : "";
-}
-
 void print_result(Console& console, const Calibration& c, const Comparison& comparison,
                   const Belief& belief, const std::string& basis) {
     const bool stated = c.model.discrepancy != std::array{0.0, 0.0};
@@ -68,8 +54,8 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     }
     print_doubts(console, belief, 1);
     if (c.profile) {
-        console.line(fmt::format("The 68 % profile likelihood interval is {:.4g} to {:.4g}{}.",
-                                 c.profile->first, c.profile->second, why_not_standard_error(c)));
+        console.line(fmt::format("The 68 % profile likelihood interval is {:.4g} to {:.4g}.",
+                                 c.profile->first, c.profile->second));
     }
     console.line(fmt::format(
         "The fit has chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}, with allowance "

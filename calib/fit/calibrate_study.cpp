@@ -32,14 +32,14 @@ constexpr int most_wet_turns = 4;
 ///         of simulations
 void check_wet(const Reading& reading, const Study& study, const Fidelity& fidelity) {
     const Condition& condition = reading.condition;
-    const double pressure = reduced_pressure(condition.normal_stress, study.grains, *study.liquid);
+    const double reduced = reduced_pressure(condition.normal_stress, study.grains, *study.liquid);
     // A grain has 4 to 12 bridges whatever the friction, pressure and liquid content, also at the
     // offsets of planned runs.
     for (const double bridges : {4.0, 12.0}) {
         try {
             check_run({.stiffness_number = fidelity.stiffness_number,
-                       .wetting = dem::Wetting{pressure, dem::bridge_volume(
-                                                             condition.liquid_content, bridges)},
+                       .wetting = dem::Wetting{reduced, dem::bridge_volume(condition.liquid_content,
+                                                                           bridges)},
                        .grains = fidelity.grains});
         } catch (const std::invalid_argument& error) {
             throw InputError(
@@ -47,7 +47,7 @@ void check_wet(const Reading& reading, const Study& study, const Fidelity& fidel
                 fmt::format("{:.3g} Pa (reduced pressure {:.3g}) and liquid content {:.3g} cannot "
                             "be simulated: {}; check their units and those of [liquid], or leave "
                             "this reading out",
-                            condition.normal_stress, pressure, condition.liquid_content,
+                            condition.normal_stress, reduced, condition.liquid_content,
                             error.what()));
         }
     }
@@ -317,7 +317,11 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
     c.cohesion = request.cohesion;
     draw_cohesion_lines(c);
     if (request.profile) {
-        c.profile = profile_interval(model.whole().at(fitted), stack(fitted, c.direct), c.fit, 0);
+        // The covariance of a fit lacks the widening for few replicates; with it, chi2 of a
+        // parabola rises by this much over one standard error.
+        const double rise = std::pow(c.fit.standard_error(0), 2) / c.fit.covariance(0, 0);
+        c.profile =
+            profile_interval(model.whole().at(fitted), stack(fitted, c.direct), c.fit, 0, rise);
     }
     return c;
 }
