@@ -51,6 +51,76 @@ std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
     return measurements.doubts.empty() || said ? "" : " The readings are in doubt, as said below.";
 }
 
+/// Prints what the verdict is based on, and what follows from it.
+void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& checks,
+                    const Session& session) {
+    const Diagnosis& diagnosis = d.diagnosis;
+    const StudyModels& models = *d.models;
+    const Measurements& measurements = session.measurements();
+    console.line(fit_line(diagnosis));
+    console.table(checks_table(checks), 3);
+    console.table(diagnosis_table(diagnosis, models), 4);
+    if (const std::string line =
+            rivals_line(d.rivals, diagnosis.chi2, session.resolved().catalogue());
+        !line.empty()) {
+        console.line(line);
+    }
+    // Where effects explain the whole misfit, readings deviate because of them.
+    const bool explained = diagnosis.verdict == Verdict::missing && diagnosis.complete;
+    if (const std::string suspects = suspects_line(diagnosis, d.evidence);
+        !suspects.empty() && (!explained || console.all())) {
+        console.line(suspects);
+    }
+    if (const auto remaining = remaining_checks(d, session.options().seed)) {
+        for (const std::string& line : incomplete_lines(
+                 diagnosis, rms_percent(d.readings, diagnosis.fit.prediction.value),
+                 rms_percent(d.readings, diagnosis.leaders->model.fit.prediction.value),
+                 *remaining)) {
+            console.line(line);
+        }
+    }
+    if (const std::string line =
+            discrepancy_line(remaining_discrepancy(d, session.study().model.discrepancy[0]));
+        !line.empty()) {
+        console.line(line);
+    }
+    console.table(unseen_table(diagnosis, models), 3);
+    for (const std::string& line : advice_on(diagnosis, models)) {
+        console.line(line);
+    }
+    if (measurements.doubts.empty() && !d.mistake) {
+        console.line(fmt::format("The verdict rests on {}.", error_basis(measurements)));
+    }
+}
+
+/// Prints notes on the import and on the limits of the models. `study`: name as the user gave it.
+void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& measurements,
+                 const std::string& study) {
+    const Diagnosis& diagnosis = d.diagnosis;
+    const StudyModels& models = *d.models;
+    for (const auto& note : measurements.notes) {
+        console.note(note);
+    }
+    for (const LeftAside& aside : models.left_aside()) {
+        if (aside.without_runs) {
+            console.note(fmt::format("The effect {} was not tested: {}", aside.effect, aside.why));
+        }
+    }
+    if (!diagnosis.fit.converged) {
+        console.note(
+            fmt::format("The fit did not converge ({}): the verdict may differ at the best fit. "
+                        "For details: pendular calibrate {}",
+                        diagnosis.fit.message, study));
+    }
+    for (const std::string& why : models.why_unsupported(diagnosis.fit.parameters(0))) {
+        console.note(
+            fmt::format("The known runs do not support a part of the readings: {}. What seems "
+                        "missing there may be the emulator's own error. To simulate there: "
+                        "pendular calibrate {}",
+                        why, study));
+    }
+}
+
 }  // namespace
 
 int diagnose(const std::vector<std::string>& arguments) {
@@ -89,61 +159,8 @@ int diagnose(const std::vector<std::string>& arguments) {
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
         if (k != belief.misfit_reason) console.line("Doubt: " + belief.reasons[k]);
     }
-    console.line(fit_line(diagnosis));
-    console.table(checks_table(checks), 3);
-    console.table(diagnosis_table(diagnosis, models), 4);
-    if (const std::string line =
-            rivals_line(d.rivals, diagnosis.chi2, session->resolved().catalogue());
-        !line.empty()) {
-        console.line(line);
-    }
-    // Where effects explain the whole misfit, readings deviate because of them.
-    const bool explained = diagnosis.verdict == Verdict::missing && diagnosis.complete;
-    if (const std::string suspects = suspects_line(diagnosis, d.evidence);
-        !suspects.empty() && (!explained || console.all())) {
-        console.line(suspects);
-    }
-    if (const auto remaining = remaining_checks(d, session->options().seed)) {
-        for (const std::string& line : incomplete_lines(
-                 diagnosis, rms_percent(d.readings, diagnosis.fit.prediction.value),
-                 rms_percent(d.readings, diagnosis.leaders->model.fit.prediction.value),
-                 *remaining)) {
-            console.line(line);
-        }
-    }
-    if (const std::string line =
-            discrepancy_line(remaining_discrepancy(d, session->study().model.discrepancy[0]));
-        !line.empty()) {
-        console.line(line);
-    }
-    console.table(unseen_table(diagnosis, models), 3);
-    for (const std::string& line : advice_on(diagnosis, models)) {
-        console.line(line);
-    }
-    if (measurements.doubts.empty() && !d.mistake) {
-        console.line(fmt::format("The verdict rests on {}.", error_basis(measurements)));
-    }
-    for (const auto& note : measurements.notes) {
-        console.note(note);
-    }
-    for (const LeftAside& aside : models.left_aside()) {
-        if (aside.without_runs) {
-            console.note(fmt::format("The effect {} was not tested: {}", aside.effect, aside.why));
-        }
-    }
-    if (!diagnosis.fit.converged) {
-        console.note(
-            fmt::format("The fit did not converge ({}): the verdict may differ at the best fit. "
-                        "For details: pendular calibrate {}",
-                        diagnosis.fit.message, common->study.string()));
-    }
-    for (const std::string& why : models.why_unsupported(diagnosis.fit.parameters(0))) {
-        console.note(
-            fmt::format("The known runs do not support a part of the readings: {}. What seems "
-                        "missing there may be the emulator's own error. To simulate there: "
-                        "pendular calibrate {}",
-                        why, common->study.string()));
-    }
+    print_evidence(console, d, checks, *session.operator->());
+    print_notes(console, d, measurements, common->study.string());
     const auto figures = common->out_folder() / "figures";
     draw(diagnosis_figure(diagnosis, models), figures);
     console.figures(figures, {"diagnosis"});

@@ -85,11 +85,11 @@ std::vector<RivalModel> rivals_alive(const StudyDiagnosis& d, const ResolvedStud
     std::set<std::pair<std::string, Effects>> seen;
     for (const LadderStep& step : ladder) {
         const bool in_model = std::ranges::find(listed, step.effect) != listed.end();
-        for (const Effects& rival : step.rivals) {
-            const bool listed_too = std::ranges::any_of(rival, [&](const std::string& name) {
+        for (Effects rival : step.rivals) {
+            std::erase_if(rival, [&](const std::string& name) {
                 return std::ranges::find(listed, name) != listed.end();
             });
-            if (!in_model || listed_too || !seen.emplace(step.effect, rival).second) continue;
+            if (!in_model || rival.empty() || !seen.emplace(step.effect, rival).second) continue;
             try {
                 RivalModel model = fitted_rival(d, step.effect, rival);
                 if (criterion(model.chi2, model.fitted.parameters.size()) < limit) {

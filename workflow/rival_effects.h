@@ -24,7 +24,7 @@ std::vector<std::vector<std::string>> rivals_in(const std::filesystem::path& fil
 /// Fits the rivals of the effects that a study lists, as its ladder keeps them, and returns the
 /// models that the readings do not rule out: chi2 + 2 (number of parameters), Akaike's criterion,
 /// exceeds that of the study's model by less than 7. Larger differences leave a model little
-/// support.
+/// support. Effects of a rival that the study lists by now stay in the model.
 /// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), section 2.6.
 std::vector<RivalModel> rivals_alive(const StudyDiagnosis& diagnosis, const ResolvedStudy& study,
                                      const Ladder& ladder);

@@ -69,8 +69,9 @@ Prediction Session::predict(const std::vector<Condition>& conditions) const {
 }
 
 StudyDiagnosis Session::diagnose() const {
+    const Ladder ladder = read_ladder(folder_ / "ladder.json");  // throws before any work
     StudyDiagnosis diagnosis = diagnose_study(input_.study, measurements(), options_);
-    diagnosis.rivals = rivals_alive(diagnosis, input_.study, read_ladder(folder_ / "ladder.json"));
+    diagnosis.rivals = rivals_alive(diagnosis, input_.study, ladder);
     return diagnosis;
 }
 

@@ -71,9 +71,10 @@ class Session {
     /// @throws InputError where the folder has no readable fit.json, where the study has changed
     ///         since it was fitted, and where a condition cannot be simulated
     Prediction predict(const std::vector<Condition>& conditions) const;
-    /// Tests which physical effect is missing from the study's model. Nothing is simulated.
-    /// @throws InputError where readings or known runs are too few, and where a reading is outside
-    ///         the range that can be simulated
+    /// Tests which physical effect is missing from the study's model, and refits the rivals of
+    /// effects that were added (`rivals_alive`). Nothing is simulated.
+    /// @throws InputError where readings or known runs are too few, where a reading is outside the
+    ///         range that can be simulated, and where ladder.json cannot be read
     /// @throws dem::Interrupted where the user stops the work
     StudyDiagnosis diagnose() const;
     /// Plans the next measurement to make, from the diagnosis of this session's study: it tells

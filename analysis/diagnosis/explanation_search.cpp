@@ -262,7 +262,7 @@ double Search::within_bounds(std::size_t candidate, double amplitude) const {
 }
 
 void Search::search_pairs() {
-    struct Pair {
+    struct EffectPair {
         EffectSet chosen;
         double left;
     };
@@ -275,7 +275,7 @@ void Search::search_pairs() {
                 std::min(left_alone[finding.candidate], left_by({finding.candidate}));
         }
     }
-    std::vector<Pair> pairs;
+    std::vector<EffectPair> pairs;
     for (const std::size_t i : seen) {
         for (const std::size_t j : seen) {
             if (i >= j) continue;
@@ -287,10 +287,10 @@ void Search::search_pairs() {
             }
         }
     }
-    std::ranges::sort(pairs, {}, &Pair::left);
+    std::ranges::sort(pairs, {}, &EffectPair::left);
     pairs.resize(std::min(pairs.size(), options_.most_pairs));
     std::vector<Trial> trials;
-    for (const Pair& pair : pairs) {
+    for (const EffectPair& pair : pairs) {
         Eigen::MatrixXd columns(scanned_.residuals.size(), 0);
         for (const std::size_t k : pair.chosen) {
             columns.conservativeResize(Eigen::NoChange,

@@ -128,20 +128,27 @@ TEST_F(Sessions, KeepTheRivalOfAnAddedEffect) {
                 testing::IsEmpty())
         << "the model has other effects than the one diagnosed";
     const Session after = session();
-    const StudyDiagnosis diagnosis = after.diagnose();
+    StudyDiagnosis diagnosis = after.diagnose();
     ASSERT_EQ(diagnosis.rivals.size(), 1u);
     EXPECT_EQ(diagnosis.rivals[0].in_place_of, "gain-a");
     EXPECT_THAT(diagnosis.rivals[0].effects, testing::ElementsAre("gain-b"));
     EXPECT_NEAR(diagnosis.rivals[0].chi2, diagnosis.diagnosis.chi2,
                 0.01 * diagnosis.diagnosis.chi2);
-    StudyDiagnosis complete = after.diagnose();
-    complete.diagnosis.confidence_set.clear();
-    complete.diagnosis.leaders.reset();
-    ASSERT_EQ(rivals_of(complete).size(), 2u);
-    EXPECT_EQ(rivals_of(complete).back().name, "gain-b in place of gain-a");
+    diagnosis.diagnosis.confidence_set.clear();
+    diagnosis.diagnosis.leaders.reset();
+    ASSERT_EQ(rivals_of(diagnosis).size(), 2u);
+    EXPECT_EQ(rivals_of(diagnosis).back().name, "gain-b in place of gain-a");
     const std::string line =
         rivals_line(diagnosis.rivals, diagnosis.diagnosis.chi2, after.resolved().catalogue());
     EXPECT_THAT(line, HasSubstr("gain-b in place of gain-a"));
+    // An effect that the study lists by now stays in the model beside the rival.
+    Ladder ladder = added.ladder;
+    ladder.back().rivals = {{"gain-b", "gain-a"}, {"gain-a"}};
+    const auto alive = rivals_alive(diagnosis, after.resolved(), ladder);
+    ASSERT_EQ(alive.size(), 1u);
+    EXPECT_THAT(alive[0].effects, testing::ElementsAre("gain-b"));
+    std::ofstream(study_ / "out/ladder.json") << "{";
+    EXPECT_THAT(input_error([&] { after.diagnose(); }), HasSubstr("ladder.json"));
 }
 
 }  // namespace pendular::workflow_session_test
