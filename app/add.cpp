@@ -17,6 +17,7 @@
 #include "reports/draw_figure.h"
 #include "reports/ladder_figure.h"
 #include "workflow/json_parts.h"
+#include "workflow/proposed_effects.h"
 
 namespace pendular::app {
 namespace {
@@ -44,7 +45,7 @@ no simulation is made unless --confirm is given. 'pendular effects' lists the ef
 struct AddOptions {
     FitOptions fit;
     std::int64_t seed = 1;
-    std::string effect;
+    std::vector<std::string> effects;  ///< to add or drop one after the other
     bool fidelity_given = false;
 };
 
@@ -54,11 +55,12 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
                                    AddOptions& own) {
     const bool adds = change == Action::add;
     const std::string name = adds ? "add" : "drop";
-    const std::string usage = name + " STUDY EFFECT [options]";
+    const std::string usage =
+        name + (adds ? " STUDY EFFECT|--proposed NUMBER [options]" : " STUDY EFFECT [options]");
     Options options(usage, std::string(adds ? about_add : about_drop) + about_both,
                     fmt::format("  pendular {0} my-study torque-offset\n"
-                                "  pendular {0} my-study lid-slip --confirm --json -\n",
-                                name),
+                                "  pendular {0} my-study lid-slip --confirm --json -\n{1}",
+                                name, adds ? "  pendular add my-study --proposed 1\n" : ""),
                     true);
     std::vector<std::string> words;
     options.take(&words);
@@ -69,16 +71,23 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
     options.add_switch(
         "cold", &own.fit.cold,
         "use neither the atlas nor earlier runs: simulate all states that the fit needs");
+    std::int64_t number = 0;
+    if (adds) {
+        options.add("proposed", &number,
+                    "add the effects of this proposal, which 'pendular diagnose' wrote to "
+                    "proposed.toml");
+    }
     auto common = options.parse(arguments);
     if (!common) {
         return std::nullopt;
     }
-    if (words.size() != 1) {
+    const bool proposed = adds && options.given("proposed");
+    if (words.size() != (proposed ? 0 : 1)) {
         throw InputError(fmt::format("{}; usage: pendular {}",
                                      words.empty() ? "the effect is missing" : "too many arguments",
                                      usage));
     }
-    own.effect = words.front();
+    own.effects = proposed ? proposal(common->out_folder() / "proposed.toml", number) : words;
     own.fidelity_given = options.given("fidelity");
     return common;
 }
@@ -143,6 +152,34 @@ int refuse_fit(Console& console, const StudyChange& change, const Fitted& after)
     return not_converged;
 }
 
+/// Adds or drops one effect, and prints the error before and after. Returns the exit code.
+int change_study(Action what, const std::string& effect, const AddOptions& own,
+                 const CommonOptions& common, Console& console) {
+    const auto figures = common.out_folder() / "figures";
+    const OpenSession session(console, common,
+                              {"fit.json", "fit_runs.csv", "ladder.json", "figures"}, own.seed);
+    const auto change = what == Action::add ? &Session::add : &Session::drop;
+    const ChangedStudy changed =
+        (session.operator->()->*change)(effect, own.fit, !own.fidelity_given);
+    const auto& [plan, before, after, ladder, written] = changed;
+    if (written) {
+        console.answer(verdict_of(plan, before.ladder_step, after.ladder_step));
+        print_doubts(console, after.belief, 0, "Doubt about the new fit: ");
+        print_evidence(console, plan, before, after, common);
+        const Figure figure = ladder_figure(ladder);
+        draw(figure, figures);
+        console.figures(figures, {figure.name});
+        console.next(fmt::format("pendular {} {}",
+                                 after.belief.believable() ? "compare" : "diagnose",
+                                 common.study.string()));
+    }
+    const int code = written ? static_cast<int>(done) : refuse_fit(console, plan, after);
+    auto json = to_json(plan, before.ladder_step, after.ladder_step, written);
+    add_belief(json, after.belief);
+    console.json(json);
+    return after.belief.meaningless ? static_cast<int>(not_converged) : code;
+}
+
 int change_study(Action what, const std::vector<std::string>& arguments) {
     AddOptions own;
     const auto common = parse(what, arguments, own);
@@ -150,29 +187,11 @@ int change_study(Action what, const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const auto figures = common->out_folder() / "figures";
-    const OpenSession session(console, *common,
-                              {"fit.json", "fit_runs.csv", "ladder.json", "figures"}, own.seed);
-    const auto change = what == Action::add ? &Session::add : &Session::drop;
-    const ChangedStudy changed =
-        (session.operator->()->*change)(own.effect, own.fit, !own.fidelity_given);
-    const auto& [plan, before, after, ladder, written] = changed;
-    if (written) {
-        console.answer(verdict_of(plan, before.ladder_step, after.ladder_step));
-        print_doubts(console, after.belief, 0, "Doubt about the new fit: ");
-        print_evidence(console, plan, before, after, *common);
-        const Figure figure = ladder_figure(ladder);
-        draw(figure, figures);
-        console.figures(figures, {figure.name});
-        console.next(fmt::format("pendular {} {}",
-                                 after.belief.believable() ? "compare" : "diagnose",
-                                 common->study.string()));
+    for (const std::string& effect : own.effects) {
+        const int code = change_study(what, effect, own, *common, console);
+        if (code != done || effect == own.effects.back()) return code;
     }
-    const int code = written ? static_cast<int>(done) : refuse_fit(console, plan, after);
-    auto json = to_json(plan, before.ladder_step, after.ladder_step, written);
-    add_belief(json, after.belief);
-    console.json(json);
-    return after.belief.meaningless ? static_cast<int>(not_converged) : code;
+    return done;
 }
 
 }  // namespace

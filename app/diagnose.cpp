@@ -16,9 +16,11 @@
 #include "reports/diagnosis_report.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
+#include "reports/proposal_report.h"
 #include "workflow/diagnosis_json.h"
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
+#include "workflow/proposed_effects.h"
 #include "workflow/recording_evidence.h"
 #include "workflow/rival_effects.h"
 
@@ -35,6 +37,9 @@ refits with the likely effects, and keeps the smallest models that fit. Verdicts
   indistinguishable     several effects explain the residuals equally well
   suspect-measurement   an error in one condition or file explains the residuals
   unknown               something is missing, and no known effect explains it
+Where no known effect explains all, changes of unknown cause are tried: every quantity of the
+instrument, the flow, the beads and the liquid, along every quantity of the readings. Those that
+explain the readings are written to proposed.toml as [[effect]] tables; 'add --proposed 1' adds one.
 Decisions on an effect: missing; may be missing (one of several); does not explain it (adding it
 leaves a misfit); no sign of it; absent (any size of interest would show); cannot be excluded (a size
 of interest might not show); cannot be seen (no size within its bounds would show).
@@ -84,6 +89,9 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
         !line.empty()) {
         console.line(line);
     }
+    for (const std::string& line : proposal_lines(d.proposals, diagnosis.chi2, diagnosis.dof)) {
+        console.line(line);
+    }
     console.table(unseen_table(diagnosis, models), 3);
     for (const std::string& line : advice_on(diagnosis, models)) {
         console.line(line);
@@ -121,6 +129,40 @@ void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& 
     }
 }
 
+/// Proposed effects of a diagnosis, with a sentence on each as its summary.
+ProposedEffects proposed_of(const StudyDiagnosis& d) {
+    ProposedEffects proposed;
+    for (const Proposal& each : d.proposals) {
+        proposed.proposals.emplace_back();
+        for (const FittedShape& shape : each.shapes) {
+            WrittenEffect effect = shape.effect;
+            effect.summary = sentence_on(shape);
+            proposed.proposals.back().push_back(effect.name);
+            proposed.effects.push_back(std::move(effect));
+        }
+    }
+    return proposed;
+}
+
+/// JSON array of the proposals of a diagnosis.
+nlohmann::ordered_json proposals_json(const StudyDiagnosis& d) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const Proposal& each : d.proposals) {
+        std::string tables;
+        for (const FittedShape& shape : each.shapes) {
+            tables += effect_table(shape.effect);
+        }
+        json.push_back({{"sentence", sentence_on(each)},
+                        {"formula", tables},
+                        {"p", each.p},
+                        {"stands", each.stands()},
+                        {"explained", each.explained},
+                        {"chi2", each.explanation.chi2},
+                        {"dof", each.explanation.fit.dof}});
+    }
+    return json;
+}
+
 }  // namespace
 
 int diagnose(const std::vector<std::string>& arguments) {
@@ -136,7 +178,8 @@ int diagnose(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    const OpenSession session(console, *common, {"diagnosis.json", "figures"}, seed);
+    const OpenSession session(console, *common, {"diagnosis.json", "proposed.toml", "figures"},
+                              seed);
     const Measurements& measurements = session->measurements();
     const StudyDiagnosis d = session->diagnose();
     const Belief& belief = d.belief;
@@ -149,7 +192,9 @@ int diagnose(const std::vector<std::string>& arguments) {
     json["recordings"] = to_json(recordings);
     json["model_effects"] = names_of(session->study().model.effects);
     json["rivals"] = to_json(d.rivals);
+    json["proposed"] = proposals_json(d);
     add_belief(json, belief);
+    write_proposed(common->out_folder() / "proposed.toml", proposed_of(d));
     write_json(common->out_folder() / "diagnosis.json", json);
     const std::string shown = recordings_line(recordings);
     const bool shown_first = !recordings.empty() && recordings.front().explains_most();
@@ -164,7 +209,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     const auto figures = common->out_folder() / "figures";
     draw(diagnosis_figure(diagnosis, models), figures);
     console.figures(figures, {"diagnosis"});
-    console.next(next_step(diagnosis, common->study.string()));
+    console.next(next_step(diagnosis, common->study.string(), !d.proposals.empty()));
     console.json(json);
     return diagnosis.fit.converged ? done : not_converged;
 }

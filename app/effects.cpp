@@ -37,11 +37,14 @@ the forces between grains; with a name, describes one effect in full. A study li
 Optional keys: neutral (value at which the effect vanishes, default 0), matters (smallest effect of
 interest, default a tenth of the range), summary. A formula sets a quantity that the instrument
 shows: torque, normal_force, height or angular_velocity; or one of the flow: stress_ratio or
-solid_fraction. A formula may use the parameter and, in SI units,
+solid_fraction; or a property of the beads and their liquid: friction_difference (from the
+fitted friction) or surface_tension. A formula may use the parameter and, in SI units,
   on the instrument  torque, normal_force, height, angular_velocity, liquid_content, bead_volume,
                      time, inner_radius, outer_radius, density, diameter, normal_stress
   on the flow        stress_ratio, solid_fraction, normal_stress, inertial_number, liquid_content,
                      height, time
+  on the beads       friction_difference, surface_tension, normal_stress, inertial_number,
+                     liquid_content, height, time
 with + - * / ^ ( ), comparisons, && ||, CONDITION ? A : B, pi, and abs acos asin atan atan2 avg cos
 cosh exp ln log (ln) log10 log2 max min rint sign sin sinh sqrt sum tan tanh.
 

@@ -350,11 +350,12 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space) 
     return lines;
 }
 
-std::string next_step(const Diagnosis& d, const std::string& study) {
+std::string next_step(const Diagnosis& d, const std::string& study, bool proposes) {
     switch (d.verdict) {
         case Verdict::missing:
             return fmt::format("pendular add {} {}", study, d.effects.front());
         case Verdict::unknown:
+            if (proposes) return fmt::format("pendular add {} --proposed 1", study);
             return fmt::format("pendular compare {} --all   # inspect the readings that deviate",
                                study);
         case Verdict::suspect_measurement:

@@ -51,7 +51,8 @@ std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpa
 std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace& space);
 
 /// Text of the `pendular` command to give next, or of the measurement to repeat, after a diagnosis.
-/// `study` is the study's name as the user gave it.
-std::string next_step(const Diagnosis& diagnosis, const std::string& study);
+/// `study` is the study's name as the user gave it; `proposes`: whether the diagnosis proposes
+/// changes of unknown cause.
+std::string next_step(const Diagnosis& diagnosis, const std::string& study, bool proposes = false);
 
 }  // namespace pendular

@@ -16,6 +16,7 @@
 #include "workflow/fit_file.h"
 #include "workflow/known_runs.h"
 #include "workflow/ladder_file.h"
+#include "workflow/proposed_effects.h"
 #include "workflow/rival_effects.h"
 
 namespace pendular {
@@ -33,27 +34,59 @@ void check_added(const ResolvedStudy& study, const std::string& name) {
     }
 }
 
+/// Effect with this name among the `proposed` ones; null where the study's catalogue has one.
+const WrittenEffect* proposed_effect(const std::string& name, const ResolvedStudy& study,
+                                     const std::vector<WrittenEffect>& proposed) {
+    const auto is_named = [&](const auto& effect) { return effect.name == name; };
+    if (std::ranges::any_of(study.catalogue().all(), is_named)) return nullptr;
+    const auto found = std::ranges::find_if(proposed, is_named);
+    return found == proposed.end() ? nullptr : &*found;
+}
+
+/// The study with one more effect in its catalogue, which it does not list.
+ResolvedStudy defining_too(const Study& study, const WrittenEffect& effect) {
+    Study more = study;
+    more.written_effects.push_back(effect);
+    return more;
+}
+
+/// Text of study.toml with a table appended.
+std::string with_table(const std::string& text, const std::string& table) {
+    const bool crlf = text.find("\r\n") != std::string::npos;
+    std::string added = (text.ends_with('\n') ? "\n" : "\n\n") + table;
+    if (!crlf) return text + added;
+    std::string converted;
+    for (const char c : added) {
+        converted += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    }
+    return text + converted;
+}
+
 const char* word_for(Action change) {
     return change == Action::add ? "add" : "drop";
 }
 
 }  // namespace
 
-StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect) {
-    Study changed = study;
-    const std::string file = changed.file.string();
-    std::string old_text = read_text(changed.file), new_text;
-    auto& listed = changed.model.effects;
-    if (change == Action::add) {
-        check_added(study, effect);
-        new_text = with_effect(old_text, file, effect);
-        listed.push_back({effect, {file}});
-    } else {
-        new_text = without_effect(old_text, file, effect);
-        std::erase_if(listed, [&](const ListedEffect& one) { return one.name == effect; });
+StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
+                        const std::vector<WrittenEffect>& proposed) {
+    const std::string file = study.study().file.string();
+    const std::string old_text = read_text(file);
+    if (change == Action::drop) {
+        Study changed = study;
+        std::erase_if(changed.model.effects,
+                      [&](const ListedEffect& one) { return one.name == effect; });
+        return {change, effect, study.changed_to(std::move(changed)), old_text,
+                without_effect(old_text, file, effect)};
     }
-    ResolvedStudy after = study.changed_to(std::move(changed));
-    return {change, effect, std::move(after), std::move(old_text), std::move(new_text)};
+    const WrittenEffect* defined = proposed_effect(effect, study, proposed);
+    const ResolvedStudy defining = defined ? defining_too(study, *defined) : study;
+    check_added(defining, effect);
+    Study changed = defining;
+    changed.model.effects.push_back({effect, {file}});
+    const std::string& text = defined ? with_table(old_text, effect_table(*defined)) : old_text;
+    return {change, effect, defining.changed_to(std::move(changed)), old_text,
+            with_effect(text, file, effect)};
 }
 
 Fitted fitted(const ResolvedStudy& study, Calibration c) {
@@ -132,7 +165,8 @@ Fitted fitted(const ResolvedStudy& study, Calibration c, const SessionOptions& s
 ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements, Action what,
                           const std::string& effect, SessionOptions session,
                           const ChangeOptions& options) {
-    StudyChange change = plan_change(study, what, effect);
+    const auto proposed = read_proposed(options.folder / "proposed.toml");
+    StudyChange change = plan_change(study, what, effect, proposed.effects);
     Ladder ladder = read_ladder(options.folder / "ladder.json");  // throws before any work
     FitOptions fit = options.fit;
     auto earlier = earlier_fit(options.folder / "fit.json", study, measurements);

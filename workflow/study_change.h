@@ -25,10 +25,12 @@ struct StudyChange {
 };
 
 /// Checks a change of the effects that a study lists, and prepares the changed study. Nothing is
-/// written.
+/// written. An effect that is not in the study's catalogue may be among the `proposed` ones; its
+/// table [[effect]] is then added to study.toml too.
 /// @throws InputError where an effect to add is unknown (naming the nearest known effect), does not
 ///         apply to the study or is listed already, and where an effect to drop is not listed
-StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect);
+StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
+                        const std::vector<WrittenEffect>& proposed = {});
 
 /// Calibration of a study before or after a change of effects, compared with the readings.
 struct Fitted {

@@ -59,6 +59,30 @@ void suspect_measurement(StudyDiagnosis& result, const Study& study,
     result.diagnosis.suspects.assign(suspects.begin(), suspects.end());
 }
 
+/// Amount by which the description of a proposal must be shorter than chi2 of the model with the
+/// leading effects for these effects to be given up [chi2].
+constexpr double clearly_shorter = 10;
+
+/// Decides between leading effects, which leave a misfit, and proposals. Proposals that explain the
+/// readings with as few changes make the verdict `unknown`; else the leading effects come first,
+/// and the next diagnosis, with them in the model, proposes what remains.
+void weigh_proposals(StudyDiagnosis& result) {
+    Diagnosis& diagnosis = result.diagnosis;
+    if (!diagnosis.leaders) return;
+    const Explanation& model = diagnosis.leaders->model;
+    const bool better = std::ranges::any_of(result.proposals, [&](const Proposal& each) {
+        return each.stands() && each.shapes.size() <= model.chosen.size() &&
+               each.description() + clearly_shorter < model.chi2;
+    });
+    if (!better) {
+        result.proposals.clear();
+        return;
+    }
+    diagnosis.verdict = Verdict::unknown;
+    diagnosis.effects.clear();
+    diagnosis.leaders.reset();
+}
+
 KnownRuns known_for(const ResolvedStudy& study, const SessionOptions& session) {
     auto known = known_runs(StudyModels::with_all_effects(study), session.fidelity, session.store,
                             session.listener);
@@ -112,6 +136,11 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
     const Fit& fit = result.diagnosis.fit;
     result.mistake = find_unit_mistake(*model, result.readings, study, fit.parameters);
     suspect_measurement(result, study, measurements);
+    if (!result.diagnosis.complete) {
+        result.proposals = propose(study, *result.models, result.evidence, result.readings,
+                                   result.diagnosis, options);
+        weigh_proposals(result);
+    }
     const Misfit misfit{result.diagnosis.chi2, result.diagnosis.dof,
                         freedom_behind(result.readings)};
     result.belief = belief_in(fit, model->parameters(), misfit, measurements, result.mistake);

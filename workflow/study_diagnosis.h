@@ -11,6 +11,7 @@
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/checks.h"
 #include "analysis/misfit/unit_mistakes.h"
+#include "analysis/proposals/propose.h"
 #include "calib/model/study_models.h"
 #include "workflow/fit_study.h"
 
@@ -37,6 +38,9 @@ struct StudyDiagnosis {
     std::optional<UnitMistake> mistake = {};
     /// Models that explain the readings as well, with other effects in place of a listed one.
     std::vector<RivalModel> rivals = {};
+    /// Changes of unknown cause that would explain the readings, where no known effect explains
+    /// them all.
+    std::vector<Proposal> proposals = {};
     Belief belief = {};  ///< judgement of the fit of the model without further effects
 };
 

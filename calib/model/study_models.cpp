@@ -25,7 +25,7 @@ StudyModels::StudyModels(const ResolvedStudy& study, std::vector<Condition> cond
     : study_(study), conditions_(std::move(conditions)) {
     simulation_ = std::make_shared<EmulatedSimulation>(
         study, fidelity, Emulator(known.runs, std::move(known.hyperparameters)));
-    known_range_ = std::make_unique<KnownRange>(simulation_->emulator());
+    known_range_ = std::make_shared<KnownRange>(simulation_->emulator());
     const std::vector<const Effect*>& listed = study_.effects();
     for (std::size_t k = 0; k < listed.size(); ++k) {
         if (!has_runs(*listed[k])) {
@@ -97,6 +97,14 @@ std::shared_ptr<const EffectModel> StudyModels::predictor(const EffectSet& chose
         effects.push_back(offered_.at(k));
     }
     return assemble_model(study_, simulation_, effects);
+}
+
+StudyModels StudyModels::offering(const std::vector<Effect>& more) const {
+    StudyModels models = *this;
+    for (const Effect& effect : more) {
+        models.add_candidate(effect);
+    }
+    return models;
 }
 
 std::shared_ptr<const EffectModel> StudyModels::exchanged(

@@ -45,6 +45,9 @@ class StudyModels : public ModelSpace {
     ///         where no known run has an added effect on grains alone
     std::shared_ptr<const EffectModel> exchanged(const std::string& removed,
                                                  const std::vector<std::string>& added) const;
+    /// Returns these models with the effects `more` as further candidates, after those that there
+    /// are. The effects, which must not act on grains, must outlive the result.
+    StudyModels offering(const std::vector<Effect>& more) const;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;
 
@@ -80,7 +83,7 @@ class StudyModels : public ModelSpace {
     std::vector<Candidate> candidates_;
     std::vector<LeftAside> left_aside_;
     std::shared_ptr<const EmulatedSimulation> simulation_;
-    std::unique_ptr<KnownRange> known_range_;
+    std::shared_ptr<const KnownRange> known_range_;
 };
 
 }  // namespace pendular

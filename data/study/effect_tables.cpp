@@ -16,9 +16,18 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
+WrittenEffect::Kind kind_of(const std::string& target) {
+    const auto is_in = [&](const Keys& targets) {
+        return std::ranges::find(targets, target) != targets.end();
+    };
+    return is_in(instrument_targets()) ? WrittenEffect::Kind::instrument
+           : is_in(flow_targets())     ? WrittenEffect::Kind::flow
+                                       : WrittenEffect::Kind::condition;
+}
+
 Keys effect_keys() {
     Keys keys = {"name", "parameter", "unit", "lower", "upper", "neutral", "matters", "summary"};
-    for (const Keys& targets : {instrument_targets(), flow_targets()})
+    for (const Keys& targets : {instrument_targets(), flow_targets(), condition_targets()})
         keys.insert(keys.end(), targets.begin(), targets.end());
     return keys;
 }
@@ -116,20 +125,35 @@ std::vector<Formula> formulas_of(const StudyTable& table, const Keys& targets) {
     return formulas;
 }
 
+/// Text that says what a target of formulas is, for messages.
+const char* subject_of(const std::string& target) {
+    switch (kind_of(target)) {
+        case WrittenEffect::Kind::instrument:
+            return "a quantity of the instrument";
+        case WrittenEffect::Kind::flow:
+            return "a quantity of the flow";
+        default:
+            return "a property of the beads or of their liquid";
+    }
+}
+
 std::vector<Formula> read_formulas(const StudyTable& table, const WrittenEffect& effect) {
-    const auto of_instrument = formulas_of(table, instrument_targets());
-    const auto of_flow = formulas_of(table, flow_targets());
-    if (of_instrument.empty() && of_flow.empty())
+    std::vector<Formula> formulas;
+    for (const Keys& targets : {instrument_targets(), flow_targets(), condition_targets()}) {
+        const std::vector<Formula> more = formulas_of(table, targets);
+        if (!formulas.empty() && !more.empty())
+            table.refuse(more.front().target,
+                         fmt::format("is {}, but '{}' is {}; write two effects",
+                                     subject_of(more.front().target), formulas.front().target,
+                                     subject_of(formulas.front().target)));
+        if (formulas.empty()) formulas = more;
+    }
+    if (formulas.empty())
         throw InputError(effect.position,
                          fmt::format("[[effect]] '{}' has no formula; add what the instrument "
                                      "shows, torque = \"torque + {}\" for example",
                                      effect.name, effect.parameter));
-    if (!of_instrument.empty() && !of_flow.empty())
-        table.refuse(of_flow.front().target,
-                     fmt::format("is what the beads show, '{}' what the instrument shows; write "
-                                 "two effects",
-                                 of_instrument.front().target));
-    return of_instrument.empty() ? of_flow : of_instrument;
+    return formulas;
 }
 
 WrittenEffect read_effect(const StudyTable& table) {
@@ -170,9 +194,13 @@ const std::vector<std::string>& flow_targets() {
     return targets;
 }
 
-bool WrittenEffect::of_instrument() const {
-    return std::ranges::find(instrument_targets(), formulas.at(0).target) !=
-           instrument_targets().end();
+const std::vector<std::string>& condition_targets() {
+    static const Keys targets = {"friction_difference", "surface_tension"};
+    return targets;
+}
+
+WrittenEffect::Kind WrittenEffect::kind() const {
+    return kind_of(formulas.at(0).target);
 }
 
 std::vector<WrittenEffect> read_written_effects(const StudyTable& root) {

@@ -21,6 +21,12 @@ struct GrainState {
     Condition condition;
 };
 
+/// Truly imposed condition of grains, with properties of the grains and of their liquid.
+struct ImposedState {
+    EffectiveCondition condition;
+    double surface_tension = 0;  ///< of the liquid [N/m]; 0: dry grains
+};
+
 /// Variable that a formula can read from a state.
 template <typename State>
 struct Variable {
@@ -36,7 +42,7 @@ struct Target {
 };
 
 /// Variables and targets of formulas, and typical states on which formulas are checked, for effects
-/// on the instrument (CellState) and on the flow (GrainState).
+/// on the instrument (CellState), on the flow (GrainState) and on grains and liquid (ImposedState).
 template <typename State>
 struct Field;
 
@@ -109,11 +115,39 @@ struct Field<GrainState> {
     static double liquid_content(const GrainState& state) { return state.condition.liquid_content; }
 };
 
+template <>
+struct Field<ImposedState> {
+    static constexpr Variable<ImposedState> variables[] = {
+        {"friction_difference",
+         [](const ImposedState& s) { return s.condition.friction_difference; }},
+        {"surface_tension", [](const ImposedState& s) { return s.surface_tension; }},
+        {"normal_stress", [](const ImposedState& s) { return s.condition.normal_stress; }},
+        {"inertial_number", [](const ImposedState& s) { return s.condition.inertial_number; }},
+        {"liquid_content", [](const ImposedState& s) { return s.condition.liquid_content; }},
+        {"height",
+         [](const ImposedState& s) {
+             return s.condition.height.value_or(std::numeric_limits<double>::quiet_NaN());
+         }},
+        {"time", [](const ImposedState& s) { return s.condition.time; }}};
+    static constexpr Target<ImposedState> targets[] = {
+        {"friction_difference",
+         [](ImposedState& s) -> double& { return s.condition.friction_difference; }},
+        {"surface_tension", [](ImposedState& s) -> double& { return s.surface_tension; }}};
+
+    static ImposedState typical(bool large, double liquid_content, double time) {
+        return {Field<GrainState>::typical(large, liquid_content, time).condition,
+                liquid_content > 0 ? 0.05 : 0};
+    }
+    static double liquid_content(const ImposedState& state) {
+        return state.condition.liquid_content;
+    }
+};
+
 template <typename State>
 std::vector<State> typical_states() {
     std::vector<State> states;
     for (const bool large : {false, true}) {
-        for (const double liquid_content : {0.0, 0.03}) {
+        for (const double liquid_content : {0.0, 1e-4, 0.03}) {
             for (const double time : {0.0, 3600.0}) {
                 states.push_back(Field<State>::typical(large, liquid_content, time));
             }
@@ -308,7 +342,8 @@ class ShownValues {
 /// @throws InputError where a variable or function has this name
 void check_parameter(const WrittenEffect& written) {
     std::vector<std::string> taken = CompiledFormula::reserved_words();
-    for (const auto& names : {known_names<CellState>(""), known_names<GrainState>("")}) {
+    for (const auto& names :
+         {known_names<CellState>(""), known_names<GrainState>(""), known_names<ImposedState>("")}) {
         taken.insert(taken.end(), names.begin(), names.end());
     }
     if (std::ranges::find(taken, written.parameter) != taken.end()) {
@@ -335,7 +370,9 @@ EffectParameter parameter_of(const WrittenEffect& written) {
 std::string equation_of(const WrittenEffect& written) {
     std::vector<std::string> lines;
     for (const Formula& formula : written.formulas) {
-        lines.push_back(fmt::format("{}_shown = {}", formula.target, formula.text));
+        const char* format =
+            written.kind() == WrittenEffect::Kind::condition ? "{} becomes {}" : "{}_shown = {}";
+        lines.push_back(fmt::format(fmt::runtime(format), formula.target, formula.text));
     }
     return fmt::format("{}", fmt::join(lines, "\n"));
 }
@@ -351,6 +388,16 @@ Change change_of(std::shared_ptr<const ShownValues<GrainState>> shown, std::stri
     return ChangeFlow{[shown = std::move(shown), parameter = std::move(parameter)](
                           FlowPoint point, const Condition& condition, const Values& v) {
         return (*shown)({point, condition}, v[parameter]).shown;
+    }};
+}
+
+Change change_of(std::shared_ptr<const ShownValues<ImposedState>> changed, std::string parameter) {
+    return ChangeCondition{[changed = std::move(changed), parameter = std::move(parameter)](
+                               const EffectiveCondition& condition, const Values& v) {
+        ImposedState state{condition, condition.liquid ? condition.liquid->surface_tension : 0};
+        state = (*changed)(state, v[parameter]);
+        if (state.condition.liquid) state.condition.liquid->surface_tension = state.surface_tension;
+        return state.condition;
     }};
 }
 
@@ -372,7 +419,14 @@ Effect effect_of(const WrittenEffect& written) {
 
 Effect effect_from(const WrittenEffect& written) {
     check_parameter(written);
-    return written.of_instrument() ? effect_of<CellState>(written) : effect_of<GrainState>(written);
+    switch (written.kind()) {
+        case WrittenEffect::Kind::instrument:
+            return effect_of<CellState>(written);
+        case WrittenEffect::Kind::flow:
+            return effect_of<GrainState>(written);
+        default:
+            return effect_of<ImposedState>(written);
+    }
 }
 
 }  // namespace pendular

@@ -14,9 +14,11 @@ namespace pendular {
 ///                     normal_stress (normal_force over the area of the annulus)
 ///     the flow        stress_ratio, solid_fraction, normal_stress, inertial_number,
 ///                     liquid_content, height, time
+///     the condition   friction_difference, surface_tension (0 for dry grains), normal_stress,
+///                     inertial_number, liquid_content, height, time
 /// The effect counts as one on dry grains only, or on wet grains only, if its formulas change only
-/// the dry, or only the wet, ones of eight typical states. The returned effect throws InputError at
-/// a formula that gives no finite number.
+/// the dry, or only the wet, ones of twelve typical states. The returned effect throws InputError
+/// at a formula that gives no finite number.
 /// @throws InputError at a formula that cannot be read, does not contain the parameter, changes
 ///         a quantity at the neutral value, or gives no finite number at a bound of the parameter;
 ///         at a parameter that has the name of a variable or function

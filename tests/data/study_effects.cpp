@@ -84,7 +84,7 @@ TEST_F(StudyEffects, AreWrittenWithBoundsInSi) {
     EXPECT_EQ(effect.formulas[0].text, "torque + drag*angular_velocity");
     EXPECT_THAT(to_string(effect.formulas[0].position), at(":12:10"));
     EXPECT_THAT(to_string(effect.position), at(":6:1"));
-    EXPECT_TRUE(effect.of_instrument());
+    EXPECT_EQ(effect.kind(), WrittenEffect::Kind::instrument);
 }
 
 TEST_F(StudyEffects, TakeEveryKey) {
@@ -107,7 +107,7 @@ solid_fraction = "solid_fraction * x / 1000"
     EXPECT_DOUBLE_EQ(effect.smallest_of_interest, 100);
     EXPECT_EQ(effect.summary, "softer when pressed");
     EXPECT_EQ(effect.formulas.size(), 2u);
-    EXPECT_FALSE(effect.of_instrument());
+    EXPECT_EQ(effect.kind(), WrittenEffect::Kind::flow);
 }
 
 TEST_F(StudyEffects, MayBeSwitches) {

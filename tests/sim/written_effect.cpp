@@ -122,6 +122,30 @@ TEST(WrittenEffect, OfTheBeadsKnowsTheCondition) {
                       HasSubstr("height = nan")));
 }
 
+TEST(WrittenEffect, ChangesPropertiesOfGrainsAndLiquid) {
+    const auto changed = [](const std::string& formulas, const EffectiveCondition& condition) {
+        const Effect mine = effect(formulas);
+        const std::vector<double> values = {1};
+        return std::get<ChangeCondition>(mine.change).change(condition, {mine.parameters, values});
+    };
+    EffectiveCondition wet(
+        Condition{.normal_stress = 1000, .inertial_number = 0.01, .liquid_content = 0.03});
+    wet.liquid = Liquid{.surface_tension = 0.02};
+    wet.friction_difference = 0.1;
+    const EffectiveCondition after = changed(
+        "friction_difference = \"friction_difference + x*inertial_number\"\n"
+        "surface_tension = \"surface_tension*(1 + x*liquid_content)\"",
+        wet);
+    EXPECT_DOUBLE_EQ(after.friction_difference, 0.11);
+    EXPECT_DOUBLE_EQ(after.liquid->surface_tension, 0.02 * 1.03);
+    const EffectiveCondition dry(Condition{.normal_stress = 1000, .inertial_number = 0.01});
+    EXPECT_DOUBLE_EQ(
+        changed("friction_difference = \"friction_difference + x\"", dry).friction_difference, 1);
+    EXPECT_EQ(effect("surface_tension = \"surface_tension*(1 + x)\"").touches, Touches::wet);
+    EXPECT_EQ(effect("friction_difference = \"friction_difference + x\"").equation,
+              "friction_difference becomes friction_difference + x");
+}
+
 TEST(WrittenEffect, IsDescribedLikeABuiltInOne) {
     const Effect mine = effect(
         "unit = \"mN m\"\nsummary = \"drag\"\nmatters = 0.5\n"

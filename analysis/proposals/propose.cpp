@@ -1,0 +1,177 @@
+#include "analysis/proposals/propose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/proposals/scored_shapes.h"
+#include "sim/catalogue/written_effect.h"
+
+namespace pendular {
+namespace {
+
+/// Number of single shapes, and of pairs, that are refitted.
+constexpr std::size_t most_singles = 8, most_pairs = 6;
+/// Number of shapes with each of which all others are tried as a pair.
+constexpr std::size_t most_firsts = 40;
+constexpr std::size_t most_proposals = 3;
+/// Amount by which the description of a proposal may be longer than the shortest [chi2].
+constexpr double about_as_short = 10;
+/// Share of the excess chi2 from which on a shape that leaves a misfit is proposed [1].
+constexpr double most_of_it = 0.5;
+
+using Score = ScoredShapes::Score;
+
+class ShapeSearch {
+  public:
+    ShapeSearch(const ResolvedStudy& study, const StudyModels& models, const Evidence& evidence,
+                const std::vector<Reading>& readings, const Diagnosis& diagnosis,
+                const DiagnosisOptions& options)
+        : models_(models),
+          evidence_(evidence),
+          diagnosis_(diagnosis),
+          options_(options),
+          base_{.fit = diagnosis.fit, .chi2 = diagnosis.chi2},
+          scored_(study, models, readings, base_, {models, evidence, options}) {
+        for (const Effect& effect : study.catalogue().all()) {
+            taken_.insert(effect.name);
+        }
+    }
+
+    std::vector<Proposal> run() {
+        std::vector<Proposal> found = fitted(scored_.unlike(scored_.singles(), most_singles));
+        if (std::ranges::none_of(found, &Proposal::stands)) {
+            auto pairs = fitted(scored_.unlike(scored_.pairs(most_firsts), most_pairs));
+            std::ranges::move(pairs, std::back_inserter(found));
+        }
+        return best_of(std::move(found));
+    }
+
+  private:
+    /// Refits the model with the shapes of each score, and tests the best results among the known
+    /// effects and the other shapes.
+    std::vector<Proposal> fitted(const std::vector<Score>& scores);
+    Proposal proposal_for(const Score& score);
+    void refit(Proposal& proposal, const Score& score, std::size_t first,
+               const Explanations& explanations) const;
+    std::string free_name(const std::string& name);
+    /// Tests whether the models with these proposals fit, shortest description first, until the
+    /// rest cannot be among the best.
+    static void judge(std::vector<Proposal>& proposals, const Explanations& explanations);
+    static std::vector<Proposal> best_of(std::vector<Proposal> found);
+
+    const StudyModels& models_;
+    const Evidence& evidence_;
+    const Diagnosis& diagnosis_;
+    const DiagnosisOptions& options_;
+    Explanation base_;
+    ScoredShapes scored_;
+    std::set<std::string> taken_;  ///< names of effects that are taken
+};
+
+std::string ShapeSearch::free_name(const std::string& name) {
+    std::string free = name;
+    for (int number = 2; !taken_.insert(free).second; ++number) {
+        free = fmt::format("{}-{}", name, number);
+    }
+    return free;
+}
+
+Proposal ShapeSearch::proposal_for(const Score& score) {
+    Proposal proposal{.p = scored_.p(score.reduction), .price = score.price};
+    for (const std::size_t k : score.shapes) {
+        const ShapeOfChange& shape = scored_.shape(k);
+        proposal.shapes.push_back({shape, shape.written(free_name(shape.name()))});
+    }
+    return proposal;
+}
+
+void ShapeSearch::refit(Proposal& proposal, const Score& score, std::size_t first,
+                        const Explanations& explanations) const {
+    const auto added = static_cast<Eigen::Index>(proposal.shapes.size());
+    EffectSet chosen;
+    Eigen::VectorXd start(base_.fit.parameters.size() + added);
+    start.head(base_.fit.parameters.size()) = base_.fit.parameters;
+    for (std::size_t k = 0; k < proposal.shapes.size(); ++k) {
+        chosen.push_back(first + k);
+        start(base_.fit.parameters.size() + static_cast<Eigen::Index>(k)) = score.changes[k];
+    }
+    proposal.explanation = explanations.refit(chosen, {}, start);
+    const Fit& fit = proposal.explanation.fit;
+    for (std::size_t k = 0; k < proposal.shapes.size(); ++k) {
+        const auto at = base_.fit.parameters.size() + static_cast<Eigen::Index>(k);
+        proposal.shapes[k].change = fit.parameters(at);
+        proposal.shapes[k].standard_error = fit.standard_error(at);
+    }
+    proposal.explained = share_explained(diagnosis_.chi2, diagnosis_.dof, proposal.explanation);
+}
+
+std::vector<Proposal> ShapeSearch::fitted(const std::vector<Score>& scores) {
+    std::vector<Proposal> proposals;
+    std::vector<Effect> effects;
+    for (const Score& score : scores) {
+        proposals.push_back(proposal_for(score));
+        for (const FittedShape& each : proposals.back().shapes) {
+            effects.push_back(effect_from(each.effect));
+        }
+    }
+    const StudyModels space = models_.offering(effects);
+    Explanations explanations(space, evidence_, options_);
+    std::size_t first = models_.candidates().size();
+    std::vector<Proposal> possible;
+    for (std::size_t k = 0; k < proposals.size(); ++k) {
+        if (options_.progress) options_.progress("shapes", k, proposals.size());
+        try {
+            refit(proposals[k], scores[k], first, explanations);
+            possible.push_back(std::move(proposals[k]));
+        } catch (const std::domain_error&) {
+            // The readings are impossible with this shape.
+        }
+        first += scores[k].shapes.size();
+    }
+    for (std::size_t k = 0; k < space.candidates().size(); ++k) {
+        explanations.errors[k] = explanations.addition(base_, k).signature(true).errors;
+    }
+    judge(possible, explanations);
+    return possible;
+}
+
+void ShapeSearch::judge(std::vector<Proposal>& proposals, const Explanations& explanations) {
+    std::ranges::stable_sort(proposals, {}, &Proposal::description);
+    std::size_t standing = 0;
+    double limit = INFINITY;
+    for (Proposal& each : proposals) {
+        if (standing == most_proposals || each.description() > limit) return;
+        explanations.judge(each.explanation);
+        if (!each.stands()) continue;
+        if (standing++ == 0) limit = each.description() + about_as_short;
+    }
+}
+
+std::vector<Proposal> ShapeSearch::best_of(std::vector<Proposal> found) {
+    std::ranges::stable_sort(found, {}, [](const Proposal& each) {
+        return std::pair(!each.stands(), each.description());
+    });
+    if (found.empty()) return found;
+    if (!found.front().stands()) {
+        found.resize(found.front().explained < most_of_it ? 0 : 1);
+        return found;
+    }
+    std::erase_if(found, [](const Proposal& each) { return !each.stands(); });
+    return found;
+}
+
+}  // namespace
+
+std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModels& models,
+                              const Evidence& evidence, const std::vector<Reading>& readings,
+                              const Diagnosis& diagnosis, const DiagnosisOptions& options) {
+    return ShapeSearch(study, models, evidence, readings, diagnosis, options).run();
+}
+
+}  // namespace pendular

@@ -1,0 +1,221 @@
+#include "analysis/proposals/scored_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "sim/catalogue/written_effect.h"
+
+namespace pendular {
+namespace {
+
+/// Cosine between the changes of the readings by two shapes from which on they are alike [1].
+constexpr double alike = 0.995;
+/// Cosine between two shapes from which on a pair of them is not tried [1].
+constexpr double nearly_parallel = 0.98;
+/// Share of the length of a change that the calibrated parameters must leave [1]; the rest of a
+/// change that they imitate is rounding.
+constexpr double least_left = 1e-3;
+/// Number of oscillations, the best of all, whose period and phase are refined.
+constexpr std::size_t most_refined = 3;
+/// Number of shapes whose random draws are computed at once.
+constexpr Eigen::Index drawn_at_once = 256;
+
+void put_shortest_first(std::vector<ScoredShapes::Score>& scores) {
+    std::ranges::stable_sort(scores, std::greater<>(), [](const ScoredShapes::Score& score) {
+        return score.reduction - score.price;
+    });
+}
+
+/// Whether oscillations of a quantity are tried: of what an instrument shows, which turns.
+bool may_oscillate(const ChangedQuantity& quantity) {
+    return quantity.relative && quantity.kind() != WrittenEffect::Kind::condition;
+}
+
+}  // namespace
+
+ScoredShapes::ScoredShapes(const ResolvedStudy& study, const StudyModels& models,
+                           const std::vector<Reading>& readings, const Explanation& base,
+                           const Explanations& explanations)
+    : residuals_(explanations.residuals_of(base)) {
+    const auto quantities = quantities_that_may_change(study, readings);
+    std::vector<Effect> uniform;
+    for (const ChangedQuantity& quantity : quantities) {
+        const ShapeOfChange shape{quantity, same_everywhere(readings.size())};
+        uniform.push_back(effect_from(shape.written(shape.name())));
+    }
+    const StudyModels offering = models.offering(uniform);
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+        const Addition addition(offering, {}, models.candidates().size() + q, base.fit.parameters,
+                                base.fit.prediction.value);
+        const Eigen::MatrixXd change = addition.signature(false).change;
+        if (!change.allFinite()) continue;
+        const bool of_instrument = quantities[q].kind() == WrittenEffect::Kind::instrument;
+        changeables_.push_back({quantities[q], change.col(0) / quantities[q].smallest,
+                                coordinates_of(readings, study, of_instrument)});
+        add(changeables_.size() - 1, same_everywhere(readings.size()));
+        add_profiles(changeables_.size() - 1);
+    }
+    project_from(0);
+    refine();
+    draw(explanations.draws());
+}
+
+void ScoredShapes::add(std::size_t changeable, Profile profile) {
+    shapes_.push_back({changeables_[changeable].quantity, std::move(profile)});
+    changed_by_.push_back(changeable);
+}
+
+void ScoredShapes::add_profiles(std::size_t changeable) {
+    const bool oscillations = may_oscillate(changeables_[changeable].quantity);
+    for (const ReadingCoordinate& coordinate : changeables_[changeable].coordinates) {
+        for (Profile& profile : profiles_along(coordinate, oscillations)) {
+            add(changeable, std::move(profile));
+        }
+    }
+}
+
+void ScoredShapes::refine() {
+    std::vector<std::size_t> best;
+    for (const Score& score : singles()) {
+        const std::size_t k = score.shapes.front();
+        if (shapes_[k].profile.dependence == Dependence::oscillation && best.size() < most_refined)
+            best.push_back(k);
+    }
+    const std::size_t before = shapes_.size();
+    for (const std::size_t k : best) {
+        const std::size_t changeable = changed_by_[k];
+        const auto& coordinates = changeables_[changeable].coordinates;
+        const auto coordinate = std::ranges::find(coordinates, shapes_[k].profile.variable,
+                                                  &ReadingCoordinate::variable);
+        for (Profile& finer : finer_profiles(shapes_[k].profile, *coordinate)) {
+            add(changeable, std::move(finer));
+        }
+    }
+    project_from(before);
+}
+
+void ScoredShapes::project_from(std::size_t first) {
+    const auto begin = static_cast<Eigen::Index>(first);
+    const auto more = static_cast<Eigen::Index>(shapes_.size()) - begin;
+    Eigen::MatrixXd columns(residuals_.size(), more);
+    for (Eigen::Index k = 0; k < more; ++k) {
+        const std::size_t shape = first + static_cast<std::size_t>(k);
+        columns.col(k) = changeables_[changed_by_[shape]].response;
+        const Eigen::VectorXd& at = shapes_[shape].profile.at;
+        for (Eigen::Index reading = 0; reading < at.size(); ++reading) {
+            columns.col(k).segment<2>(2 * reading) *= at(reading);
+        }
+        columns.col(k).tail(residuals_.size() - 2 * at.size()).setZero();  // direct measurements
+    }
+    columns = residuals_.whiten(columns);
+    const Eigen::VectorXd full = columns.colwise().norm().transpose();
+    columns = residuals_.project(columns);
+    directions_.conservativeResize(residuals_.size(), begin + more);
+    lengths_.conservativeResize(begin + more);
+    for (Eigen::Index k = 0; k < more; ++k) {
+        const double left = columns.col(k).norm();
+        const bool imitated = left <= least_left * full(k);
+        lengths_(begin + k) = imitated ? 0 : left;
+        directions_.col(begin + k) =
+            imitated ? Eigen::VectorXd::Zero(residuals_.size()).eval() : columns.col(k) / left;
+    }
+    along_ = directions_.transpose() * residuals_.residuals();
+}
+
+void ScoredShapes::draw(const NullDraws& draws) {
+    drawn_ = Eigen::VectorXd::Zero(draws.count());
+    for (Eigen::Index from = 0; from < directions_.cols(); from += drawn_at_once) {
+        const Eigen::Index count = std::min(drawn_at_once, directions_.cols() - from);
+        const Eigen::MatrixXd along = draws.along(residuals_, directions_.middleCols(from, count));
+        drawn_ = drawn_.cwiseMax(along.cwiseAbs2().colwise().maxCoeff().transpose());
+    }
+}
+
+double ScoredShapes::p(double reduction) const {
+    return NullDraws::p(reduction, drawn_);
+}
+
+ScoredShapes::Score ScoredShapes::score_of(std::size_t index) const {
+    const auto k = static_cast<Eigen::Index>(index);
+    const ChangedQuantity& quantity = shapes_[index].quantity;
+    Score score{.shapes = {index}, .price = shapes_[index].profile.price, .changes = {0}};
+    if (lengths_(k) == 0) return score;
+    const double change = std::clamp(along_(k) / lengths_(k), quantity.lower, quantity.upper);
+    const double component = change * lengths_(k);
+    score.reduction = component * (2 * along_(k) - component);
+    score.changes = {change};
+    return score;
+}
+
+std::optional<ScoredShapes::Score> ScoredShapes::score_of(std::size_t one,
+                                                          std::size_t other) const {
+    const auto i = static_cast<Eigen::Index>(one), j = static_cast<Eigen::Index>(other);
+    if (lengths_(i) == 0 || lengths_(j) == 0) return {};
+    const double cosine = directions_.col(i).dot(directions_.col(j));
+    if (std::abs(cosine) > nearly_parallel) return {};
+    const double share = 1 - cosine * cosine;
+    const double a = (along_(i) - cosine * along_(j)) / share,
+                 b = (along_(j) - cosine * along_(i)) / share;
+    Score score{.shapes = {one, other},
+                .reduction = a * along_(i) + b * along_(j),
+                .price = shapes_[one].profile.price + shapes_[other].profile.price + 2,
+                .changes = {a / lengths_(i), b / lengths_(j)}};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const ChangedQuantity& quantity = shapes_[score.shapes[k]].quantity;
+        if (score.changes[k] < quantity.lower || score.changes[k] > quantity.upper) return {};
+    }
+    return score;
+}
+
+std::vector<ScoredShapes::Score> ScoredShapes::singles() const {
+    std::vector<Score> scores;
+    for (std::size_t k = 0; k < shapes_.size(); ++k) {
+        scores.push_back(score_of(k));
+    }
+    put_shortest_first(scores);
+    return scores;
+}
+
+std::vector<ScoredShapes::Score> ScoredShapes::pairs(std::size_t most) const {
+    const std::vector<Score> firsts = unlike(singles(), most);
+    std::vector<Score> scores;
+    for (const Score& first : firsts) {
+        for (std::size_t other = 0; other < shapes_.size(); ++other) {
+            if (auto score = score_of(first.shapes.front(), other)) {
+                scores.push_back(std::move(*score));
+            }
+        }
+    }
+    put_shortest_first(scores);
+    return scores;
+}
+
+std::vector<ScoredShapes::Score> ScoredShapes::unlike(const std::vector<Score>& scores,
+                                                      std::size_t count) const {
+    const auto change_by = [&](const Score& score) {
+        Eigen::VectorXd change = Eigen::VectorXd::Zero(residuals_.size());
+        for (std::size_t k = 0; k < score.shapes.size(); ++k) {
+            const auto shape = static_cast<Eigen::Index>(score.shapes[k]);
+            change += score.changes[k] * lengths_(shape) * directions_.col(shape);
+        }
+        return Eigen::VectorXd(change.normalized());
+    };
+    std::vector<Score> chosen;
+    std::vector<Eigen::VectorXd> changes;
+    for (const Score& score : scores) {
+        if (chosen.size() == count || score.reduction <= 0) break;
+        const Eigen::VectorXd change = change_by(score);
+        if (std::ranges::any_of(changes, [&](const Eigen::VectorXd& other) {
+                return std::abs(change.dot(other)) > alike;
+            })) {
+            continue;
+        }
+        changes.push_back(change);
+        chosen.push_back(score);
+    }
+    return chosen;
+}
+
+}  // namespace pendular

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "analysis/diagnosis/explanations.h"
+#include "analysis/proposals/shape.h"
+#include "calib/model/study_models.h"
+
+namespace pendular {
+
+/// Changes of unknown cause, scored by their linear estimates on the residuals of one fit.
+class ScoredShapes {
+  public:
+    /// One shape, or two together.
+    struct Score {
+        std::vector<std::size_t> shapes;  ///< indices of the shapes
+        double reduction = 0;             ///< predicted reduction of chi2 [1]
+        double price = 0;                 ///< price of the choice of the shapes, added to chi2 [1]
+        std::vector<double> changes;      ///< estimated changes, in their units
+    };
+
+    /// Scores all shapes of a study.
+    /// @param base fit of the study's model without further effects
+    /// @param explanations tests of that model, whose random draws give p values
+    ScoredShapes(const ResolvedStudy& study, const StudyModels& models,
+                 const std::vector<Reading>& readings, const Explanation& base,
+                 const Explanations& explanations);
+
+    const ShapeOfChange& shape(std::size_t index) const { return shapes_[index]; }
+    /// Scores of single shapes, the shortest description (`reduction` less `price`) first.
+    std::vector<Score> singles() const;
+    /// Best scores of pairs of the `most` best shapes with all shapes, the shortest description
+    /// first.
+    std::vector<Score> pairs(std::size_t most) const;
+    /// The first `count` of these scores of which no two change the readings alike.
+    std::vector<Score> unlike(const std::vector<Score>& scores, std::size_t count) const;
+    /// Probability that some shape reduces chi2 by at least `reduction` where nothing is missing
+    /// [1], in a linear estimate.
+    double p(double reduction) const;
+
+  private:
+    /// Quantity that may change, with the change of the readings per unit of its change.
+    struct Changeable {
+        ChangedQuantity quantity;
+        Eigen::VectorXd response;  ///< entries of all readings, in their units per unit
+        std::vector<ReadingCoordinate> coordinates;
+    };
+
+    void add(std::size_t changeable, Profile profile);
+    void add_profiles(std::size_t changeable);
+    /// Adds oscillations with periods and phases near those of the best ones.
+    void refine();
+    /// Computes directions, lengths and components of the shapes from index `first` on.
+    void project_from(std::size_t first);
+    void draw(const NullDraws& draws);
+    Score score_of(std::size_t index) const;
+    /// Score of two shapes together; empty where they are nearly parallel or where a change would
+    /// leave its bounds.
+    std::optional<Score> score_of(std::size_t one, std::size_t other) const;
+
+    WeightedResiduals residuals_;
+    std::vector<Changeable> changeables_;
+    std::vector<ShapeOfChange> shapes_;
+    std::vector<std::size_t> changed_by_;  ///< index into `changeables_` for each shape
+    Eigen::MatrixXd directions_;           ///< whitened changes of length 1, P g/|P g|, as columns
+    Eigen::VectorXd lengths_;              ///< |P g| for each shape [1/unit of its change]
+    Eigen::VectorXd along_;                ///< component of the residuals along each direction
+    Eigen::VectorXd drawn_;                ///< largest reduction by any shape in each random draw
+};
+
+}  // namespace pendular

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/proposals/profile.h"
+#include "data/study/effect_tables.h"
+#include "sim/catalogue/resolved_study.h"
+
+namespace pendular {
+
+/// Quantity that a change of unknown cause may act on: one that a formula of an [[effect]] can set.
+struct ChangedQuantity {
+    std::string target;      ///< name of the quantity in formulas, such as "torque"
+    bool relative = true;    ///< whether the change is a factor on the quantity, else it is added
+    std::string unit;        ///< SI unit of the change: "1" where it is relative
+    double smallest = 0.01;  ///< smallest change of interest [unit]
+    double lower = -0.9;     ///< smallest change considered [unit]
+    double upper = 9;        ///< largest change considered [unit]
+
+    /// Whose quantity it is: the instrument's, the flow's, or one of grains and liquid.
+    WrittenEffect::Kind kind() const;
+};
+
+/// Change of unknown cause: a quantity that changes as a profile says.
+struct ShapeOfChange {
+    ChangedQuantity quantity;
+    Profile profile;
+
+    /// The change as a table [[effect]] of study.toml with this name. Its parameter "change" is the
+    /// change where the size of the profile is 1.
+    WrittenEffect written(const std::string& name) const;
+    /// Name for the effect in the words of the shape, such as "torque-above-time".
+    std::string name() const;
+};
+
+/// Quantities that may change in a study with these readings. Without a cell the instrument's are
+/// left out, with a cell those of the flow that it shows; without wet readings, the liquid's.
+std::vector<ChangedQuantity> quantities_that_may_change(const ResolvedStudy& study,
+                                                        const std::vector<Reading>& readings);
+
+}  // namespace pendular

@@ -1,0 +1,125 @@
+#include "reports/proposal_report.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <map>
+
+#include "reports/with_error.h"
+
+namespace pendular {
+namespace {
+
+/// Name of a quantity that changes, for a sentence.
+const char* subject_for(const std::string& target) {
+    static const std::map<std::string, const char*, std::less<>> subjects = {
+        {"torque", "the shown torque"},
+        {"normal_force", "the shown normal force"},
+        {"height", "the shown height"},
+        {"stress_ratio", "the stress ratio of the beads"},
+        {"solid_fraction", "the solid fraction of the beads"},
+        {"friction_difference", "the friction of the beads"},
+        {"surface_tension", "the pull of the liquid bridges"}};
+    return subjects.at(target);
+}
+
+const char* words_for(const std::string& variable) {
+    static const std::map<std::string, const char*, std::less<>> words = {
+        {"normal_stress", "the normal stress"},
+        {"inertial_number", "the inertial number"},
+        {"angular_velocity", "the angular velocity"},
+        {"liquid_content", "the liquid content"},
+        {"time", "the time since the first recording began"}};
+    return words.at(variable);
+}
+
+/// How a change follows a power of a coordinate.
+std::string proportion(double power) {
+    const std::string inverse = power < 0 ? "in inverse proportion to " : "in proportion to ";
+    const double size = std::abs(power);
+    return inverse + (size == 1 ? "it" : size == 2 ? "its square" : "its square root");
+}
+
+/// Where a change acts and how it varies, as an end of a sentence.
+std::string course_of(const Profile& p) {
+    if (p.dependence == Dependence::none) return "at all readings";
+    const std::string x = words_for(p.variable);
+    const auto at = [&](double value) { return with_unit(value, p.unit); };
+    const std::string where_full = fmt::format("where {} is {}", x, at(p.full_at));
+    switch (p.dependence) {
+        case Dependence::power:
+            return fmt::format("{}, elsewhere {}", where_full, proportion(p.constant));
+        case Dependence::logarithm:
+            return fmt::format("{}, falling with its logarithm to 0 at {}", where_full,
+                               at(p.constant));
+        case Dependence::above:
+            return fmt::format("where {} is above {}, and as in the model below", x,
+                               at(p.constant));
+        case Dependence::below:
+            return fmt::format("where {} is below {}, and as in the model above", x,
+                               at(p.constant));
+        case Dependence::beyond:
+            return fmt::format("{}, falling linearly to 0 at {} and below", where_full,
+                               at(p.constant));
+        case Dependence::short_of:
+            return fmt::format("{}, falling linearly to 0 at {} and above", where_full,
+                               at(p.constant));
+        case Dependence::decay:
+            return fmt::format(
+                "when the first recording begins, decaying with the time constant {}",
+                at(p.constant));
+        default:
+            return fmt::format("at most, oscillating in time with the period {}", at(p.constant));
+    }
+}
+
+std::string capitalised(std::string text) {
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text;
+}
+
+std::string phrase_on(const FittedShape& fitted) {
+    const ChangedQuantity& quantity = fitted.shape.quantity;
+    const double size = std::abs(fitted.change);
+    const std::string amount = quantity.relative
+                                   ? with_error(100 * size, 100 * fitted.standard_error) + " %"
+                                   : with_error(size, fitted.standard_error, quantity.unit);
+    return fmt::format("{} is {} {} than in the model {}", subject_for(quantity.target), amount,
+                       fitted.change < 0 ? "smaller" : "larger", course_of(fitted.shape.profile));
+}
+
+}  // namespace
+
+std::string sentence_on(const FittedShape& shape) {
+    return capitalised(phrase_on(shape));
+}
+
+std::string sentence_on(const Proposal& proposal) {
+    std::string text;
+    for (const FittedShape& shape : proposal.shapes) {
+        text += (text.empty() ? "" : "; and ") + phrase_on(shape);
+    }
+    return capitalised(text);
+}
+
+std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, double chi2,
+                                        int dof) {
+    std::vector<std::string> lines;
+    if (proposals.empty()) return lines;
+    const Proposal& best = proposals.front();
+    const Fit& fit = best.explanation.fit;
+    lines.push_back(fmt::format(
+        "{} {}. This brings chi2/dof from {:.3g} to {:.3g}.",
+        best.stands() ? "A change of unknown cause would explain the readings:"
+                      : "A change of unknown cause would explain most of the misfit, not all:",
+        sentence_on(best), chi2 / dof, best.explanation.chi2 / fit.dof));
+    for (std::size_t k = 1; k < proposals.size(); ++k) {
+        lines.push_back(fmt::format("{} would do so as well: {}.",
+                                    k == 1 ? "A second change" : "A third change",
+                                    sentence_on(proposals[k])));
+    }
+    return lines;
+}
+
+}  // namespace pendular

@@ -1,0 +1,82 @@
+#include "workflow/proposed_effects.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "data/files/text_file.h"
+#include "data/study/study_table.h"
+
+namespace pendular {
+namespace {
+
+constexpr const char* beginning =
+    "# Changes that would explain the readings, as 'pendular diagnose' found them. To add one:\n"
+    "# pendular add STUDY --proposed NUMBER, or copy its table [[effect]] to study.toml and list\n"
+    "# its name in the effects of [model].\n";
+
+std::string quoted(const std::string& text) {
+    return fmt::format("\"{}\"", text);
+}
+
+}  // namespace
+
+std::string effect_table(const WrittenEffect& effect) {
+    std::string text = fmt::format("[[effect]]\nname = \"{}\"\n", effect.name);
+    if (!effect.summary.empty()) text += fmt::format("summary = \"{}\"\n", effect.summary);
+    text += fmt::format(
+        "parameter = \"{}\"\nunit = \"{}\"\nlower = {:.6g}\nupper = {:.6g}\nmatters = {:.6g}\n",
+        effect.parameter, effect.unit, effect.lower, effect.upper, effect.smallest_of_interest);
+    for (const Formula& formula : effect.formulas) {
+        text += fmt::format("{} = \"{}\"\n", formula.target, formula.text);
+    }
+    return text;
+}
+
+void write_proposed(const std::filesystem::path& file, const ProposedEffects& proposed) {
+    if (proposed.proposals.empty()) {
+        std::filesystem::remove(file);
+        return;
+    }
+    std::string text = beginning;
+    for (const auto& names : proposed.proposals) {
+        std::vector<std::string> words;
+        for (const std::string& name : names) {
+            words.push_back(quoted(name));
+        }
+        text += fmt::format("\n[[proposal]]\neffects = [{}]\n", fmt::join(words, ", "));
+    }
+    for (const WrittenEffect& effect : proposed.effects) {
+        text += "\n" + effect_table(effect);
+    }
+    write_whole(file, text);
+}
+
+ProposedEffects read_proposed(const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file)) return {};
+    const StudyTable root = StudyTable::read(file, {"proposal", "effect"});
+    ProposedEffects proposed{.proposals = {}, .effects = read_written_effects(root)};
+    for (const StudyTable& table : root.tables("proposal", {"effects"})) {
+        proposed.proposals.push_back(table.words("effects", {}));
+    }
+    return proposed;
+}
+
+std::vector<std::string> proposal(const std::filesystem::path& file, std::int64_t number) {
+    const auto proposals = read_proposed(file).proposals;
+    if (proposals.empty()) {
+        throw InputError({file.string()},
+                         "holds no proposal; 'pendular diagnose' writes proposals where no known "
+                         "effect explains the readings");
+    }
+    if (number < 1 || number > std::ssize(proposals)) {
+        throw InputError(
+            {file.string()},
+            fmt::format("holds the proposal{} 1{}; there is no proposal {}",
+                        proposals.size() == 1 ? "" : "s",
+                        proposals.size() == 1 ? "" : fmt::format(" to {}", proposals.size()),
+                        number));
+    }
+    return proposals[static_cast<std::size_t>(number - 1)];
+}
+
+}  // namespace pendular
