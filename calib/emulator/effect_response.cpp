@@ -38,7 +38,7 @@ EffectResponse::EffectResponse(std::vector<ResponsePlace> places, Eigen::VectorX
     }
     plane_ = best_plane, curved_ = best_curved;
     factor_.compute(kernels(places_, amplitudes_, places_, amplitudes_) + covariance);
-    weights_ = factor_.solve(changes);
+    solved_changes_ = factor_.solve(changes);
 }
 
 double EffectResponse::kernel(const ResponsePlace& a, const ResponsePlace& b) const {
@@ -62,7 +62,12 @@ Eigen::MatrixXd EffectResponse::kernels(const std::vector<ResponsePlace>& a,
 
 Eigen::VectorXd EffectResponse::mean(const std::vector<ResponsePlace>& at,
                                      const Eigen::VectorXd& b) const {
-    return kernels(at, b, places_, amplitudes_) * weights_;
+    return kernels(at, b, places_, amplitudes_) * solved_changes_;
+}
+
+Eigen::MatrixXd EffectResponse::weights(const std::vector<ResponsePlace>& at,
+                                        const Eigen::VectorXd& b) const {
+    return factor_.solve(kernels(places_, amplitudes_, at, b)).transpose();
 }
 
 Eigen::MatrixXd EffectResponse::covariance(const std::vector<ResponsePlace>& at,

@@ -34,6 +34,9 @@ class EffectResponse {
     /// Predicted changes of the observable at places `at` with effect amplitudes `b`, one for each
     /// place, in the unit of the changes given for training.
     Eigen::VectorXd mean(const std::vector<ResponsePlace>& at, const Eigen::VectorXd& b) const;
+    /// Weights of the training changes in the changes that `mean` predicts for the same arguments
+    /// [1]: mean = weights x changes, a row for each place and a column for each training change.
+    Eigen::MatrixXd weights(const std::vector<ResponsePlace>& at, const Eigen::VectorXd& b) const;
     /// Covariance of the errors of the changes that `mean` predicts for the same arguments.
     Eigen::MatrixXd covariance(const std::vector<ResponsePlace>& at,
                                const Eigen::VectorXd& b) const;
@@ -47,7 +50,7 @@ class EffectResponse {
     Eigen::VectorXd amplitudes_;
     double plane_ = 1, curved_ = 1;  ///< prior variances of the plane and of the other process
     Eigen::LLT<Eigen::MatrixXd> factor_;
-    Eigen::VectorXd weights_;
+    Eigen::VectorXd solved_changes_;  ///< (K + Sigma)^-1 times the training changes
 };
 
 }  // namespace pendular

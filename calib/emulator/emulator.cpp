@@ -75,15 +75,15 @@ ResponsePlace response_place(const FlowState& state, const EffectValues& values)
 
 /// Queries that need the response of one observable to one effect.
 struct Emulator::Affected {
-    const EffectResponse* response;
+    const LearnedResponse* learned;
     std::vector<Eigen::Index> queries;
     std::vector<ResponsePlace> places;
     Eigen::VectorXd amplitudes;
     Eigen::VectorXd sizes;  ///< scale of the observable at each query (`emulated::Unit::size`)
 };
 
-std::unique_ptr<const EffectResponse> Emulator::learned(const std::string& effect,
-                                                        Observable which) const {
+std::unique_ptr<const Emulator::LearnedResponse> Emulator::learned(const std::string& effect,
+                                                                   Observable which) const {
     std::vector<Query> plain;
     std::vector<ResponsePlace> places;
     std::vector<double> amplitudes, training_values, variances, sizes;
@@ -113,15 +113,21 @@ std::unique_ptr<const EffectResponse> Emulator::learned(const std::string& effec
             Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())));
     };
     const Eigen::VectorXd size = vector(sizes);
-    Eigen::MatrixXd covariance = size.cwiseInverse().asDiagonal() * plain_.covariance(plain) *
-                                 size.cwiseInverse().asDiagonal();
+    const Eigen::MatrixXd plain_error = size.cwiseInverse().asDiagonal() *
+                                        plain_.covariance(plain) * size.cwiseInverse().asDiagonal();
+    const Eigen::VectorXd changes =
+        vector(training_values) - plain_.mean(plain).cwiseQuotient(size);
+    Eigen::MatrixXd covariance = plain_error;
     covariance.diagonal() += vector(variances);
-    return std::make_unique<EffectResponse>(
-        std::move(places), vector(amplitudes),
-        vector(training_values) - plain_.mean(plain).cwiseQuotient(size), covariance);
+    return std::make_unique<LearnedResponse>(
+        LearnedResponse{{std::move(places), vector(amplitudes), changes, covariance},
+                        std::move(plain),
+                        size,
+                        plain_error});
 }
 
-const EffectResponse& Emulator::response_to(const std::string& effect, Observable which) const {
+const Emulator::LearnedResponse& Emulator::response_to(const std::string& effect,
+                                                       Observable which) const {
     Responses::Response* response = nullptr;
     {
         const std::scoped_lock lock(responses_->mutex);
@@ -142,7 +148,7 @@ std::vector<Emulator::Affected> Emulator::affected(const std::vector<Query>& que
             }
             const std::pair key(values.effect, query.which);
             Affected& one = by_response[key];
-            one.response = &response_to(values.effect, query.which);
+            one.learned = &response_to(values.effect, query.which);
             one.queries.push_back(static_cast<Eigen::Index>(k));
             one.places.push_back(response_place(query.state, values));
             factors[key].emplace_back(response_size(values, query.state, query.which),
@@ -165,19 +171,37 @@ Eigen::VectorXd Emulator::mean(const std::vector<Query>& queries) const {
     Eigen::VectorXd result = plain_.mean(queries);
     for (const Affected& one : affected(queries)) {
         result(one.queries) +=
-            one.sizes.cwiseProduct(one.response->mean(one.places, one.amplitudes));
+            one.sizes.cwiseProduct(one.learned->response.mean(one.places, one.amplitudes));
     }
     return result;
 }
 
 Eigen::MatrixXd Emulator::covariance(const std::vector<Query>& queries) const {
-    Eigen::MatrixXd result = plain_.covariance(queries);
-    for (const Affected& one : affected(queries)) {
-        result(one.queries, one.queries) += one.sizes.asDiagonal() *
-                                            one.response->covariance(one.places, one.amplitudes) *
-                                            one.sizes.asDiagonal();
+    const std::vector<Affected> all = affected(queries);
+    const auto n = static_cast<Eigen::Index>(queries.size());
+    // The errors of the predictions are linear in those of the predictions without effects at the
+    // queries and at the training states of the responses, in this order.
+    std::vector<Query> plain = queries;
+    for (const Affected& one : all) {
+        plain.insert(plain.end(), one.learned->plain.begin(), one.learned->plain.end());
     }
-    return result;
+    Eigen::MatrixXd map = Eigen::MatrixXd::Identity(n, static_cast<Eigen::Index>(plain.size()));
+    Eigen::MatrixXd at_given_plain = Eigen::MatrixXd::Zero(n, n);
+    Eigen::Index column = n;
+    for (const Affected& one : all) {
+        const auto& [response, trained_at, sizes, plain_error] = *one.learned;
+        const Eigen::MatrixXd weights = response.weights(one.places, one.amplitudes);
+        map(one.queries, Eigen::seqN(column, sizes.size())) =
+            -(one.sizes.asDiagonal() * weights * sizes.cwiseInverse().asDiagonal());
+        at_given_plain(one.queries, one.queries) +=
+            one.sizes.asDiagonal() *
+            (response.covariance(one.places, one.amplitudes) -
+             weights * plain_error * weights.transpose()) *
+            one.sizes.asDiagonal();
+        column += sizes.size();
+    }
+    const Eigen::MatrixXd result = plain_.covariance(plain);
+    return all.empty() ? result : Eigen::MatrixXd(map * result * map.transpose() + at_given_plain);
 }
 
 Emulator Emulator::with(const std::vector<dem::RunResult>& more) const {

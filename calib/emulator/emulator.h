@@ -45,7 +45,11 @@ class Emulator {
     ///         observable of bridges at a dry state, and for an effect that no run has alone
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
     /// Covariance of the errors of the predictions that `mean` returns, a row and a column for each
-    /// query.
+    /// query. A prediction with an effect is the sum of the prediction f without it and of the
+    /// response, which is trained on differences d = run - f at the states X of the runs with the
+    /// effect. An error of f enters both with opposite signs, so that the sum is treated jointly:
+    ///     error = e(at) - W e(X) + error of the response at given f,
+    /// with the error e of f and the weights W of the differences in the response.
     /// @throws std::invalid_argument as `mean` does
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
@@ -67,15 +71,22 @@ class Emulator {
     }
 
   private:
-    /// Response (predicted change) of an observable to an effect on grains, trained at the first
-    /// call.
+    /// Response (predicted change) of an observable to an effect on grains, with the predictions
+    /// without the effect from which its training changes follow.
+    struct LearnedResponse {
+        EffectResponse response;
+        std::vector<Query> plain;     ///< state of each training run, without the effect
+        Eigen::VectorXd sizes;        ///< scale of the observable there (`emulated::Unit::size`)
+        Eigen::MatrixXd plain_error;  ///< covariance of the errors at `plain`, in units of `sizes`
+    };
+    /// Response of an observable to an effect on grains, trained at the first call.
     /// @throws std::invalid_argument where no run has this effect alone
-    const EffectResponse& response_to(const std::string& effect, dem::Observable which) const;
-    /// Returns the response (predicted change) of an observable to an effect on grains, trained on
-    /// the runs that have this effect alone.
+    const LearnedResponse& response_to(const std::string& effect, dem::Observable which) const;
+    /// Returns the response of an observable to an effect on grains, trained on the runs that have
+    /// this effect alone.
     /// @throws std::invalid_argument where no run does
-    std::unique_ptr<const EffectResponse> learned(const std::string& effect,
-                                                  dem::Observable which) const;
+    std::unique_ptr<const LearnedResponse> learned(const std::string& effect,
+                                                   dem::Observable which) const;
     struct Affected;
     /// Queries for values at states with effects on grains, grouped by the response (of one
     /// observable to one effect) that they need. A query for a derivative is left out.
@@ -86,7 +97,7 @@ class Emulator {
     struct Responses {
         struct Response {
             std::once_flag once;
-            std::unique_ptr<const EffectResponse> learned;
+            std::unique_ptr<const LearnedResponse> learned;
         };
         std::mutex mutex;  ///< guards the map `all`, whose entries keep their addresses
         std::map<std::pair<std::string, dem::Observable>, Response> all;

@@ -228,17 +228,6 @@ ModelSpace::ChangeErrors EffectModel::change_errors(
     const Truths there = without.truths_at(parameters_without, conditions);
     const Eigen::VectorXd own = inside_parameters(parameters);
     const auto n = 2 * static_cast<Eigen::Index>(conditions.size());
-    const auto grains = [](const EffectModel& model) {
-        return std::ranges::count_if(model.effects_, &Effect::of_grains);
-    };
-    if (grains(*this) > grains(without)) {
-        const auto covariance = [&](const Truths& truths) {
-            const Prediction inside = inside_->predict_flow(own, truths.imposed);
-            const Eigen::MatrixXd slopes = shown_by_predicted(truths, inside.value);
-            return Eigen::MatrixXd(slopes * inside.run_noise * slopes.transpose());
-        };
-        return {covariance(here) - covariance(there), Eigen::MatrixXd::Zero(n, n)};
-    }
     // Conditions without the effect, then those that the effect changes.
     std::vector<EffectiveCondition> requested = there.imposed;
     std::vector<Eigen::Index> place;  // index of each reading's condition with the effect

@@ -38,9 +38,8 @@ class EffectModel : public Predictor {
 
     /// Covariances of the simulation errors of the change of the readings predicted at `conditions`
     /// from the model `without`, which has the same inner model and fewer effects, to this model.
-    /// The response to an effect on grains is trained on separate runs, whose errors are
-    /// independent of those of the model without the effect. The change by any other effect follows
-    /// from predictions at neighbouring conditions, whose errors are nearly equal.
+    /// They follow from the joint errors of the inner model's predictions at both sets of
+    /// conditions, which are nearly equal where an effect moves a condition little.
     ModelSpace::ChangeErrors change_errors(const Eigen::VectorXd& parameters,
                                            const EffectModel& without,
                                            const Eigen::VectorXd& parameters_without,

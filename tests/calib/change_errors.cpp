@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "calib/model/effect_model.h"
+#include "calib/model/emulated_simulation.h"
 #include "data/annular_cell.h"
+#include "tests/support/emulator_support.h"
 #include "tests/support/known_flow.h"
 
 namespace pendular::calib_change_errors_test {
@@ -84,5 +86,28 @@ INSTANTIATE_TEST_SUITE_P(OfInstruments, ErrorsOfChanges,
                          testing::Values(std::pair("torque-gain", 1.2),
                                          std::pair("normal-force-offset", 0.3),
                                          std::pair("lid-slip", 0.4)));
+
+TEST(ErrorsOfChangesByGrains, AreThoseOfTheEmulator) {
+    Study study;
+    study.grains = {.diameter = 500e-6, .density = 1050, .youngs_modulus = 3.3e9};
+    const auto simulation = std::make_shared<const EmulatedSimulation>(
+        study, fidelity_named("quick"), Emulator(all_shipped_runs(), shipped_hyperparameters()));
+    const EffectModel plain(simulation, study, {}),
+        with_it(simulation, study, {&built_in_effect("rolling-resistance")});
+    const Condition condition{.normal_stress = 1000, .inertial_number = 0.01};
+    const auto errors = with_it.change_errors(Eigen::Vector2d(0.4, 0.2), plain,
+                                              Eigen::VectorXd::Constant(1, 0.4), {condition});
+    const FlowState without{0.4, 0.01};
+    FlowState with = without;
+    with.effects = {{"rolling-resistance", {0.2}}};
+    const Eigen::MatrixXd covariance = simulation->emulator().covariance(
+        {{without, dem::Observable::stress_ratio}, {with, dem::Observable::stress_ratio}});
+    const double unit = 1000.0 * 1000.0;  // of the squared shear stress, in Pa^2
+    EXPECT_NEAR(errors.change(0, 0) / unit,
+                covariance(0, 0) + covariance(1, 1) - 2 * covariance(0, 1), 1e-9);
+    // Runs with the effect correct the error of the prediction without it.
+    EXPECT_NEAR(errors.with_without(0, 0) / unit, covariance(0, 1) - covariance(0, 0), 1e-9);
+    EXPECT_LT(errors.with_without(0, 0), -0.1 * unit * covariance(0, 0));
+}
 
 }  // namespace pendular::calib_change_errors_test

@@ -86,6 +86,42 @@ TEST(Emulator, AddsTheChangeThatRunsWithAnEffectShow) {
     }
 }
 
+TEST(Emulator, CountsTheErrorWithoutAnEffectOnceInPredictionsWithIt) {
+    // Few plain runs leave the prediction without the effect uncertain; 100 runs with the effect at
+    // one state, each with an error of 0.003 or so, determine the sum of prediction and response
+    // there to about 0.0003. The response alone remains as uncertain as the prediction without.
+    auto runs = invented_runs(8, 1);
+    const FlowState plain{0.3, 0.01};
+    FlowState with_it = plain;
+    with_it.effects = {{"dry-adhesion", {0.2}}};
+    constexpr double change = 0.3;
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> error(0, 0.002);
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        dem::RunResult run = runs.front();
+        run.parameters.wetting.reset();
+        run.parameters.friction = plain.friction;
+        run.parameters.inertial_number = plain.inertial_number;
+        run.parameters.effects = with_it.effects;
+        run.parameters.seed = 1000 + seed;
+        run.means[static_cast<std::size_t>(Observable::stress_ratio)].value =
+            InventedLaw::stress_ratio(plain) + change + error(random);
+        runs.push_back(run);
+    }
+    const Emulator emulator(runs, shipped_hyperparameters());
+    const std::vector<Query> both = {{with_it, Observable::stress_ratio},
+                                     {plain, Observable::stress_ratio}};
+    const Eigen::MatrixXd covariance = emulator.covariance(both);
+    const double with_error = std::sqrt(covariance(0, 0)),
+                 without_error = std::sqrt(covariance(1, 1));
+    EXPECT_GT(without_error, 0.003);
+    EXPECT_LT(with_error, 0.5 * without_error);
+    EXPECT_NEAR(emulator.mean(both)(0), InventedLaw::stress_ratio(plain) + change, 4 * with_error);
+    const double change_error =
+        std::sqrt(covariance(0, 0) + covariance(1, 1) - 2 * covariance(0, 1));
+    EXPECT_NEAR(change_error, without_error, 0.5 * without_error);
+}
+
 /// Rolling resistance is felt as far as friction lets it be: of 72 runs with it, of frictions from
 /// 0.05 to 0.5, a third is foretold from the others to 0.006 RMS; their own errors are 0.005 to
 /// 0.010. A response in proportion to the coefficient is off by 0.011, or 0.016 in other thirds.
@@ -161,10 +197,12 @@ TEST(Kernel, HasTheGradientOfItsLikelihood) {
         const auto cost = [&](double by) {
             auto hyperparameters = at.as_array();
             hyperparameters[k] *= std::exp(by);
-            return hyperparameter_cost(Domain::all_flow, known, 0.5, Hyperparameters::from_array(hyperparameters), nullptr);
+            return hyperparameter_cost(Domain::all_flow, known, 0.5,
+                                       Hyperparameters::from_array(hyperparameters), nullptr);
         };
         const double difference = (cost(step) - cost(-step)) / (2 * step);
-        EXPECT_NEAR(gradient[k], difference, 1e-3 * (1 + std::abs(difference))) << Hyperparameters::names[k];
+        EXPECT_NEAR(gradient[k], difference, 1e-3 * (1 + std::abs(difference)))
+            << Hyperparameters::names[k];
     }
     // And the learned hyperparameters are where it vanishes.
     const Hyperparameters best = fit_hyperparameters(Domain::all_flow, known, 0.5);
@@ -346,9 +384,11 @@ TEST(EmulatorHyperparameters, AreThoseThatTheAtlasTeaches) {
 
 TEST(EmulatorHyperparameters, AreReadBackAndCheckedCellByCell) {
     const TemporaryFolder folder;
-    const EmulatorHyperparameters hyperparameters = {{Observable::stress_ratio, {.dry_x = 0.7, .noise = 1.5}}};
+    const EmulatorHyperparameters hyperparameters = {
+        {Observable::stress_ratio, {.dry_x = 0.7, .noise = 1.5}}};
     write_hyperparameters(folder.path() / "scales.csv", hyperparameters);
-    EXPECT_EQ(read_hyperparameters(folder.path() / "scales.csv").at(Observable::stress_ratio).dry_x, 0.7);
+    EXPECT_EQ(read_hyperparameters(folder.path() / "scales.csv").at(Observable::stress_ratio).dry_x,
+              0.7);
     std::string header = "observable";
     for (const auto name : Hyperparameters::names) {
         header += "," + std::string(name);
