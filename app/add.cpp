@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -59,15 +60,18 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
         name + (adds ? " STUDY EFFECT|--proposed NUMBER [options]" : " STUDY EFFECT [options]");
     Options options(usage, std::string(adds ? about_add : about_drop) + about_both,
                     fmt::format("  pendular {0} my-study torque-offset\n"
-                                "  pendular {0} my-study lid-slip --confirm --json -\n{1}",
+                                "  pendular {0} my-study lid-slip --confirm --json -\n"
+                                "  pendular {0} my-study rolling-resistance --confirm 10\n{1}",
                                 name, adds ? "  pendular add my-study --proposed 1\n" : ""),
                     true);
     std::vector<std::string> words;
     options.take(&words);
     options.add("seed", &own.seed, "seed of the simulations (default 1)");
-    options.add_switch(
-        "confirm", &own.fit.confirm,
-        "confirm the new optimum by simulations, until they agree with the emulator");
+    std::optional<double> confirming;
+    options.add_time(
+        "confirm", &confirming, std::numeric_limits<double>::infinity(),
+        "confirm the new optimum by simulations, until they agree with the emulator and "
+        "their noise enlarges no error by more than a fifth, or for MINUTES");
     options.add_switch(
         "cold", &own.fit.cold,
         "use neither the atlas nor earlier runs: simulate all states that the fit needs");
@@ -81,6 +85,7 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
     if (!common) {
         return std::nullopt;
     }
+    set_confirmation(confirming, own.fit);
     const bool proposed = adds && options.given("proposed");
     if (words.size() != (proposed ? 0 : 1)) {
         throw InputError(fmt::format("{}; usage: pendular {}",

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "app/options.h"
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
+#include "data/input_error.h"
 #include "reports/tables.h"
 #include "workflow/fit_file.h"
 #include "workflow/json_parts.h"
@@ -99,12 +101,17 @@ int calibrate(const std::vector<std::string>& arguments) {
                     "it, until both agree.\n"
                     "Writes fit.json to the results folder.",
                     "  pendular calibrate examples/polystyrene --no-confirm\n"
-                    "  pendular calibrate examples/polystyrene --fidelity quick\n"
+                    "  pendular calibrate examples/polystyrene --fidelity quick --confirm 5\n"
                     "  pendular calibrate my-study --cold --profile --json -\n",
                     true);
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the simulations (default 1)");
     bool no_confirm = false;
+    std::optional<double> confirming = std::numeric_limits<double>::infinity();
+    options.add_time(
+        "confirm", &confirming, std::numeric_limits<double>::infinity(),
+        "confirm the fit by simulations for MINUTES at most (default: until they agree "
+        "with the emulator and their noise enlarges no error by more than a fifth)");
     options.add_switch(
         "no-confirm", &no_confirm,
         "use the emulator without confirming simulations (with --cold: one round fewer)");
@@ -122,7 +129,11 @@ int calibrate(const std::vector<std::string>& arguments) {
     }
     Console console(*common);
     check_options(fit.cohesion);
-    fit.confirm = !no_confirm;
+    if (no_confirm && options.given("confirm")) {
+        throw InputError("--confirm and --no-confirm contradict each other: leave out one of them");
+    }
+    if (no_confirm) confirming.reset();
+    set_confirmation(confirming, fit);
     const OpenSession session(console, *common, {"fit.json", "fit_runs.csv", "figures"}, seed);
     const Measurements& measurements = session->measurements();
     const CalibratedStudy result = session->calibrate(fit);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "app/stored_runs.h"
@@ -37,6 +38,11 @@ Listener shown_on(Console& console, bool quiet) {
 
 OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem::path> files) {
     return {options.out_folder(), std::move(files), options.json};
+}
+
+void set_confirmation(const std::optional<double>& seconds, FitOptions& fit) {
+    fit.confirm = seconds.has_value();
+    fit.confirming_seconds = seconds && std::isfinite(*seconds) ? seconds : std::nullopt;
 }
 
 OpenSession::OpenSession(Console& console, const CommonOptions& options,

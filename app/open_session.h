@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/console.h"
@@ -16,6 +17,10 @@ namespace pendular::app {
 /// Paths that a command writes to: its folder for results, `files` in this folder, and the file of
 /// option --json.
 OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem::path> files);
+
+/// Sets whether a fit is confirmed by simulations: where `seconds` has a value, for that time [s]
+/// at most, without a limit where it is infinite.
+void set_confirmation(const std::optional<double>& seconds, FitOptions& fit);
 
 /// Session of a command on a study, with the user's store (the SQLite file that keeps simulation
 /// runs) and with progress on the console. Ctrl-C ends long work without half-written files.

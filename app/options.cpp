@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
@@ -26,6 +28,29 @@ std::vector<std::string> option_names(const po::options_description& options) {
         names.push_back("--" + option->long_name());
     }
     return names;
+}
+
+bool is_number(const std::string& word) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    return error == std::errc() && end == word.data() + word.size();
+}
+
+/// Arguments in which each of the options `times` has its value in the same word, as in
+/// "--confirm=5": the number that follows it or, where none does, the value in `times`. Boost would
+/// take any word that follows for the value.
+std::vector<std::string> with_attached_times(const std::vector<std::string>& arguments,
+                                             const std::map<std::string, std::string>& times) {
+    std::vector<std::string> result;
+    for (std::size_t k = 0; k < arguments.size(); ++k) {
+        result.push_back(arguments[k]);
+        const auto alone = times.find(arguments[k]);
+        if (alone != times.end()) {
+            const bool number = k + 1 < arguments.size() && is_number(arguments[k + 1]);
+            result.back() += "=" + (number ? arguments[++k] : alone->second);
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -78,6 +103,26 @@ void Options::add_switch(const char* name, bool* value, const std::string& descr
     sections_.back().add_options()(name, po::bool_switch(value), description.c_str());
 }
 
+void Options::add_time(const char* name, std::optional<double>* seconds, double alone,
+                       const std::string& description) {
+    const std::string option = std::string("--") + name;
+    times_[option] = fmt::format("{}", alone);
+    const std::string shown = std::isinf(alone) ? "no limit" : fmt::format("{:g}", alone);
+    sections_.back().add_options()(
+        name,
+        po::value<double>()
+            ->implicit_value(alone, shown)
+            ->value_name("MINUTES")
+            ->notifier([seconds, option](double minutes) {
+                if (!(minutes >= 0)) {
+                    throw InputError(
+                        fmt::format("{} {}: minutes of 0 or more are needed", option, minutes));
+                }
+                *seconds = 60 * minutes;
+            }),
+        description.c_str());
+}
+
 void Options::print_help(const po::options_description& common) const {
     std::cout << "Usage: pendular " << usage_ << "\n\n" << about_ << "\n\n";
     for (const auto& section : sections_) {
@@ -88,7 +133,8 @@ void Options::print_help(const po::options_description& common) const {
     std::cout << common << "\nExamples:\n" << examples_;
 }
 
-std::optional<CommonOptions> Options::parse(const std::vector<std::string>& arguments) {
+std::optional<CommonOptions> Options::parse(const std::vector<std::string>& words_given) {
+    const std::vector<std::string> arguments = with_attached_times(words_given, times_);
     CommonOptions result;
     std::string json, out, fidelity, store, study;
     po::options_description common("Common options", 100);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <list>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -66,6 +67,11 @@ class Options {
     /// Makes the command accept any number of words that belong to no option, after the study if
     /// the command reads one. `parse` stores these words in `words`.
     void take(std::vector<std::string>* words) { words_ = words; }
+    /// Adds the option --NAME [MINUTES], the time that work may take, which `parse` stores in
+    /// `seconds`: MINUTES is the next word where this is a number, else `alone`; empty without the
+    /// option. An infinite `alone` sets no limit.
+    void add_time(const char* name, std::optional<double>* seconds, double alone,
+                  const std::string& description);
     /// Adds the option --NAME without a value: `parse` sets `value` to whether it was given.
     void add_switch(const char* name, bool* value, const std::string& description);
 
@@ -86,6 +92,8 @@ class Options {
     std::string usage_, about_, examples_;
     bool takes_study_;
     std::vector<std::string>* words_ = nullptr;
+    /// Values of the options that `add_time` added where no number follows them, by option.
+    std::map<std::string, std::string> times_;
     int default_threads_ = 0;  ///< default of --threads; 0: one per core
     std::string threads_meaning_ = "number of runs at a time";
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";

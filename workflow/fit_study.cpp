@@ -15,10 +15,12 @@ namespace {
 /// requested; without known runs, one more round confirms the fit.
 CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOptions& session,
                                const FitOptions& options) {
-    CalibrationRequest request{.fidelity = session.fidelity,
-                               .seed = session.seed,
-                               .profile = options.profile,
-                               .cohesion = options.cohesion};
+    CalibrationRequest request{
+        .fidelity = session.fidelity,
+        .seed = session.seed,
+        .profile = options.profile,
+        .budget = options.confirming_seconds ? RunBudget(*options.confirming_seconds) : RunBudget(),
+        .cohesion = options.cohesion};
     if (!known) {
         request.known.hyperparameters = atlas_hyperparameters();
         request.options.fewest_rounds -= !options.confirm;

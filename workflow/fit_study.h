@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 
 #include "calib/fit/calibrate_study.h"
@@ -28,6 +29,8 @@ struct FitOptions {
     /// Whether runs simulated at the fitted parameters check the emulator, and the fit is repeated
     /// with them until prediction and simulation agree.
     bool confirm = false;
+    /// Time that the confirming runs may take [s]; empty: no limit.
+    std::optional<double> confirming_seconds = {};
     /// Whether the fit simulates all its training runs and uses none of the atlas (runs that come
     /// with the program) or of the store (the user's file of runs).
     bool cold = false;

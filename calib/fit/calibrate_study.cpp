@@ -125,6 +125,7 @@ class PlannedModel : public LearningModel {
         renew();
     }
     bool confirmed() const override { return planner_.confirmed(); }
+    bool exhausted() const override { return planner_.exhausted(); }
 
   private:
     std::vector<EffectiveCondition> truly_imposed(const Eigen::VectorXd& parameters,
@@ -280,7 +281,7 @@ Calibration calibrate_study(const ResolvedStudy& resolved, const Measurements& m
     check_range(c.readings, study, c.fidelity);
     check_effects(resolved.effects(), request);
     RunPlanner planner(study, conditions_of(c.readings), request.fidelity, request.seed, workers,
-                       request.known);
+                       request.known, request.budget);
     PlannedModel model(resolved, planner);
     c.direct = resolved.direct();
     const auto counting = [&](int round, const Fit& fit) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calib/emulator/known_runs.h"
+#include "calib/fit/calibrate.h"
 #include "calib/fit/calibration.h"
 #include "calib/fit/reading_order.h"
 #include "calib/model/predictor.h"
@@ -21,6 +22,9 @@ struct CalibrationRequest {
     bool profile = false;    ///< whether to compute the 68 % `profile_interval` of the friction
     /// Criteria for the end of the rounds of simulations and fits.
     CalibrationOptions options = {};
+    /// Time that simulations may take, which are not the first ones of a calibration that begins
+    /// without known runs.
+    RunBudget budget = {};
     /// Options for the lines of stress ratio of wet readings against 1/P*.
     CohesionOptions cohesion = {};
     /// Training runs at the beginning. Without any, dry runs spread over friction and inertial

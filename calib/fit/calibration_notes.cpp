@@ -13,6 +13,7 @@
 
 #include "calib/emulator/known_range.h"
 #include "calib/fit/reading_order.h"
+#include "calib/fit/stopping_rule.h"
 #include "calib/fit/undetermined.h"
 #include "data/input_error.h"
 
@@ -79,6 +80,19 @@ std::optional<std::string> unsure_note(const Calibration& c) {
         }
     }
     return std::nullopt;
+}
+
+/// Note where the time for simulations ended before their noise was small; empty otherwise.
+std::optional<std::string> exhausted_note(const Calibration& c, const RunPlanner& planner) {
+    const Enlargement enlarged =
+        enlargement_by_runs(c.fit, stack(part(c.readings, 0, c.fitted), c.direct), c.parameters);
+    if (!planner.exhausted() || enlarged.excess() <= 1) {
+        return std::nullopt;
+    }
+    return fmt::format(
+        "The time for simulations has ended, and the noise of the runs enlarges {}. 'pendular "
+        "calibrate --confirm' goes on from the stored runs",
+        text_of(enlarged));
 }
 
 /// Note on a parameter whose fit ended at a bound. A bound at the neutral value means that the
@@ -152,6 +166,9 @@ std::vector<std::string> notes_on(const Calibration& c, const ResolvedStudy& stu
             "The errors of the wet predictions are not small compared with those of the wet "
             "readings: " +
             remedy(c));
+    }
+    if (const auto note = exhausted_note(c, planner)) {
+        notes.push_back(*note);
     }
     std::ranges::copy(planner.notes(), std::back_inserter(notes));
     std::ranges::copy(warnings(c, study), std::back_inserter(notes));

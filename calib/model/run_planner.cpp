@@ -2,29 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
-#include <set>
 #include <utility>
 
-#include "calib/emulator/emulated_observables.h"
-#include "calib/model/study_state.h"
+#include "calib/model/fresh_runs.h"
+#include "calib/model/informative_runs.h"
 #include "sim/dem/simulation_error.h"
-#include "sim/runs/run_request.h"
 #include "sim/runs/seeds.h"
 
 namespace pendular {
 namespace {
-
-using dem::Observable;
-using emulated::pairs_at;
-
-/// Smallest and largest number of runs that one round requests.
-constexpr std::size_t fewest_confirming = 4, most_confirming = 16;
-/// Significance level [1]: below this p-value new runs disagree with the emulator's predictions.
-constexpr double significance = 0.01;
 
 /// Distance in ln(friction + 0.05) between a friction and the frictions of requested runs on either
 /// side of it [1].
@@ -50,16 +38,6 @@ constexpr std::size_t fewest_wet = 8;
 /// Errors of stress ratio and solid fraction that count as equally serious [1].
 const Eigen::Vector2d grave(0.01, 0.002);
 
-/// Expected noise of a future run: covariance of its stress ratio and solid fraction [1], scaled
-/// from the mean noise of the known runs by the number of grains and the strain.
-Eigen::Matrix2d expected_noise(const Emulator& emulator, const Fidelity& fidelity) {
-    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
-    for (const auto& run : emulator.runs()) {
-        sum += emulator.noise(run) * run.parameters.grains * run.strain_averaged;
-    }
-    return sum / (static_cast<double>(emulator.runs().size()) * fidelity.grains * fidelity.strain);
-}
-
 bool has_grain_effects(const std::vector<EffectiveCondition>& conditions) {
     return std::ranges::any_of(
         conditions, [](const EffectiveCondition& c) { return !c.grain_effects.empty(); });
@@ -74,35 +52,17 @@ double slowest(const std::vector<Condition>& conditions) {
     return least;
 }
 
-/// Whether two states of equal friction agree within 5 %, so that one run serves both.
-bool near(const FlowState& a, const FlowState& b) {
-    constexpr double same = 0.05;
-    const auto alike = [&](double x, double y) {
-        return std::abs(x - y) <= same * std::max(std::abs(x), std::abs(y));
-    };
-    return alike(a.inertial_number, b.inertial_number) &&
-           alike(a.inverse_pressure, b.inverse_pressure) && alike(a.bridge_volume, b.bridge_volume);
-}
-
-std::string describe(const FlowState& state) {
-    std::string text = fmt::format("friction {:.3g}, inertial number {:.3g}", state.friction,
-                                   state.inertial_number);
-    if (!state.dry()) {
-        text += fmt::format(", reduced pressure {:.3g}, bridge volume {:.3g} a^3",
-                            1 / state.inverse_pressure, state.bridge_volume);
-    }
-    return text;
-}
-
 }  // namespace
 
 RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditions,
                        const Fidelity& fidelity, std::uint64_t seed, Workers workers,
-                       KnownRuns known)
+                       KnownRuns known, RunBudget budget)
     : study_(study),
       fidelity_(fidelity),
       seed_(seed),
+      seeds_(seed),
       workers_(std::move(workers)),
+      budget_(budget),
       orders_more_(known.orders_more),
       slowest_(slowest(conditions)),
       inertial_numbers_(inertial_numbers_for(conditions, fidelity.lowest_inertial_number)),
@@ -118,7 +78,7 @@ RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditi
                 extrapolation_factor * fidelity.lowest_inertial_number, fastest_extrapolated));
         }
         structure_stiffness = fidelity.stiffness_number;
-        known.runs = simulate_states(first_dry_design(), "since nothing was known");
+        known.runs = simulated(runs_at(first_dry_design()), "since nothing was known");
         if (known.runs.empty()) {
             throw dem::SimulationError("no run succeeded: " + notes_.back());
         }
@@ -165,7 +125,7 @@ void RunPlanner::begin_wet(double friction) {
     if (!orders_more_ || std::ranges::any_of(simulation_->emulator().runs(), wet)) {
         return;
     }
-    const auto fresh = simulate_states(first_wet_design(friction), "since no wet run was known");
+    const auto fresh = simulated(runs_at(first_wet_design(friction)), "since no wet run was known");
     if (fresh.empty()) {
         throw dem::SimulationError("no wet run succeeded: " + notes_.back());
     }
@@ -211,39 +171,13 @@ RunPlanner::Candidates RunPlanner::candidates(double friction,
 std::vector<FlowState> RunPlanner::most_informative(const std::vector<FlowState>& targets,
                                                     const std::vector<FlowState>& from,
                                                     double excess) const {
-    std::vector<FlowState> all = targets;
-    all.insert(all.end(), from.begin(), from.end());
-    Eigen::MatrixXd covariance = simulation_->emulator().covariance(pairs_at(all));
-    const Eigen::Matrix2d noise = expected_noise(simulation_->emulator(), fidelity_);
-    const auto wanted = 2 * static_cast<Eigen::Index>(targets.size());
-    const Eigen::VectorXd weight =
-        grave.cwiseInverse().cwiseAbs2().replicate(static_cast<Eigen::Index>(targets.size()), 1);
-    const auto variance = [&] { return weight.dot(covariance.diagonal().head(wanted)); };
-    const double enough = variance() / std::max(1.0, excess);
-    std::vector<FlowState> chosen;
-    while (chosen.size() < most_confirming &&
-           (chosen.size() < fewest_confirming || variance() > enough)) {
-        // A run at c reduces the covariance by C(., c) [C(c, c) + noise]^-1 C(c, .).
-        const auto fall = [&](Eigen::Index c) {
-            const auto columns = covariance.middleCols<2>(c);
-            const Eigen::Matrix2d inverse = (covariance.block<2, 2>(c, c) + noise).inverse();
-            return std::pair(columns, inverse);
-        };
-        Eigen::Index best = wanted;
-        double most = -1;
-        for (Eigen::Index c = wanted; c < covariance.rows(); c += 2) {
-            const auto [columns, inverse] = fall(c);
-            const double gain =
-                weight.dot((columns * inverse).cwiseProduct(columns).rowwise().sum().head(wanted));
-            if (gain > most) {
-                most = gain, best = c;
-            }
-        }
-        const auto [columns, inverse] = fall(best);
-        covariance -= Eigen::MatrixXd(columns * inverse * columns.transpose());
-        chosen.push_back(all[static_cast<std::size_t>(best / 2)]);
-    }
-    return chosen;
+    const auto count = static_cast<Eigen::Index>(targets.size());
+    return pendular::most_informative(
+        simulation_->emulator(), fidelity_,
+        {.targets = targets,
+         .weights = grave.cwiseInverse().cwiseAbs2().replicate(count, 1),
+         .from = from,
+         .factor = excess});
 }
 
 void RunPlanner::improve(double friction, const std::vector<EffectiveCondition>& conditions,
@@ -310,13 +244,20 @@ void RunPlanner::confirm(double friction, const std::vector<EffectiveCondition>&
     std::vector<FlowState> from = all.at_friction;
     from.insert(from.end(), all.below.begin(), all.below.end());
     from.insert(from.end(), all.above.begin(), all.above.end());
+    if (has_grain_effects(conditions)) {
+        // Where an effect is small, predictions with it rest on runs without it.
+        for (FlowState state : all.at_friction) {
+            state.effects.clear();
+            from.push_back(state);
+        }
+    }
     std::vector<FlowState> targets = all.at_friction;
     if (extrapolates_ && !wet) {
         targets.push_back({friction, slowest_});
     }
     const double p = order(most_informative(targets, from, excess),
                            wet ? "to confirm the wet readings" : "to confirm the optimum");
-    if (p < significance) {
+    if (p < disagreement) {
         confirmed_ = false;
         notes_.push_back(
             fmt::format("Fresh runs {} differed from the emulator's predictions (p = {:.2g}); the "
@@ -325,61 +266,35 @@ void RunPlanner::confirm(double friction, const std::vector<EffectiveCondition>&
     }
 }
 
-std::vector<dem::RunResult> RunPlanner::simulate_states(const std::vector<FlowState>& states,
-                                                        const std::string& why) {
-    std::set<std::string> known;
-    if (simulation_) {
-        for (const auto& run : simulation_->emulator().runs()) {
-            known.insert(run_description(run.parameters));
-        }
-    }
-    std::vector<dem::RunParameters> wanted;
-    for (const FlowState& state : states) {
-        dem::RunParameters run = run_at(state, study_, fidelity_);
-        // A repetition of a known run would confirm nothing.
-        do {
-            run.seed = seed_of_run(seed_, ordered_++);
-        } while (known.contains(run_description(run)));
-        wanted.push_back(run);
-    }
-    std::vector<dem::RunResult> fresh;
-    for (const auto& run : run_all(wanted, workers_)) {
-        if (emulated::usable(run)) {
-            fresh.push_back(run);
-        } else {
-            notes_.push_back(fmt::format("a run at {} is not used: it {}",
-                                         describe(emulated::flow_state_of(run.parameters)),
-                                         !run.failure.empty() ? "failed, " + run.failure
-                                         : run.crystallised   ? "crystallised"
-                                                              : "was not steady"));
-        }
-    }
-    add_order(wanted.size(), why);
-    return fresh;
+std::vector<dem::RunResult> RunPlanner::simulated(const std::vector<dem::RunParameters>& runs,
+                                                  const std::string& why) {
+    const std::vector<dem::RunResult> done = budget_.run(runs, workers_);
+    made_.insert(made_.end(), done.begin(), done.end());
+    add_order(done.size(), why);
+    return usable_of(done, notes_);
+}
+
+std::vector<dem::RunParameters> RunPlanner::runs_at(const std::vector<FlowState>& states) {
+    return seeds_.runs_at(
+        states, study_, fidelity_,
+        simulation_ ? simulation_->emulator().runs() : std::vector<dem::RunResult>{});
 }
 
 double RunPlanner::order(const std::vector<FlowState>& states, const std::string& why) {
-    const std::vector<dem::RunResult> fresh = simulate_states(states, why);
+    const Emulator& emulator = simulation_->emulator();
+    std::vector<dem::RunParameters> runs = runs_at(states);
+    runs.resize(budget_.batch(runs, made_.empty() ? emulator.runs() : made_, workers_.threads));
+    exhausted_ = runs.empty();
+    if (exhausted_) {
+        return 1;
+    }
+    const std::vector<dem::RunResult> fresh = simulated(runs, why);
     if (fresh.empty()) {
         return 0;
     }
-    std::vector<FlowState> places;
-    for (const auto& run : fresh) {
-        places.push_back(emulated::flow_state_of(run.parameters));
-    }
-    const Emulator& emulator = simulation_->emulator();
-    const auto queries = pairs_at(places);
-    Eigen::VectorXd off = -emulator.mean(queries);
-    Eigen::MatrixXd covariance = emulator.covariance(queries);
-    for (std::size_t k = 0; k < fresh.size(); ++k) {
-        const auto at = 2 * static_cast<Eigen::Index>(k);
-        off(at) += emulated::training_value(fresh[k], Observable::stress_ratio).value;
-        off(at + 1) += emulated::training_value(fresh[k], Observable::solid_fraction).value;
-        covariance.block<2, 2>(at, at) += emulator.noise(fresh[k]);
-    }
+    const double p = agreement(emulator, fresh);
     use(emulator.with(fresh));
-    const double chi2 = off.dot(covariance.llt().solve(off));
-    return cdf(complement(boost::math::chi_squared(static_cast<double>(off.size())), chi2));
+    return p;
 }
 
 void RunPlanner::add_order(std::size_t runs, const std::string& why) {

@@ -7,6 +7,8 @@
 
 #include "calib/emulator/known_runs.h"
 #include "calib/model/emulated_simulation.h"
+#include "calib/model/fresh_runs.h"
+#include "calib/model/run_budget.h"
 #include "calib/model/run_design.h"
 #include "data/study/study.h"
 #include "sim/runs/ensemble.h"
@@ -32,11 +34,13 @@ class RunPlanner {
     /// over friction and inertial number at once, if runs may be requested
     /// (`KnownRuns::orders_more`).
     /// @param conditions conditions of the study's readings, which are to be predicted
+    /// @param budget time that runs may take which are not those first ones
     /// @throws std::invalid_argument where no known run can serve as a training run, or conditions
     ///         are wet but the study has no liquid
     /// @throws dem::SimulationError where none of these first dry runs succeeds
     RunPlanner(const Study& study, const std::vector<Condition>& conditions,
-               const Fidelity& fidelity, std::uint64_t seed, Workers workers, KnownRuns known);
+               const Fidelity& fidelity, std::uint64_t seed, Workers workers, KnownRuns known,
+               RunBudget budget = {});
 
     /// Predictor of dry and wet readings, trained on all runs known so far.
     const std::shared_ptr<const EmulatedSimulation>& simulation() const { return simulation_; }
@@ -62,6 +66,9 @@ class RunPlanner {
     bool confirmed() const { return confirmed_ || !orders_more_; }
     /// Whether the planner may request new runs (`KnownRuns::orders_more`).
     bool orders_more() const { return orders_more_; }
+    /// Whether the last runs that the planner chose were not made, since none of them would have
+    /// ended within the budget.
+    bool exhausted() const { return exhausted_; }
     /// Numbers of runs requested so far, one entry for each reason.
     const std::vector<Order>& orders() const { return orders_; }
     /// Notes for the user: on runs that are not used as training runs, and on new runs that
@@ -101,19 +108,21 @@ class RunPlanner {
     void confirm(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                  double excess);
     /// States among `from` at which runs reduce the variance of the stress ratios and solid
-    /// fractions predicted at `targets` most. They are chosen one after the other, some repeatedly,
-    /// until this variance has decreased by a factor `excess`: at least 4, at most 16.
+    /// fractions predicted at `targets` most, until this variance has decreased by a factor
+    /// `excess` (pendular::most_informative).
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
-    /// Carries out runs at these states, records them under the reason `why` and returns those that
-    /// can serve as training runs.
-    std::vector<dem::RunResult> simulate_states(const std::vector<FlowState>& states,
-                                                const std::string& why);
-    /// Carries out runs at these states, records them under the reason `why` and trains the
-    /// emulator on them.
-    /// @return probability (p-value) of a difference between these runs and the earlier emulator's
-    ///         predictions at least as large as observed; 0 where no run succeeded
+    /// Parameters of runs at these states with seeds that no known run has.
+    std::vector<dem::RunParameters> runs_at(const std::vector<FlowState>& states);
+    /// Simulates runs, records them under the reason `why` and returns those that can serve as
+    /// training runs.
+    std::vector<dem::RunResult> simulated(const std::vector<dem::RunParameters>& runs,
+                                          const std::string& why);
+    /// Carries out those runs at these states that the budget allows, records them under the reason
+    /// `why` and trains the emulator on them.
+    /// @return p-value of the agreement of these runs with the earlier emulator (`agreement`); 0
+    ///         where no run succeeded, 1 where the budget allowed none
     double order(const std::vector<FlowState>& states, const std::string& why);
     /// Adds a number of runs to the entry of orders() with the reason `why`.
     void add_order(std::size_t runs, const std::string& why);
@@ -123,7 +132,9 @@ class RunPlanner {
     Study study_;
     Fidelity fidelity_;
     std::uint64_t seed_;
+    FreshSeeds seeds_;
     Workers workers_;
+    RunBudget budget_;
     bool orders_more_;
     std::shared_ptr<const EmulatedSimulation> simulation_;
     double slowest_;  ///< lowest inertial number of the readings [1]
@@ -135,8 +146,8 @@ class RunPlanner {
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;
     std::vector<Order> orders_;
-    /// Number of the next run, from which the seed of the run follows.
-    std::uint64_t ordered_ = std::uint64_t{1} << 32;
+    std::vector<dem::RunResult> made_;  ///< runs carried out so far
+    bool exhausted_ = false;
     int rounds_ = 0;  ///< number of calls of `improve`
     bool began_wet_ = false;
     bool confirmed_ = false;

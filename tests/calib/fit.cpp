@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "calib/fit/fit.h"
+#include "calib/fit/calibrate.h"
 #include "calib/fit/undetermined.h"
 
 namespace calib_fit_test {
@@ -206,7 +206,8 @@ TEST(Calibrate, ReportsTheErrorItReallyMakesOnANoisySimulator) {
         const double z = (result.parameters(0) - truth) / result.standard_error(0);
         sum += z * z / studies;
         mean += z / studies;
-        EXPECT_LE(std::pow(result.simulation_error(0) / result.standard_error(0), 2), 0.2 + 1e-9);
+        // All of the model's errors are noise of its runs, which may enlarge the error by a fifth.
+        EXPECT_LE(result.standard_error(0), 1.2 * result.measurement_error(0) + 1e-9);
     }
     EXPECT_GT(sum, 0.78);
     EXPECT_LT(sum, 1.25);
@@ -220,7 +221,7 @@ TEST(Calibrate, AsksForMoreSimulationWhereTheReadingsAreSharper) {
                   {});
         return model.rounds;
     };
-    EXPECT_GT(rounds(0.018), rounds(0.1));
+    EXPECT_GT(rounds(0.008), rounds(0.1));
 }
 
 TEST(Calibrate, SaysWhenItDidNotConverge) {

@@ -27,7 +27,7 @@ constexpr double truth = 0.15;
 const Fidelity fidelity{"small", 600, 500, 0.03, 6};
 /// Half of the friction's variance may come from simulation: the reported error must be right then
 /// too, and the fits are fast.
-const CalibrationOptions options{.simulation_share = 0.5};
+const CalibrationOptions options{.largest_enlargement = 0.4};
 
 LabPlan plan_of(std::uint64_t seed) {
     LabPlan plan;
