@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
 #include "reports/proposal_report.h"
+#include "workflow/confirm_diagnosis.h"
 #include "workflow/diagnosis_json.h"
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
@@ -43,7 +45,14 @@ explain the readings are written to proposed.toml as [[effect]] tables; 'add --p
 Decisions on an effect: missing; may be missing (one of several); does not explain it (adding it
 leaves a misfit); no sign of it; absent (any size of interest would show); cannot be excluded (a size
 of interest might not show); cannot be seen (no size within its bounds would show).
-No simulation is made: an emulator predicts the readings from the atlas and all stored runs.)";
+An emulator predicts the readings from the atlas and all stored runs. No simulation is made unless
+--confirm is given: then the runs that sharpen the models in the running most are simulated, and the
+diagnosis is repeated with them, until the verdict stays the same, the runs agree with the emulator
+and their noise enlarges no error by more than a fifth, or until the time is over. All runs are kept;
+after Ctrl-C the same command continues with them.)";
+
+/// Time for --confirm without a number [min].
+constexpr double usual_minutes = 5;
 
 /// Sentence on doubts about the readings behind the verdict, or on readings that doubts have set
 /// aside; empty without doubts.
@@ -54,6 +63,23 @@ std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
     }
     const bool said = d.diagnosis.verdict == Verdict::suspect_measurement;
     return measurements.doubts.empty() || said ? "" : " The readings are in doubt, as said below.";
+}
+
+/// Sentence on the simulations that confirmed the verdict.
+std::string confirmation_line(const Confirmation& confirmed) {
+    if (confirmed.runs == 0) {
+        return "No simulation confirms the verdict: none would have ended within the time given.";
+    }
+    const std::string done =
+        fmt::format("{} simulation{} in {}", confirmed.runs, confirmed.runs == 1 ? "" : "s",
+                    duration(confirmed.seconds));
+    return confirmed.settled
+               ? fmt::format("The verdict is firm after {}: more of them would change little.",
+                             done)
+               : fmt::format(
+                     "The verdict is not yet firm after {}: {}. To go on, give the same "
+                     "command again.",
+                     done, confirmed.open);
 }
 
 /// Prints what the verdict is based on, and what follows from it.
@@ -168,11 +194,16 @@ nlohmann::ordered_json proposals_json(const StudyDiagnosis& d) {
 int diagnose(const std::vector<std::string>& arguments) {
     Options options("diagnose STUDY [options]", about_diagnose,
                     "  pendular diagnose my-study\n"
-                    "  pendular diagnose my-study --json - --quiet\n",
+                    "  pendular diagnose my-study --json - --quiet\n"
+                    "  pendular diagnose my-study --confirm 5\n",
                     true);
-    options.set_threads(0, "number of refits at a time");
+    options.set_threads(0, "number of refits, or of simulation runs, at a time");
     std::int64_t seed = 1;
-    options.add("seed", &seed, "seed of the random errors that set the limits (default 1)");
+    options.add("seed", &seed,
+                "seed of the random errors that set the limits, and of simulations (default 1)");
+    std::optional<double> confirming;
+    options.add_time("confirm", &confirming, usual_minutes,
+                     "confirm the verdict by simulations for MINUTES at most");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -181,7 +212,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     const OpenSession session(console, *common, {"diagnosis.json", "proposed.toml", "figures"},
                               seed);
     const Measurements& measurements = session->measurements();
-    const StudyDiagnosis d = session->diagnose();
+    const StudyDiagnosis d = session->diagnose(confirming);
     const Belief& belief = d.belief;
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModels& models = *d.models;
@@ -193,6 +224,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     json["model_effects"] = names_of(session->study().model.effects);
     json["rivals"] = to_json(d.rivals);
     json["proposed"] = proposals_json(d);
+    json["confirmed"] = to_json(d.confirmed);
     add_belief(json, belief);
     write_proposed(common->out_folder() / "proposed.toml", proposed_of(d));
     write_json(common->out_folder() / "diagnosis.json", json);
@@ -201,6 +233,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     if (shown_first) console.line(shown);
     console.answer(verdict_line(diagnosis, models, checks) + caution(d, measurements));
     if (!shown_first && !shown.empty()) console.line(shown);
+    if (d.confirmed) console.line(confirmation_line(*d.confirmed));
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
         if (k != belief.misfit_reason) console.line("Doubt: " + belief.reasons[k]);
     }

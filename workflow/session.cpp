@@ -6,6 +6,7 @@
 #include "data/files/text_file.h"
 #include "data/input_error.h"
 #include "workflow/belief.h"
+#include "workflow/confirm_diagnosis.h"
 #include "workflow/fit_file.h"
 #include "workflow/ladder_file.h"
 #include "workflow/rival_effects.h"
@@ -68,9 +69,12 @@ Prediction Session::predict(const std::vector<Condition>& conditions) const {
     return predict_unseen(StudyModel(input_.study, c).model(), c, conditions);
 }
 
-StudyDiagnosis Session::diagnose() const {
+StudyDiagnosis Session::diagnose(std::optional<double> confirming_seconds) const {
     const Ladder ladder = read_ladder(folder_ / "ladder.json");  // throws before any work
-    StudyDiagnosis diagnosis = diagnose_study(input_.study, measurements(), options_);
+    StudyDiagnosis diagnosis =
+        confirming_seconds
+            ? confirm_diagnosis(input_.study, measurements(), options_, *confirming_seconds)
+            : diagnose_study(input_.study, measurements(), options_);
     diagnosis.rivals = rivals_alive(diagnosis, input_.study, ladder);
     return diagnosis;
 }

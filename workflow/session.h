@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,11 +73,13 @@ class Session {
     ///         since it was fitted, and where a condition cannot be simulated
     Prediction predict(const std::vector<Condition>& conditions) const;
     /// Tests which physical effect is missing from the study's model, and refits the rivals of
-    /// effects that were added (`rivals_alive`). Nothing is simulated.
+    /// effects that were added (`rivals_alive`).
+    /// @param confirming_seconds time for simulations that confirm the verdict
+    ///        (`confirm_diagnosis`) [s]; empty: nothing is simulated
     /// @throws InputError where readings or known runs are too few, where a reading is outside the
     ///         range that can be simulated, and where ladder.json cannot be read
     /// @throws dem::Interrupted where the user stops the work
-    StudyDiagnosis diagnose() const;
+    StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {}) const;
     /// Plans the next measurement to make, from the diagnosis of this session's study: it tells
     /// apart the models that fit or, where there is one only, determines its parameters best. The
     /// session and the diagnosis must outlive the result.

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "analysis/diagnosis/likely_discrepancy.h"
 #include "analysis/diagnosis/study_evidence.h"
@@ -83,18 +84,6 @@ void weigh_proposals(StudyDiagnosis& result) {
     diagnosis.leaders.reset();
 }
 
-KnownRuns known_for(const ResolvedStudy& study, const SessionOptions& session) {
-    auto known = known_runs(StudyModels::with_all_effects(study), session.fidelity, session.store,
-                            session.listener);
-    if (!known) {
-        throw InputError({study.study().file.string()},
-                         "neither the atlas nor the store has enough runs that can serve this "
-                         "study; set PENDULAR_ATLAS to the atlas, or make runs with 'pendular "
-                         "calibrate'");
-    }
-    return std::move(*known);
-}
-
 /// Checks that the readings suffice for a diagnosis.
 /// @throws InputError where there is no reading, where all readings are at one condition, and
 ///         where a reading cannot be simulated
@@ -117,12 +106,29 @@ void check_readings(const std::vector<Reading>& readings, const Study& study,
 
 }  // namespace
 
+KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& session) {
+    auto known = known_runs(StudyModels::with_all_effects(study), session.fidelity, session.store,
+                            session.listener);
+    if (!known) {
+        throw InputError({study.study().file.string()},
+                         "neither the atlas nor the store has enough runs that can serve this "
+                         "study; set PENDULAR_ATLAS to the atlas, or make runs with 'pendular "
+                         "calibrate'");
+    }
+    return std::move(*known);
+}
+
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session) {
+    return diagnose_study(study, measurements, session, runs_for_diagnosis(study, session));
+}
+
+StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
+                              const SessionOptions& session, KnownRuns known) {
     StudyDiagnosis result{.readings = dry_first(measurements)};
     check_readings(result.readings, study, session.fidelity);
     result.models = std::make_unique<StudyModels>(study, conditions_of(result.readings),
-                                                  session.fidelity, known_for(study, session));
+                                                  session.fidelity, std::move(known));
     result.evidence = evidence_of(result.readings, measurements.scatter, result.models->direct());
     DiagnosisOptions options{.seed = session.seed};
     options.progress = [&](std::string_view what, std::size_t at, std::size_t of) {

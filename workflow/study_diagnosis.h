@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "analysis/design/next_measurement.h"
@@ -26,6 +27,16 @@ struct RivalModel {
     double chi2 = 0;  ///< chi2 of all entries in the fit of this model
 };
 
+/// Simulations that confirmed a diagnosis.
+struct Confirmation {
+    std::size_t runs = 0;  ///< number of runs that were made
+    double seconds = 0;    ///< time that the confirmation took, its diagnoses included [s]
+    /// Whether the verdict is firm: it stayed the same with the last runs, these agreed with the
+    /// emulator, and the noise of the runs is small compared with the other errors.
+    bool settled = false;
+    std::string open = {};  ///< reason why the verdict is not firm; empty where it is
+};
+
 /// Diagnosis of a study, with the readings, models and errors on which it is based.
 struct StudyDiagnosis {
     std::vector<Reading> readings;  ///< readings of the study, dry readings first
@@ -41,6 +52,8 @@ struct StudyDiagnosis {
     /// Changes of unknown cause that would explain the readings, where no known effect explains
     /// them all.
     std::vector<Proposal> proposals = {};
+    /// Simulations that confirmed the verdict; empty: none were requested.
+    std::optional<Confirmation> confirmed = {};
     Belief belief = {};  ///< judgement of the fit of the model without further effects
 };
 
@@ -51,6 +64,17 @@ struct StudyDiagnosis {
 /// @throws dem::Interrupted where the user stops the work
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session);
+/// Tests which physical effect is missing from a study's model, with an emulator trained on the
+/// runs `known`. Nothing is simulated.
+/// @throws InputError as the other `diagnose_study`, except for too few runs
+/// @throws dem::Interrupted where the user stops the work
+StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
+                              const SessionOptions& session, KnownRuns known);
+
+/// Training runs for the diagnosis of a study, with any effect: those of the atlas and of the
+/// store.
+/// @throws InputError where they are too few
+KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& session);
 
 /// Checks of the residuals: where the fitted study's model without further effects fails, beyond
 /// what its calibrated parameters can imitate. `seed`: seed of the random errors from which p

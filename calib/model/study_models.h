@@ -51,6 +51,9 @@ class StudyModels : public ModelSpace {
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;
 
+    /// Emulated simulation that all models use.
+    const EmulatedSimulation& simulation() const { return *simulation_; }
+
     /// Direct measurements that the study states, each of one effect's parameter; the models
     /// predict them after the readings.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }

@@ -211,6 +211,7 @@ TEST_F(JsonOutput, OfADiagnosisAndItsChangesIsAsTheSchemasSay) {
     const std::string study = dry_study(effect_ + rig_), out = study + "/out/";
     const std::string diagnosis = expect_output("diagnose " + study, "diagnosis");
     EXPECT_EQ(content_of(out + "diagnosis.json"), diagnosis);
+    expect_output("diagnose " + study + " --confirm 0", "diagnosis");
     const std::string next = expect_output("next " + study, "next");
     EXPECT_EQ(content_of(out + "next.json"), next);
     for (const char* change : {"add ", "drop "}) {

@@ -83,6 +83,18 @@ TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
     EXPECT_THAT(texts_, Contains("fitting with wall-friction"));
 }
 
+TEST_F(Sessions, ConfirmNothingWithoutTime) {
+    const Session without_time = session();
+    const StudyDiagnosis plain = without_time.diagnose(), confirmed = without_time.diagnose(0.0);
+    EXPECT_FALSE(plain.confirmed);
+    ASSERT_TRUE(confirmed.confirmed);
+    EXPECT_EQ(confirmed.confirmed->runs, 0u);
+    EXPECT_FALSE(confirmed.confirmed->settled);
+    EXPECT_EQ(confirmed.confirmed->open, "no simulation was made");
+    EXPECT_EQ(confirmed.diagnosis.effects, plain.diagnosis.effects);
+    EXPECT_EQ(confirmed.diagnosis.chi2, plain.diagnosis.chi2);
+}
+
 TEST_F(Sessions, RefuseToWriteOverTheirInputs) {
     EXPECT_THAT(input_error([&] {
                     session({.folder = study_, .files = {"dry_1.csv"}, .json = std::nullopt});

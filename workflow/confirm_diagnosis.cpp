@@ -1,0 +1,239 @@
+#include "workflow/confirm_diagnosis.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "calib/fit/stopping_rule.h"
+#include "calib/model/fresh_runs.h"
+#include "calib/model/run_budget.h"
+#include "calib/model/sharpening_runs.h"
+
+namespace pendular {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Model in the running for the explanation of the readings, with its fit.
+struct Contender {
+    EffectSet effects;  ///< effects added to the study's model
+    Fit fit;
+    double chi2 = 0;
+};
+
+/// Largest number of models for which runs are made at a time, besides a simpler one.
+constexpr std::size_t most_contenders = 3;
+/// Difference of Akaike's criterion to the best model up to which a model is in the running [1].
+constexpr double near_enough = 6;
+/// Share of the excess chi2 of the study's model from which on a simpler model than the best one
+/// stays in the running, however much worse it fits [1].
+constexpr double nearly_all = 0.9;
+
+/// Models in the running, the best first: refitted models, or the study's model, whose criterion
+///     chi2/s^2 + 2 (number of effects),  s^2 = chi2/dof of the best model, at least 1,
+/// is near that of the best. The best one with fewer effects stays in the running if it explains
+/// nearly all of the misfit: that it fails may be an error of the emulator, on which the next runs
+/// decide, and runs for other models would never correct this error.
+/// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002),
+/// sections 2.5, 2.6.
+std::vector<Contender> contenders(const Diagnosis& diagnosis) {
+    std::vector<Contender> all = {{{}, diagnosis.fit, diagnosis.chi2}};
+    for (const Explanation& each : diagnosis.tried) {
+        if (!each.suspect) all.push_back({each.chosen, each.fit, each.chi2});
+    }
+    const auto closest = std::ranges::min_element(all, {}, &Contender::chi2);
+    const double variance = std::max(1.0, closest->chi2 / std::max(1, closest->fit.dof));
+    const auto criterion = [&](const Contender& each) {
+        return each.chi2 / variance + 2 * static_cast<double>(each.effects.size());
+    };
+    std::ranges::stable_sort(all, {}, criterion);
+    std::vector<Contender> running;
+    for (const Contender& each : all) {
+        const bool close = criterion(each) <= criterion(all.front()) + near_enough;
+        if (close && running.size() < most_contenders) running.push_back(each);
+    }
+    const auto simplest =
+        std::ranges::min(running, {}, [](const Contender& each) { return each.effects.size(); });
+    const auto simpler = std::ranges::find_if(all, [&](const Contender& each) {
+        const double excess = diagnosis.chi2 - diagnosis.dof;
+        return each.effects.size() < simplest.effects.size() && excess > 0 &&
+               diagnosis.chi2 - each.chi2 >= nearly_all * excess;
+    });
+    if (simpler != all.end()) running.push_back(*simpler);
+    return running;
+}
+
+/// Whether two diagnoses give the same answer.
+bool same_verdict(const Diagnosis& a, const Diagnosis& b) {
+    return a.verdict == b.verdict && a.effects == b.effects && a.complete == b.complete;
+}
+
+/// Work of confirming one diagnosis, with what it has learned so far.
+class Confirming {
+  public:
+    Confirming(const ResolvedStudy& study, const Measurements& measurements,
+               const SessionOptions& session, double seconds)
+        : study_(study),
+          measurements_(measurements),
+          session_(session),
+          budget_(seconds),
+          seeds_(session.seed),
+          known_(runs_for_diagnosis(study, session)) {}
+
+    StudyDiagnosis result() {
+        StudyDiagnosis diagnosis = diagnosed();
+        for (int round = 1; !firm(diagnosis); ++round) {
+            const std::vector<dem::RunParameters> runs = next_runs(diagnosis);
+            if (runs.empty()) break;
+            if (round == 1) announce(runs);
+            learn(diagnosis, runs, round);
+            StudyDiagnosis again = diagnosed();
+            same_ = same_verdict(diagnosis.diagnosis, again.diagnosis);
+            diagnosis = std::move(again);
+            report(diagnosis.diagnosis, round);
+        }
+        confirmation_.seconds = seconds_since(start_);
+        confirmation_.settled = firm(diagnosis);
+        if (!confirmation_.settled) confirmation_.open = open_;
+        diagnosis.confirmed = confirmation_;
+        return diagnosis;
+    }
+
+  private:
+    /// Diagnosis with all runs known so far. Only the first one reports its progress: later ones
+    /// take as long, and their verdict is told by `report`.
+    StudyDiagnosis diagnosed() {
+        const auto start = Clock::now();
+        SessionOptions session = session_;
+        if (confirmation_.runs > 0) session.listener = {};
+        StudyDiagnosis diagnosis = diagnose_study(study_, measurements_, session, known_);
+        constexpr double more = 1.5;  // a diagnosis with more runs may take longer
+        reserved_ = more * seconds_since(start);
+        return diagnosis;
+    }
+
+    void report(const Diagnosis& diagnosis, int round) const {
+        tell(session_.listener,
+             {.kind = Event::Kind::stage,
+              .text = fmt::format(
+                  "Verdict after round {}: {}{}{}", round, to_string(diagnosis.verdict),
+                  diagnosis.effects.empty() ? "" : ", ", fmt::join(diagnosis.effects, ", "))});
+    }
+
+    /// Whether the verdict is firm; if not, sets `open_` to the reason.
+    bool firm(const StudyDiagnosis& diagnosis) {
+        Enlargement largest;
+        for (const Contender& each : contenders(diagnosis.diagnosis)) {
+            const auto model = diagnosis.models->with(each.effects);
+            const Enlargement own =
+                enlargement_by_runs(each.fit, diagnosis.evidence.measured, model->parameters());
+            if (own.size > largest.size) largest = own;
+        }
+        excess_ = largest.excess();
+        open_ = confirmation_.runs == 0 ? "no simulation was made"
+                : !same_                ? "the verdict changed with the last simulations"
+                : p_ < disagreement
+                    ? "the last simulations differed from the emulator's predictions"
+                : excess_ > 1 ? fmt::format("the noise of the runs enlarges {}", text_of(largest))
+                              : "";
+        return open_.empty();
+    }
+
+    /// Runs of the next round; none where the time is over.
+    std::vector<dem::RunParameters> next_runs(const StudyDiagnosis& diagnosis) {
+        std::vector<FittedModel> fitted;
+        for (const Contender& each : contenders(diagnosis.diagnosis)) {
+            fitted.push_back({diagnosis.models->predictor(each.effects), each.fit.parameters,
+                              each.fit.covariance});
+        }
+        RunChoice choice =
+            sharpening_choice(diagnosis.models->simulation(), fitted, diagnosis.readings,
+                              session_.fidelity.lowest_inertial_number);
+        choice.factor = excess_;
+        auto runs = seeds_.runs_at(
+            most_informative(diagnosis.models->simulation().emulator(), session_.fidelity, choice),
+            study_, session_.fidelity, known_.runs);
+        runs.resize(
+            budget_.batch(runs, made_.empty() ? known_.runs : made_, session_.threads, reserved_));
+        return runs;
+    }
+
+    void announce(const std::vector<dem::RunParameters>& runs) const {
+        const auto expected = expected_seconds(runs, known_.runs, session_.threads);
+        tell(session_.listener,
+             {.kind = Event::Kind::stage,
+              .text = fmt::format("Simulations confirm the verdict. They take at most {:.0f} s and "
+                                  "end sooner if the verdict is firm; the first {} runs take about "
+                                  "{:.0f} s",
+                                  budget_.seconds_left(), runs.size(), expected.value_or(0))});
+    }
+
+    /// Carries out runs and adds them to the known ones.
+    void learn(const StudyDiagnosis& diagnosis, const std::vector<dem::RunParameters>& runs,
+               int round) {
+        const Workers workers{session_.threads, session_.stop,
+                              [&](const EnsembleProgress& progress) {
+                                  tell(session_.listener,
+                                       {.kind = Event::Kind::runs,
+                                        .text = fmt::format("confirming, round {}", round),
+                                        .runs = progress});
+                              },
+                              session_.store};
+        std::vector<std::string> notes;
+        const std::vector<dem::RunResult> done = budget_.run(runs, workers, reserved_);
+        const std::vector<dem::RunResult> fresh = usable_of(done, notes);
+        for (const std::string& note : notes) {
+            tell(session_.listener, {.text = note});
+        }
+        p_ = agreement(diagnosis.models->simulation().emulator(), fresh);
+        made_.insert(made_.end(), done.begin(), done.end());
+        known_.runs.insert(known_.runs.end(), fresh.begin(), fresh.end());
+        confirmation_.runs += done.size();
+    }
+
+    const Clock::time_point start_ = Clock::now();
+    const ResolvedStudy& study_;
+    const Measurements& measurements_;
+    const SessionOptions& session_;
+    const RunBudget budget_;
+    FreshSeeds seeds_;
+    KnownRuns known_;
+    std::vector<dem::RunResult> made_;  ///< runs made so far
+    double reserved_ = 0;               ///< time to reserve for the last diagnosis [s]
+    bool same_ = false;                 ///< whether the last runs left the verdict as it was
+    double p_ = 1;                      ///< p-value of the agreement of the last runs
+    double excess_ = 1;  ///< factor by which the variance from the noise of the runs is too large
+    Confirmation confirmation_;
+    std::string open_;
+};
+
+}  // namespace
+
+nlohmann::ordered_json to_json(const std::optional<Confirmation>& confirmed) {
+    if (!confirmed) return nullptr;
+    return {{"runs", confirmed->runs},
+            {"seconds", confirmed->seconds},
+            {"settled", confirmed->settled},
+            {"open", confirmed->open}};
+}
+
+StudyDiagnosis confirm_diagnosis(const ResolvedStudy& study, const Measurements& measurements,
+                                 const SessionOptions& session, double seconds) {
+    try {
+        return Confirming(study, measurements, session, seconds).result();
+    } catch (const dem::Interrupted&) {
+        throw interrupted_with(session.store);
+    }
+}
+
+}  // namespace pendular
