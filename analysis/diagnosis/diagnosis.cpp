@@ -41,6 +41,7 @@ class Diagnostician {
         }
         decide();
         order_scan();
+        result_.change_errors = std::move(explanations_.errors);
         return std::move(result_);
     }
 

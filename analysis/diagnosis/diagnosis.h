@@ -55,6 +55,9 @@ struct Diagnosis {
     /// means, and of the most significant candidate effect or suspect measurement, corrected for
     /// the number of tests.
     double lack_of_fit_p = 0, further_p = 0;
+    /// For each candidate effect, covariances of its change of the readings from errors of the
+    /// emulator (`Explanations::errors`).
+    std::vector<ModelSpace::ChangeErrors> change_errors;
     bool errors_assumed = false;  ///< whether errors of some readings are assumed, not measured
 
     /// Whitened residuals of the readings from the model without further effects. `evidence`: the

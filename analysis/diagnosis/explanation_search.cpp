@@ -2,12 +2,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <functional>
-#include <future>
 #include <stdexcept>
 #include <utility>
+
+#include "analysis/diagnosis/side_by_side.h"
 
 namespace pendular {
 namespace {
@@ -24,8 +24,6 @@ constexpr double all_the_same = 10;
 constexpr double foretelling_error = 0.2;
 /// Number of candidates that are refitted at a time.
 constexpr std::size_t best_singles = 6;
-/// Number of refits for each of which one more thread is started.
-constexpr std::size_t worth_another_thread = 3;
 
 class Search {
   public:
@@ -128,28 +126,12 @@ std::optional<Explanation> explained(const Explanations& explanations, const Eff
 
 void Search::try_all(std::string_view what, const std::vector<Trial>& trials) {
     std::vector<std::optional<Explanation>> found(trials.size());
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&](const auto& before_each) {
-        for (std::size_t k = next++; k < trials.size(); k = next++) {
-            before_each(k);
+    side_by_side(
+        trials.size(), options_.threads, [&](std::size_t k) { say(what, k, trials.size()); },
+        [&](std::size_t k) {
             found[k] =
                 explained(explanations_, trials[k].chosen, trials[k].suspect, trials[k].start);
-        }
-    };
-    const std::size_t threads = std::min(options_.threads, trials.size() / worth_another_thread);
-    std::vector<std::future<void>> helpers;
-    for (std::size_t thread = 1; thread < threads; ++thread) {
-        helpers.push_back(std::async(std::launch::async, [&] { work([](std::size_t) {}); }));
-    }
-    try {
-        work([&](std::size_t k) { say(what, k, trials.size()); });
-    } catch (...) {
-        next = trials.size();  // the other threads end soon, and are waited for
-        throw;
-    }
-    for (auto& helper : helpers) {
-        helper.get();
-    }
+        });
     say(what, trials.size(), trials.size());
     for (auto& each : found) {
         if (each) take(std::move(*each));

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/diagnosis/side_by_side.h"
 #include "analysis/proposals/scored_shapes.h"
 #include "sim/catalogue/written_effect.h"
 
@@ -37,7 +38,7 @@ class ShapeSearch {
           diagnosis_(diagnosis),
           options_(options),
           base_{.fit = diagnosis.fit, .chi2 = diagnosis.chi2},
-          scored_(study, models, readings, base_, {models, evidence, options}) {
+          scored_(study, models, readings, base_, {models, evidence, options}, options.threads) {
         for (const Effect& effect : study.catalogue().all()) {
             taken_.insert(effect.name);
         }
@@ -122,23 +123,33 @@ std::vector<Proposal> ShapeSearch::fitted(const std::vector<Score>& scores) {
     }
     const StudyModels space = models_.offering(effects);
     Explanations explanations(space, evidence_, options_);
-    std::size_t first = models_.candidates().size();
-    std::vector<Proposal> possible;
-    for (std::size_t k = 0; k < proposals.size(); ++k) {
-        if (options_.progress) options_.progress("shapes", k, proposals.size());
+    std::vector<std::size_t> firsts;
+    std::size_t next = models_.candidates().size();
+    for (const Score& score : scores) {
+        firsts.push_back(next);
+        next += score.shapes.size();
+    }
+    const auto say = [&](std::size_t k) {
+        if (options_.progress) options_.progress("shapes", k, scores.size());
+    };
+    std::vector<char> possible(scores.size(), 1);
+    side_by_side(scores.size(), options_.threads, say, [&](std::size_t k) {
         try {
-            refit(proposals[k], scores[k], first, explanations);
-            possible.push_back(std::move(proposals[k]));
+            refit(proposals[k], scores[k], firsts[k], explanations);
         } catch (const std::domain_error&) {
-            // The readings are impossible with this shape.
+            possible[k] = 0;  // the readings are impossible with this shape
         }
-        first += scores[k].shapes.size();
+    });
+    std::vector<Proposal> refitted;
+    for (std::size_t k = 0; k < proposals.size(); ++k) {
+        if (possible[k]) refitted.push_back(std::move(proposals[k]));
     }
-    for (std::size_t k = 0; k < space.candidates().size(); ++k) {
-        explanations.errors[k] = explanations.addition(base_, k).signature(true).errors;
+    explanations.errors = diagnosis_.change_errors;
+    for (std::size_t k = models_.candidates().size(); k < space.candidates().size(); ++k) {
+        explanations.errors.push_back(explanations.addition(base_, k).signature(true).errors);
     }
-    judge(possible, explanations);
-    return possible;
+    judge(refitted, explanations);
+    return refitted;
 }
 
 void ShapeSearch::judge(std::vector<Proposal>& proposals, const Explanations& explanations) {

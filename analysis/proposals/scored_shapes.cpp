@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "analysis/diagnosis/side_by_side.h"
 #include "sim/catalogue/written_effect.h"
 
 namespace pendular {
@@ -37,7 +38,7 @@ bool may_oscillate(const ChangedQuantity& quantity) {
 
 ScoredShapes::ScoredShapes(const ResolvedStudy& study, const StudyModels& models,
                            const std::vector<Reading>& readings, const Explanation& base,
-                           const Explanations& explanations)
+                           const Explanations& explanations, std::size_t threads)
     : residuals_(explanations.residuals_of(base)) {
     const auto quantities = quantities_that_may_change(study, readings);
     std::vector<Effect> uniform;
@@ -59,7 +60,7 @@ ScoredShapes::ScoredShapes(const ResolvedStudy& study, const StudyModels& models
     }
     project_from(0);
     refine();
-    draw(explanations.draws());
+    draw(explanations.draws(), threads);
 }
 
 void ScoredShapes::add(std::size_t changeable, Profile profile) {
@@ -124,13 +125,18 @@ void ScoredShapes::project_from(std::size_t first) {
     along_ = directions_.transpose() * residuals_.residuals();
 }
 
-void ScoredShapes::draw(const NullDraws& draws) {
-    drawn_ = Eigen::VectorXd::Zero(draws.count());
-    for (Eigen::Index from = 0; from < directions_.cols(); from += drawn_at_once) {
-        const Eigen::Index count = std::min(drawn_at_once, directions_.cols() - from);
+void ScoredShapes::draw(const NullDraws& draws, std::size_t threads) {
+    const auto parts =
+        static_cast<std::size_t>((directions_.cols() + drawn_at_once - 1) / drawn_at_once);
+    Eigen::MatrixXd largest(draws.count(), static_cast<Eigen::Index>(parts));
+    side_by_side(parts, threads, {}, [&](std::size_t part) {
+        const Eigen::Index from = static_cast<Eigen::Index>(part) * drawn_at_once,
+                           count = std::min(drawn_at_once, directions_.cols() - from);
         const Eigen::MatrixXd along = draws.along(residuals_, directions_.middleCols(from, count));
-        drawn_ = drawn_.cwiseMax(along.cwiseAbs2().colwise().maxCoeff().transpose());
-    }
+        largest.col(static_cast<Eigen::Index>(part)) =
+            along.cwiseAbs2().colwise().maxCoeff().transpose();
+    });
+    drawn_ = largest.rowwise().maxCoeff();
 }
 
 double ScoredShapes::p(double reduction) const {

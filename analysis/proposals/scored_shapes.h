@@ -25,9 +25,10 @@ class ScoredShapes {
     /// Scores all shapes of a study.
     /// @param base fit of the study's model without further effects
     /// @param explanations tests of that model, whose random draws give p values
+    /// @param threads largest number of threads for the random draws
     ScoredShapes(const ResolvedStudy& study, const StudyModels& models,
                  const std::vector<Reading>& readings, const Explanation& base,
-                 const Explanations& explanations);
+                 const Explanations& explanations, std::size_t threads);
 
     const ShapeOfChange& shape(std::size_t index) const { return shapes_[index]; }
     /// Scores of single shapes, the shortest description (`reduction` less `price`) first.
@@ -55,7 +56,7 @@ class ScoredShapes {
     void refine();
     /// Computes directions, lengths and components of the shapes from index `first` on.
     void project_from(std::size_t first);
-    void draw(const NullDraws& draws);
+    void draw(const NullDraws& draws, std::size_t threads);
     Score score_of(std::size_t index) const;
     /// Score of two shapes together; empty where they are nearly parallel or where a change would
     /// leave its bounds.
