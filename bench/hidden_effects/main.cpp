@@ -1,10 +1,13 @@
 // `pendular-bench`: long benchmarks of the whole program.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/program_options.hpp>
 #include <iostream>
 #include <string>
+#include <vector>
 
+#include "bench/hidden_effects/foreign_studies.h"
 #include "bench/hidden_effects/hidden_effects.h"
 #include "data/input_error.h"
 #include "sim/dem/simulation_error.h"
@@ -23,11 +26,36 @@ study and figures. Truths are simulated with other seeds, beads and set points t
 program knows. Simulations and finished studies stay in the work folder: the same command goes on
 where it was stopped.
 
+pendular-bench foreign-worlds [--studies N] [--only WORLD,...] [--results FOLDER] [--work FOLDER]
+
+Diagnoses studies of grains that LAMMPS simulated (bench/foreign_worlds/states.csv), and writes
+foreign_worlds.txt and a row for each study.
+
 Examples:
   pendular-bench hidden-effects
   pendular-bench hidden-effects --only lid-slip --studies 2 --results /tmp
+  pendular-bench foreign-worlds --only "dry rolling" --studies 2 --results /tmp
 
 )";
+
+std::vector<std::string> separated(const std::string& names) {
+    std::vector<std::string> all;
+    for (std::size_t at = 0; at < names.size();) {
+        const std::size_t end = std::min(names.find(',', at), names.size());
+        all.push_back(names.substr(at, end - at));
+        at = end + 1;
+    }
+    return all;
+}
+
+void run_foreign_studies(const po::variables_map& given) {
+    bench::ForeignStudiesOptions options;
+    if (!given["work"].defaulted()) options.work = given["work"].as<std::string>();
+    if (!given["studies"].defaulted()) options.studies = given["studies"].as<int>();
+    if (given.contains("only")) options.only = separated(given["only"].as<std::string>());
+    options.results = given["results"].as<std::string>();
+    bench::foreign_studies(options);
+}
 
 int run(int count, char** words) {
     bench::HiddenEffectsOptions options;
@@ -67,15 +95,16 @@ int run(int count, char** words) {
         std::cout << about << shown;
         return command.empty() && !given.contains("help") ? 2 : 0;
     }
+    if (command == "foreign-worlds") {
+        run_foreign_studies(given);
+        return 0;
+    }
     if (command != "hidden-effects") {
-        throw InputError(fmt::format("unknown benchmark '{}'; there is hidden-effects", command));
+        throw InputError(fmt::format(
+            "unknown benchmark '{}'; there are hidden-effects and foreign-worlds", command));
     }
     options.work = work, options.truths = truths, options.results = results;
-    for (std::size_t at = 0; at < only.size();) {
-        const std::size_t end = std::min(only.find(',', at), only.size());
-        options.only.push_back(only.substr(at, end - at));
-        at = end + 1;
-    }
+    options.only = separated(only);
     options.plan = given.contains("plan");
     options.diagnose = !given.contains("simulate-only");
     bench::hidden_effects(options);

@@ -8,9 +8,8 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <set>
 
-#include "data/files/csv.h"
+#include "bench/hidden_effects/judgement.h"
 #include "data/files/text_file.h"
 #include "data/recordings/robust.h"
 #include "reports/draw_figure.h"
@@ -27,11 +26,6 @@ constexpr double hardly_separated = 4;
 /// known, and (3.82 + 1.28)^2 = 26.
 constexpr double far_separated = 26;
 
-struct LabStudy {
-    const Truth* truth;
-    const Outcome* outcome;
-};
-using Studies = std::vector<LabStudy>;
 using Test = std::function<bool(const LabStudy&)>;
 
 Studies those(const Studies& studies, const Test& test) {
@@ -55,34 +49,6 @@ std::string rate(const Studies& studies, const Test& test) {
                        percent(Law::find_upper_bound_on_p(of, count, 0.025)));
 }
 
-bool verdict_is(const LabStudy& s, std::string_view verdict) {
-    return s.outcome->verdict == verdict;
-}
-bool flagged(const LabStudy& s) {
-    return verdict_is(s, "unknown") || verdict_is(s, "suspect-measurement");
-}
-bool alarms(const LabStudy& s) {
-    return !verdict_is(s, "nothing-missing") && !verdict_is(s, "inconclusive");
-}
-bool names_truth(const LabStudy& s) {
-    return !s.truth->hidden.empty() && s.outcome->named.size() == s.truth->hidden.size() &&
-           std::ranges::all_of(s.outcome->named,
-                               [&](const std::string& name) { return s.truth->hides(name); });
-}
-bool points_at_truth(const LabStudy& s) {
-    return std::ranges::any_of(s.outcome->named,
-                               [&](const std::string& name) { return s.truth->hides(name); });
-}
-bool right(const LabStudy& s) {
-    return verdict_is(s, "missing") && names_truth(s);
-}
-/// Something else is named, or everything called well: whoever believes it is misled.
-bool confidently_wrong(const LabStudy& s) {
-    if (verdict_is(s, "nothing-missing")) return !s.truth->hidden.empty();
-    return verdict_is(s, "missing") &&
-           !std::ranges::all_of(s.outcome->named,
-                                [&](const std::string& name) { return s.truth->hides(name); });
-}
 bool single(const LabStudy& s) {
     return s.truth->kind == Truth::Kind::effect;
 }
@@ -95,13 +61,6 @@ double wanted(const LabStudy& s) {
     return at == std::string::npos ? 0 : std::stod(s.truth->name.substr(at + 4));
 }
 
-/// Column of the confusion matrix to which a study belongs.
-std::string said(const LabStudy& s) {
-    if (!alarms(s)) return "nothing";
-    if (verdict_is(s, "missing")) return fmt::format("{}", fmt::join(s.outcome->named, " + "));
-    return s.outcome->verdict;
-}
-
 std::vector<std::string> rows_of(const std::vector<Truth>& truths, const Studies& studies) {
     std::vector<std::string> rows;
     for (const Truth& truth : truths) {
@@ -110,45 +69,6 @@ std::vector<std::string> rows_of(const std::vector<Truth>& truths, const Studies
         }
     }
     return rows;
-}
-
-using Confusion = std::map<std::pair<std::string, std::string>, std::size_t>;
-
-Confusion confusion_of(const Studies& studies) {
-    Confusion counts;
-    for (const LabStudy& s : studies) {
-        ++counts[{s.truth->name, said(s)}];
-    }
-    return counts;
-}
-
-/// Nothing first, then single effects and pairs, then what is not named.
-std::vector<std::string> columns_of(const Confusion& counts) {
-    const std::vector<std::string> last = {"indistinguishable", "suspect-measurement", "unknown"};
-    std::set<std::string> named;
-    for (const auto& [cell, count] : counts) {
-        if (cell.second != "nothing" && std::ranges::find(last, cell.second) == last.end()) {
-            named.insert(cell.second);
-        }
-    }
-    std::vector<std::string> columns = {"nothing"};
-    columns.insert(columns.end(), named.begin(), named.end());
-    columns.insert(columns.end(), last.begin(), last.end());
-    return columns;
-}
-
-void write_confusion(const std::filesystem::path& file, const std::vector<std::string>& rows,
-                     const std::vector<std::string>& columns, const Confusion& counts) {
-    std::string text = fmt::format("truth,{}\n", fmt::join(columns, ","));
-    for (const std::string& row : rows) {
-        text += row;
-        for (const std::string& column : columns) {
-            const auto found = counts.find({row, column});
-            text += fmt::format(",{}", found == counts.end() ? 0 : found->second);
-        }
-        text += '\n';
-    }
-    write_whole(file, text);
 }
 
 double median_of(const Studies& studies, const std::function<double(const LabStudy&)>& value) {
@@ -383,8 +303,7 @@ void write_report(const std::vector<Truth>& truths, const std::vector<Outcome>& 
         }
     }
     const auto rows = rows_of(truths, all);
-    const Confusion counts = confusion_of(all);
-    write_confusion(folder / "hidden_effects_confusion.csv", rows, columns_of(counts), counts);
+    write_confusion(folder / "hidden_effects_confusion.csv", rows, all);
     write_outcomes(folder / "hidden_effects_studies.csv", outcomes);
     std::string text = fmt::format(
         "pendular-bench hidden-effects, pendular {}: {} studies of {} of {} truths\n"

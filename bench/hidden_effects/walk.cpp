@@ -9,7 +9,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bench/hidden_effects/rig.h"
 #include "data/files/text_file.h"
 #include "data/recordings/replicate_groups.h"
 #include "sim/lab/virtual_study.h"
@@ -36,8 +35,8 @@ bool is_truth(const Explanation& explanation, const StudyModels& models, const T
            });
 }
 
-Fitted fitted_with(const Study& study, const Measurements& measurements) {
-    return fitted(study, fit_study(study, measurements, {.fidelity = truth_fidelity()}, {}));
+Fitted fitted_with(const Study& study, const Measurements& measurements, const Fidelity& fidelity) {
+    return fitted(study, fit_study(study, measurements, {.fidelity = fidelity}, {}));
 }
 
 /// RMS scatter [%] of replicates about the means of their conditions.
@@ -84,13 +83,14 @@ std::array<double, 2> noise_of(const std::vector<Reading>& readings, LabResult l
                              typical_error(laboratory, dem::Observable::solid_fraction))};
 }
 
-Outcome::Added added(const StudyInput& input, const std::vector<std::string>& effects) {
-    const Fitted before = fitted_with(input.study, input.measurements);
+Outcome::Added added(const StudyInput& input, const std::vector<std::string>& effects,
+                     const Fidelity& fidelity) {
+    const Fitted before = fitted_with(input.study, input.measurements, fidelity);
     Study more = input.study;
     for (const std::string& effect : effects) {
         more = plan_change(more, Action::add, effect).study;
     }
-    const Fitted after = effects.empty() ? before : fitted_with(more, input.measurements);
+    const Fitted after = effects.empty() ? before : fitted_with(more, input.measurements, fidelity);
     const boost::math::chi_squared law(after.ladder_step.dof);
     return {.p = boost::math::cdf(boost::math::complement(law, after.ladder_step.chi2)),
             .rms_before = before.ladder_step.rms_percent,
@@ -100,9 +100,10 @@ Outcome::Added added(const StudyInput& input, const std::vector<std::string>& ef
             .left_out_after = after.ladder_step.left_out_percent.value()};
 }
 
-void diagnose_into(Outcome& outcome, const Truth& truth, const StudyInput& input) {
+void diagnose_into(Outcome& outcome, const Truth& truth, const StudyInput& input,
+                   const Fidelity& fidelity) {
     const StudyDiagnosis found =
-        diagnose_study(input.study, input.measurements, {.fidelity = truth_fidelity()});
+        diagnose_study(input.study, input.measurements, {.fidelity = fidelity});
     const StudyModels& models = *found.models;
     const Evidence& evidence = found.evidence;
     const Diagnosis& d = found.diagnosis;
@@ -147,18 +148,22 @@ std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, c
 }
 
 Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
-             const std::filesystem::path& folder) {
+             const std::filesystem::path& folder, const std::array<double, 2>& discrepancy) {
     const auto begun = std::chrono::steady_clock::now();
     write_whole_folder(folder, recordings_with_noise(laboratory, truth, study));
     Outcome outcome{.truth = truth.name, .study = study};
-    const StudyInput input = read_input(folder);
-    diagnose_into(outcome, truth, input);
+    StudyInput input = read_input(folder);
+    Study stated = input.study;
+    stated.model.discrepancy = discrepancy;
+    input.study = input.study.changed_to(stated);
+    const Fidelity& fidelity = laboratory.plan.fidelity;
+    diagnose_into(outcome, truth, input, fidelity);
     std::vector<std::string> hidden;
     for (const ActiveEffect& active : truth.hidden) {
         hidden.push_back(active.effect->name);
     }
     if (outcome.set_has_truth) {
-        outcome.added = added(input, hidden);
+        outcome.added = added(input, hidden, fidelity);
         outcome.added->noise =
             noise_of(input.measurements.readings, laboratory, folder.string() + " without noise");
     }

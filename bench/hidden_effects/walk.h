@@ -49,9 +49,12 @@ std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, c
 
 /// Makes the recordings of a simulated laboratory with noise of their own, imports them, diagnoses,
 /// and adds what is hidden where that is among what may be missing. Works in a folder that it makes
-/// and removes.
+/// and removes. The diagnosis has the fidelity of the laboratory.
+/// @param discrepancy error of the model that the study states, relative to (stress ratio, solid
+///        fraction) [1]
 Outcome walk(const Truth& truth, const LabResult& laboratory, int study,
-             const std::filesystem::path& folder);
+             const std::filesystem::path& folder,
+             const std::array<double, 2>& discrepancy = {0, 0});
 
 /// Rows of outcomes, so that a benchmark goes on where it was stopped.
 std::vector<Outcome> read_outcomes(const std::filesystem::path& file);
