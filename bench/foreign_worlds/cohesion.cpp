@@ -197,7 +197,7 @@ int main(int count, char** words) {
     }
     const std::string law = words[1], folder = words[4];
     std::vector<char*> for_lammps = {words[0]};
-    std::string fixed[] = {"-log", "none", "-screen", "none"};
+    std::string fixed[] = {"-log", "none"};
     for (std::string& word : fixed) {
         for_lammps.push_back(word.data());
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <stdexcept>
 
 #include "bench/hidden_effects/foreign_world.h"
 #include "bench/hidden_effects/walk.h"
@@ -21,8 +22,10 @@ constexpr int studies = 20;
 const ForeignWorld& world_named(const std::string& name) {
     static const std::vector<ForeignWorld> all = bench::read_foreign_worlds(
         std::filesystem::path(PENDULAR_SOURCE_DIR) / "bench/foreign_worlds/states.csv");
-    return *std::ranges::find_if(
-        all, [&](const ForeignWorld& world) { return world.truth.name == name; });
+    const auto found =
+        std::ranges::find(all, name, [](const ForeignWorld& world) { return world.truth.name; });
+    if (found == all.end()) throw std::runtime_error("states of world '" + name + "' are missing");
+    return *found;
 }
 
 struct Counts {
