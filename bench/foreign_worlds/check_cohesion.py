@@ -7,6 +7,7 @@ stress so far.
 """
 import argparse
 import math
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -36,12 +37,14 @@ def write_table(file):
 def write_input(work):
     """sample.lmp with the table over its contacts, and closing.lmp."""
     sample = (HERE / "sample.lmp").read_text(encoding="ascii")
-    sample = sample.replace("pair_style granular", f"pair_style hybrid/overlay granular table linear {ENTRIES}")
+    overlay = f"pair_style hybrid/overlay granular table linear {ENTRIES}"
+    sample = sample.replace("pair_style granular", overlay)
     sample = sample.replace("pair_coeff * * hertz", "pair_coeff * * granular hertz")
     sample += f"pair_coeff * * table {work}/bridge.table BRIDGE {1 + RANGE:.10f}\n"
     (work / "table.lmp").write_text(sample + f"include {HERE}/closing.lmp\n", encoding="ascii")
-    (work / "sample.lmp").write_text((HERE / "sample.lmp").read_text(encoding="ascii"), encoding="ascii")
-    (work / "flow.lmp").write_text((HERE / "closing.lmp").read_text(encoding="ascii"), encoding="ascii")
+    # What the program reads from its folder.
+    shutil.copy(HERE / "sample.lmp", work / "sample.lmp")
+    shutil.copy(HERE / "closing.lmp", work / "flow.lmp")
 
 
 def stresses(words):
@@ -57,10 +60,12 @@ def main():
     work = parser.parse_args().work.resolve()
     work.mkdir(parents=True, exist_ok=True)
     build_cohesion(work)
-    subprocess.run([sys.executable, HERE.parent / "peers/gas.py", "1000", "3", work / "gas"], check=True)
+    gas = [sys.executable, HERE.parent / "peers/gas.py", "1000", "3", work / "gas"]
+    subprocess.run(gas, check=True)
     write_table(work / "bridge.table")
     write_input(work)
-    variables = {"gas": work / "gas", "modulus": 31622.8, "friction": 0.11, "rolling": 0, "time_step": 0.0053}
+    variables = {"gas": work / "gas", "modulus": 31622.8, "friction": 0.11}
+    variables |= {"rolling": 0, "time_step": 0.0053}
     given = [word for name, value in variables.items() for word in ("-var", name, value)]
     own = stresses([work / "cohesion", "reversible", FORCE, VOLUME, work, *given])
     table = stresses(["lmp", "-log", "none", "-in", work / "table.lmp", *given])

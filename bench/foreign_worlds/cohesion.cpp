@@ -72,7 +72,9 @@ class Cohesion {
             forces_[tags[k] - 1] = f[k];
             f[k][0] = f[k][1] = f[k][2] = 0;
         }
-        if (steps_left_-- <= 0) list_pairs(box, grains);
+        // Where a flow begins, grains still rest while the images above them already move.
+        const double sheared = std::remainder(box.tilt - listed_tilt_, box.edge[0]);
+        if (steps_left_-- <= 0 || std::abs(sheared) > skin / 4) list_pairs(box, grains);
         std::array<double, 6> virial{};
         int joined = 0;
         for (Pair& pair : pairs_) {
@@ -129,6 +131,7 @@ class Cohesion {
         std::sort(order.begin(), order.end(), [&](int a, int b) { return height[a] < height[b]; });
         const bool first = !listed_;
         listed_ = true;
+        listed_tilt_ = box.tilt;
         pairs_.clear();
         for (int a = 0; a < grains; ++a) {
             for (int step = 1; step < grains; ++step) {
@@ -181,6 +184,7 @@ class Cohesion {
     std::vector<double*> at_, forces_;
     std::vector<Pair> pairs_;
     bool listed_ = false;
+    double listed_tilt_ = 0;
     int steps_left_ = 0;
 };
 

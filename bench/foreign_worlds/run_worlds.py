@@ -69,7 +69,9 @@ class Run:
     def bridge_volume(self):
         if not self.wet:
             return 0
-        return self.world.bridge_volume(self.normal_stress, self.inertial_number, self.liquid_content)
+        return self.world.bridge_volume(
+            self.normal_stress, self.inertial_number, self.liquid_content
+        )
 
 
 def all_runs():
@@ -208,7 +210,8 @@ def build_cohesion(work):
     source = HERE / "cohesion.cpp"
     if program.exists() and program.stat().st_mtime > source.stat().st_mtime:
         return
-    words = f"c++ -O3 -march=native -std=c++20 $(pkg-config --cflags mpi-cxx) {source} -llammps $(pkg-config --libs mpi-cxx) -o {program}"
+    words = "c++ -O3 -march=native -std=c++20 $(pkg-config --cflags mpi-cxx) "
+    words += f"{source} -llammps $(pkg-config --libs mpi-cxx) -o {program}"
     subprocess.run(["bash", "-c", words], check=True)
 
 
@@ -217,7 +220,7 @@ def main():
     parser.add_argument("--work", type=Path, default=HERE.parents[1] / "build/foreign-worlds")
     parser.add_argument("--only", default="", help="worlds, separated by commas")
     parser.add_argument("--table", help="file")
-    parser.add_argument("--list", action="store_true", help="names of runs, and whether each is done")
+    parser.add_argument("--list", action="store_true", help="runs, and whether each is done")
     given = parser.parse_args()
     work = given.work.resolve()
     if given.table:
