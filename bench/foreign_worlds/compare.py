@@ -23,7 +23,7 @@ EFFECTS = {
 
 def rows_of(file):
     with open(file, encoding="ascii") as text:
-        yield from csv.DictReader(text)
+        yield from csv.DictReader(line for line in text if not line.startswith("#"))
 
 
 def number(row, column):

@@ -195,14 +195,21 @@ def row(run, averages):
     return ",".join(str(cell) for cell in cells)
 
 
+HEADER = """\
+# Steady states that LAMMPS found (29 Sep 2021, update 2; Debian lammps 20220106.git7586adbb6a),
+# a row for each recorded step; README.md says what is simulated. Units in brackets, a = m = s22 = 1
+# where a symbol stands. seed: of the random gas. stderr: standard error of the mean, from blocks of
+# strain 0.25 and their correlation."""
+
+
 def write_table(work, file):
-    rows = [",".join(COLUMNS)]
+    rows = [HEADER, ",".join(COLUMNS)]
     for run in all_runs():
         averages = work / f"{run.name}.averages"
         if averages.exists():
             rows.append(row(run, averages))
     Path(file).write_text("\n".join(rows) + "\n", encoding="ascii")
-    print(f"{len(rows) - 1} runs", file=sys.stderr)
+    print(f"{len(rows) - 2} runs", file=sys.stderr)
 
 
 def build_cohesion(work):
