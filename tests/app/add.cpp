@@ -10,6 +10,7 @@
 #include "tests/support/wet_study_support.h"
 #include "workflow/json.h"
 #include "workflow/ladder_file.h"
+#include "workflow/proposed_effects.h"
 #include "workflow/study_change.h"
 
 namespace app_add_test {
@@ -103,7 +104,8 @@ TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {
     expect_refused_whole("drop " + path + " torque-gain", "does not list \"torque-gain\"");
     expect_refused_whole("drop " + path + " torque-ofset", "did you mean 'torque-offset'?");
     expect_refused_whole("add " + path, "the effect is missing; usage: pendular add STUDY EFFECT");
-    expect_refused_whole("drop", "the name of the study, folder or file is missing; usage: pendular drop");
+    expect_refused_whole("drop",
+                         "the name of the study, folder or file is missing; usage: pendular drop");
     expect_refused_whole("add " + path + " lid-slip torque-gain", "too many arguments");
     const std::string none = study(cell).string();
     expect_refused_whole("drop " + none + " torque-gain", "the study lists no effects");
@@ -129,6 +131,37 @@ TEST_F(StudyChanges, ArePlannedInMemory) {
     EXPECT_THAT(added.new_text, HasSubstr("[\"torque-gain\", \"lid-slip\"]"));
     EXPECT_TRUE(plan(Action::drop, "torque-gain").study.study().model.effects.empty());
     EXPECT_EQ(content_of(file()), text);
+}
+
+TEST_F(StudyChanges, TakeOverAProposedEffect) {
+    const std::string path = study(cell + "[model]\neffects = []  # none yet\n").string();
+    const fs::path proposed = folder_.path() / "out" / "proposed.toml";
+    expect_refused_whole("add " + path + " --proposed 1", "proposed.toml: holds no proposal");
+    const WrittenEffect drag{.name = "torque-with-speed",
+                             .parameter = "change",
+                             .unit = "N m",
+                             .lower = -0.5,
+                             .upper = 0.5,
+                             .smallest_of_interest = 0.01,
+                             .summary = "The shown torque grows",
+                             .formulas = {{"torque", "torque + change*angular_velocity/3", {}}},
+                             .position = {}};
+    write_proposed(proposed, {{{drag.name}}, {drag}});
+    expect_refused_whole("add " + path + " --proposed 2",
+                         "holds the proposal 1; there is no proposal 2");
+    EXPECT_EQ(proposal(proposed, 1), std::vector<std::string>{drag.name});
+    const StudyChange change =
+        plan_change(read_study(file()), Action::add, drag.name, read_proposed(proposed).effects);
+    folder_.write("study.toml", change.new_text);
+    const ResolvedStudy again = read_study(file());
+    ASSERT_EQ(again.effects().size(), 1u);
+    EXPECT_EQ(again.effects()[0]->summary, drag.summary);
+    EXPECT_EQ(again.effects()[0]->parameters[0].unit, "N m");
+    EXPECT_EQ(again.effects()[0]->parameters[0].upper, 0.5);
+    EXPECT_EQ(change.study.effects()[0]->equation, again.effects()[0]->equation);
+    EXPECT_THAT(change.new_text, HasSubstr("# none yet"));
+    write_proposed(proposed, {});
+    EXPECT_FALSE(fs::exists(proposed));
 }
 
 TEST_F(StudyChanges, AreCarriedOutWhole) {
