@@ -1,6 +1,7 @@
 #include "reports/proposal_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cctype>
 #include <cmath>
@@ -114,6 +115,14 @@ std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, 
         best.stands() ? "A change of unknown cause would explain the readings:"
                       : "A change of unknown cause would explain most of the misfit, not all:",
         sentence_on(best), chi2 / dof, best.explanation.chi2 / fit.dof));
+    if (!best.alike.empty()) {
+        std::vector<std::string> phrases;
+        for (const FittedShape& each : best.alike) {
+            phrases.push_back(phrase_on(each));
+        }
+        lines.push_back(fmt::format("These readings hardly tell it from another: {}.",
+                                    fmt::join(phrases, "; or ")));
+    }
     for (std::size_t k = 1; k < proposals.size(); ++k) {
         lines.push_back(fmt::format("{} would do so as well: {}.",
                                     k == 1 ? "A second change" : "A third change",

@@ -89,6 +89,10 @@ Proposal ShapeSearch::proposal_for(const Score& score) {
         const ShapeOfChange& shape = scored_.shape(k);
         proposal.shapes.push_back({shape, shape.written(free_name(shape.name()))});
     }
+    for (const std::size_t k : score.alike) {
+        const auto [change, error] = scored_.estimate(k);
+        proposal.alike.push_back({scored_.shape(k), {}, change, error});
+    }
     return proposal;
 }
 
@@ -173,7 +177,14 @@ std::vector<Proposal> ShapeSearch::best_of(std::vector<Proposal> found) {
         found.resize(found.front().explained < most_of_it ? 0 : 1);
         return found;
     }
-    std::erase_if(found, [](const Proposal& each) { return !each.stands(); });
+    std::set<std::string> named;  // another constant of the same shape says nothing new
+    std::erase_if(found, [&](const Proposal& each) {
+        std::string names;
+        for (const FittedShape& fitted : each.shapes) {
+            names += fitted.shape.name() + " ";
+        }
+        return !each.stands() || !named.insert(names).second;
+    });
     return found;
 }
 

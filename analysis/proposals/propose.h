@@ -21,6 +21,9 @@ struct FittedShape {
 /// the model, explain the readings or most of the misfit.
 struct Proposal {
     std::vector<FittedShape> shapes;
+    /// Changes of other quantities, in linear estimates, that these readings hardly tell from a
+    /// single shape.
+    std::vector<FittedShape> alike;
     Explanation explanation;  ///< refitted model; `chosen` is without meaning here
     /// Probability that the best of all shapes that were tried would reduce chi2 as much by chance,
     /// if nothing were missing [1].

@@ -18,6 +18,8 @@ constexpr double nearly_parallel = 0.98;
 /// Share of the length of a change that the calibrated parameters must leave [1]; the rest of a
 /// change that they imitate is rounding.
 constexpr double least_left = 1e-3;
+/// Amount by which the description by a shape that is alike may be longer [chi2].
+constexpr double nearly_as_short = 4;
 /// Number of oscillations, the best of all, whose period and phase are refined.
 constexpr std::size_t most_refined = 3;
 /// Number of shapes whose random draws are computed at once.
@@ -198,30 +200,50 @@ std::vector<ScoredShapes::Score> ScoredShapes::pairs(std::size_t most) const {
     return scores;
 }
 
+Eigen::VectorXd ScoredShapes::change_by(const Score& score) const {
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(residuals_.size());
+    for (std::size_t k = 0; k < score.shapes.size(); ++k) {
+        const auto shape = static_cast<Eigen::Index>(score.shapes[k]);
+        change += score.changes[k] * lengths_(shape) * directions_.col(shape);
+    }
+    return change.normalized();
+}
+
+void ScoredShapes::add_alike(Score& chosen, const Score& other) const {
+    if (chosen.shapes.size() != 1 || other.shapes.size() != 1 ||
+        chosen.reduction - chosen.price > other.reduction - other.price + nearly_as_short) {
+        return;
+    }
+    const auto target = [&](std::size_t k) { return shapes_[k].quantity.target; };
+    const std::string& named = target(other.shapes.front());
+    if (named != target(chosen.shapes.front()) &&
+        std::ranges::find(chosen.alike, named, target) == chosen.alike.end()) {
+        chosen.alike.push_back(other.shapes.front());
+    }
+}
+
 std::vector<ScoredShapes::Score> ScoredShapes::unlike(const std::vector<Score>& scores,
                                                       std::size_t count) const {
-    const auto change_by = [&](const Score& score) {
-        Eigen::VectorXd change = Eigen::VectorXd::Zero(residuals_.size());
-        for (std::size_t k = 0; k < score.shapes.size(); ++k) {
-            const auto shape = static_cast<Eigen::Index>(score.shapes[k]);
-            change += score.changes[k] * lengths_(shape) * directions_.col(shape);
-        }
-        return Eigen::VectorXd(change.normalized());
-    };
     std::vector<Score> chosen;
     std::vector<Eigen::VectorXd> changes;
     for (const Score& score : scores) {
-        if (chosen.size() == count || score.reduction <= 0) break;
+        if (score.reduction <= 0) break;
         const Eigen::VectorXd change = change_by(score);
-        if (std::ranges::any_of(changes, [&](const Eigen::VectorXd& other) {
-                return std::abs(change.dot(other)) > alike;
-            })) {
-            continue;
+        const auto same = std::ranges::find_if(changes, [&](const Eigen::VectorXd& other) {
+            return std::abs(change.dot(other)) > alike;
+        });
+        if (same != changes.end()) {
+            add_alike(chosen[static_cast<std::size_t>(same - changes.begin())], score);
+        } else if (chosen.size() < count) {
+            changes.push_back(change);
+            chosen.push_back(score);
         }
-        changes.push_back(change);
-        chosen.push_back(score);
     }
     return chosen;
+}
+
+std::pair<double, double> ScoredShapes::estimate(std::size_t index) const {
+    return {score_of(index).changes.front(), 1 / lengths_(static_cast<Eigen::Index>(index))};
 }
 
 }  // namespace pendular

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "analysis/diagnosis/explanations.h"
@@ -20,6 +21,9 @@ class ScoredShapes {
         double reduction = 0;             ///< predicted reduction of chi2 [1]
         double price = 0;                 ///< price of the choice of the shapes, added to chi2 [1]
         std::vector<double> changes;      ///< estimated changes, in their units
+        /// Single shapes of other quantities that change the readings in nearly the same way and
+        /// describe them about as shortly; set by `unlike`.
+        std::vector<std::size_t> alike;
     };
 
     /// Scores all shapes of a study.
@@ -36,8 +40,11 @@ class ScoredShapes {
     /// Best scores of pairs of the `most` best shapes with all shapes, the shortest description
     /// first.
     std::vector<Score> pairs(std::size_t most) const;
-    /// The first `count` of these scores of which no two change the readings alike.
+    /// The first `count` of these scores of which no two change the readings alike; the others are
+    /// kept as `Score::alike`.
     std::vector<Score> unlike(const std::vector<Score>& scores, std::size_t count) const;
+    /// Estimated change by a single shape, with its standard error, in the unit of the change.
+    std::pair<double, double> estimate(std::size_t index) const;
     /// Probability that some shape reduces chi2 by at least `reduction` where nothing is missing
     /// [1], in a linear estimate.
     double p(double reduction) const;
@@ -61,6 +68,10 @@ class ScoredShapes {
     /// Score of two shapes together; empty where they are nearly parallel or where a change would
     /// leave its bounds.
     std::optional<Score> score_of(std::size_t one, std::size_t other) const;
+    /// Change of the readings by a score's shapes at the estimated changes, whitened, of length 1.
+    Eigen::VectorXd change_by(const Score& score) const;
+    /// Adds a single shape to `Score::alike` where it concerns a quantity that is not named yet.
+    void add_alike(Score& chosen, const Score& other) const;
 
     WeightedResiduals residuals_;
     std::vector<Changeable> changeables_;

@@ -87,9 +87,15 @@ TEST(Proposals, NameASaturation) {
                                          13);
     ASSERT_FALSE(proposals.empty());
     EXPECT_TRUE(proposals[0].stands());
-    EXPECT_EQ(proposals[0].shapes[0].shape.quantity.target, "normal_force");
-    EXPECT_EQ(proposals[0].shapes[0].shape.profile.variable, "normal_stress");
-    EXPECT_LT(proposals[0].shapes[0].change, 0);
+    // The torque over the force shows the ratio alone, so that either may be at fault.
+    std::vector<FittedShape> named = proposals[0].alike;
+    named.push_back(proposals[0].shapes[0]);
+    const auto force = std::ranges::find_if(named, [](const FittedShape& each) {
+        return each.shape.quantity.target == "normal_force";
+    });
+    ASSERT_NE(force, named.end());
+    EXPECT_EQ(force->shape.profile.variable, "normal_stress");
+    EXPECT_LT(force->change, 0);
 }
 
 TEST(Proposals, NameAnOscillation) {
