@@ -186,12 +186,43 @@ Unit::Unit(std::string_view spelling) : spelling_(trimmed(spelling)) {
     factor_ = cv_convert_double(converter.get(), 1) - offset_;
 }
 
+namespace {
+
+bool is_si(const Unit& unit) {
+    return unit.to_si(1) == 1 && unit.to_si(0) == 0;
+}
+
+/// SI unit that results where SI prefixes in the spelling of `unit`, from byte `from` on, are left
+/// out: "N m s/rad" for "mN m s/rad"; empty where there is none.
+std::string without_prefixes(const std::string& spelling, const Unit& unit, std::size_t from = 0) {
+    try {
+        const Unit tried(spelling);
+        if (tried.same_dimension(unit) && is_si(tried)) return spelling;
+    } catch (const std::invalid_argument&) {  // a word without its first letter may be no unit
+    }
+    for (std::size_t at = from; at < spelling.size(); ++at) {
+        const bool begins_word = at == 0 || std::string_view(" */.^-()").find(spelling[at - 1]) !=
+                                                std::string_view::npos;
+        for (const std::string_view prefix : {"m", "u", "\u00b5", "\u03bc", "n", "k", "M", "G"}) {
+            if (!begins_word || spelling.compare(at, prefix.size(), prefix) != 0) continue;
+            const std::string shorter =
+                spelling.substr(0, at) + spelling.substr(at + prefix.size());
+            if (const auto found = without_prefixes(shorter, unit, at + 1); !found.empty())
+                return found;
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
 std::string si_spelling(const Unit& unit) {
     if (unit.dimension().empty()) return "1";
     for (const char* const spelling : {"N m", "N", "Pa", "Pa s", "N/m", "m", "m^2", "m^3", "m/s",
                                        "rad", "rad/s", "s", "1/s", "kg", "kg/m^3", "K"})
         if (unit.same_dimension(Unit(spelling))) return spelling;
-    return unit.dimension();
+    const std::string own = without_prefixes(unit.spelling(), unit);
+    return own.empty() ? unit.dimension() : own;
 }
 
 std::string wrong_dimension(const Unit& unit, const Unit& expected) {

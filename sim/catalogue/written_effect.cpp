@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "sim/catalogue/formula.h"
+#include "sim/catalogue/homogeneity.h"
 
 namespace pendular {
 namespace {
@@ -31,6 +32,7 @@ struct ImposedState {
 template <typename State>
 struct Variable {
     const char* name;
+    const char* unit;  ///< SI unit
     double (*value)(const State&);
 };
 
@@ -38,6 +40,7 @@ struct Variable {
 template <typename State>
 struct Target {
     const char* name;
+    const char* unit;  ///< SI unit
     double& (*value)(State&);
 };
 
@@ -49,23 +52,23 @@ struct Field;
 template <>
 struct Field<CellState> {
     static constexpr Variable<CellState> variables[] = {
-        {"torque", [](const CellState& s) { return s.torque; }},
-        {"normal_force", [](const CellState& s) { return s.normal_force; }},
-        {"height", [](const CellState& s) { return s.height; }},
-        {"angular_velocity", [](const CellState& s) { return s.angular_velocity; }},
-        {"liquid_content", [](const CellState& s) { return s.liquid_content; }},
-        {"bead_volume", [](const CellState& s) { return s.bead_volume; }},
-        {"time", [](const CellState& s) { return s.time; }},
-        {"inner_radius", [](const CellState& s) { return s.inner_radius; }},
-        {"outer_radius", [](const CellState& s) { return s.outer_radius; }},
-        {"density", [](const CellState& s) { return s.density; }},
-        {"diameter", [](const CellState& s) { return s.diameter; }},
-        {"normal_stress", [](const CellState& s) { return s.normal_force / s.area(); }}};
+        {"torque", "N m", [](const CellState& s) { return s.torque; }},
+        {"normal_force", "N", [](const CellState& s) { return s.normal_force; }},
+        {"height", "m", [](const CellState& s) { return s.height; }},
+        {"angular_velocity", "rad/s", [](const CellState& s) { return s.angular_velocity; }},
+        {"liquid_content", "1", [](const CellState& s) { return s.liquid_content; }},
+        {"bead_volume", "m^3", [](const CellState& s) { return s.bead_volume; }},
+        {"time", "s", [](const CellState& s) { return s.time; }},
+        {"inner_radius", "m", [](const CellState& s) { return s.inner_radius; }},
+        {"outer_radius", "m", [](const CellState& s) { return s.outer_radius; }},
+        {"density", "kg/m^3", [](const CellState& s) { return s.density; }},
+        {"diameter", "m", [](const CellState& s) { return s.diameter; }},
+        {"normal_stress", "Pa", [](const CellState& s) { return s.normal_force / s.area(); }}};
     static constexpr Target<CellState> targets[] = {
-        {"torque", [](CellState& s) -> double& { return s.torque; }},
-        {"normal_force", [](CellState& s) -> double& { return s.normal_force; }},
-        {"height", [](CellState& s) -> double& { return s.height; }},
-        {"angular_velocity", [](CellState& s) -> double& { return s.angular_velocity; }}};
+        {"torque", "N m", [](CellState& s) -> double& { return s.torque; }},
+        {"normal_force", "N", [](CellState& s) -> double& { return s.normal_force; }},
+        {"height", "m", [](CellState& s) -> double& { return s.height; }},
+        {"angular_velocity", "rad/s", [](CellState& s) -> double& { return s.angular_velocity; }}};
 
     /// Typical state: 60 g of beads in a 21/45 mm cell at a normal stress of 3 kPa if `large`, else
     /// 0.3 kPa.
@@ -88,19 +91,19 @@ struct Field<CellState> {
 template <>
 struct Field<GrainState> {
     static constexpr Variable<GrainState> variables[] = {
-        {"stress_ratio", [](const GrainState& s) { return s.shown.stress_ratio; }},
-        {"solid_fraction", [](const GrainState& s) { return s.shown.solid_fraction; }},
-        {"normal_stress", [](const GrainState& s) { return s.condition.normal_stress; }},
-        {"inertial_number", [](const GrainState& s) { return s.condition.inertial_number; }},
-        {"liquid_content", [](const GrainState& s) { return s.condition.liquid_content; }},
-        {"height",
+        {"stress_ratio", "1", [](const GrainState& s) { return s.shown.stress_ratio; }},
+        {"solid_fraction", "1", [](const GrainState& s) { return s.shown.solid_fraction; }},
+        {"normal_stress", "Pa", [](const GrainState& s) { return s.condition.normal_stress; }},
+        {"inertial_number", "1", [](const GrainState& s) { return s.condition.inertial_number; }},
+        {"liquid_content", "1", [](const GrainState& s) { return s.condition.liquid_content; }},
+        {"height", "m",
          [](const GrainState& s) {
              return s.condition.height.value_or(std::numeric_limits<double>::quiet_NaN());
          }},
-        {"time", [](const GrainState& s) { return s.condition.time; }}};
+        {"time", "s", [](const GrainState& s) { return s.condition.time; }}};
     static constexpr Target<GrainState> targets[] = {
-        {"stress_ratio", [](GrainState& s) -> double& { return s.shown.stress_ratio; }},
-        {"solid_fraction", [](GrainState& s) -> double& { return s.shown.solid_fraction; }}};
+        {"stress_ratio", "1", [](GrainState& s) -> double& { return s.shown.stress_ratio; }},
+        {"solid_fraction", "1", [](GrainState& s) -> double& { return s.shown.solid_fraction; }}};
 
     static GrainState typical(bool large, double liquid_content, double time) {
         GrainState state;
@@ -118,21 +121,21 @@ struct Field<GrainState> {
 template <>
 struct Field<ImposedState> {
     static constexpr Variable<ImposedState> variables[] = {
-        {"friction_difference",
+        {"friction_difference", "1",
          [](const ImposedState& s) { return s.condition.friction_difference; }},
-        {"surface_tension", [](const ImposedState& s) { return s.surface_tension; }},
-        {"normal_stress", [](const ImposedState& s) { return s.condition.normal_stress; }},
-        {"inertial_number", [](const ImposedState& s) { return s.condition.inertial_number; }},
-        {"liquid_content", [](const ImposedState& s) { return s.condition.liquid_content; }},
-        {"height",
+        {"surface_tension", "N/m", [](const ImposedState& s) { return s.surface_tension; }},
+        {"normal_stress", "Pa", [](const ImposedState& s) { return s.condition.normal_stress; }},
+        {"inertial_number", "1", [](const ImposedState& s) { return s.condition.inertial_number; }},
+        {"liquid_content", "1", [](const ImposedState& s) { return s.condition.liquid_content; }},
+        {"height", "m",
          [](const ImposedState& s) {
              return s.condition.height.value_or(std::numeric_limits<double>::quiet_NaN());
          }},
-        {"time", [](const ImposedState& s) { return s.condition.time; }}};
+        {"time", "s", [](const ImposedState& s) { return s.condition.time; }}};
     static constexpr Target<ImposedState> targets[] = {
-        {"friction_difference",
+        {"friction_difference", "1",
          [](ImposedState& s) -> double& { return s.condition.friction_difference; }},
-        {"surface_tension", [](ImposedState& s) -> double& { return s.surface_tension; }}};
+        {"surface_tension", "N/m", [](ImposedState& s) -> double& { return s.surface_tension; }}};
 
     static ImposedState typical(bool large, double liquid_content, double time) {
         return {Field<GrainState>::typical(large, liquid_content, time).condition,
@@ -229,6 +232,32 @@ class ShownValue {
                          fmt::format("'{}' of effect '{}': {}", formula_.target, effect_, what));
     }
 
+    /// @throws InputError where the parameter's unit gives the formula another dimension than its
+    ///         quantity has
+    void check_unit(const WrittenEffect& effect) const {
+        FormulaUnits units;
+        for (const auto& variable : Field<State>::variables) {
+            units.variables.push_back(variable.unit);
+        }
+        units.variables.push_back(effect.unit);
+        for (const auto& target : Field<State>::targets) {
+            if (formula_.target == target.name) units.target = target.unit;
+        }
+        std::vector<std::vector<double>> states;
+        for (const State& state : typical_states<State>()) {
+            states.push_back(
+                values(state, effect.upper != effect.neutral ? effect.upper : effect.lower));
+        }
+        const auto better = better_unit(compiled_, formula_.text, units, states);
+        if (!better) return;
+        refuse(better->empty()
+                   ? fmt::format("does not have the unit of a {}, {}, whatever the unit of '{}'",
+                                 formula_.target, units.target, effect.parameter)
+                   : fmt::format("has the unit of a {}, {}, only if '{}' is in {}; its unit is {}",
+                                 formula_.target, units.target, effect.parameter, *better,
+                                 effect.unit));
+    }
+
     const Formula& formula() const { return formula_; }
     const CompiledFormula& compiled() const { return compiled_; }
 
@@ -266,6 +295,7 @@ class ShownValues {
         }
         for (const auto& formula : formulas_) {
             check_neutral(formula, effect);
+            if (effect.unit != "1") formula.check_unit(effect);  // else the unit may be left out
             for (const double bound : {effect.lower, effect.upper}) {
                 for (const State& state : typical_states<State>()) {
                     formula.checked(state, bound);

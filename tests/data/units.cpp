@@ -162,6 +162,15 @@ TEST(Quantities, ComeInListsThatShareAUnit) {
     EXPECT_THAT(refused(""), HasSubstr("not a number"));
 }
 
+TEST(Units, HaveAnSiUnitInTheirOwnSpelling) {
+    EXPECT_EQ(si_spelling(Unit("mN m s/rad")), "N m s/rad");
+    EXPECT_EQ(si_spelling(Unit("kPa s^2")), "Pa s^2");
+    EXPECT_EQ(si_spelling(Unit("uN/K")), "N/K");
+    EXPECT_EQ(si_spelling(Unit("kPa")), "Pa");
+    EXPECT_EQ(si_spelling(Unit("kg m^2")), "kg m^2");
+    EXPECT_EQ(Unit(si_spelling(Unit("N m/min"))).to_si(1), 1);
+}
+
 TEST(Units, CanBeReadFromSeveralThreads) {
     std::vector<std::thread> threads;
     std::vector<double> sums(4, 0);

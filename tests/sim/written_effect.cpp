@@ -219,6 +219,28 @@ TEST(WrittenEffect, RefusesAFormulaWithoutItsParameter) {
         AllOf(StartsWith("study.toml:6:10: "), HasSubstr("does not mention the parameter 'x'")));
 }
 
+TEST(WrittenEffect, RefusesAUnitThatDoesNotFitItsFormula) {
+    const auto with_unit = [](const std::string& unit, const std::string& formula) {
+        return "unit = \"" + unit + "\"\n" + formula;
+    };
+    const std::string drag = "torque = \"torque + x*angular_velocity\"";
+    EXPECT_NO_THROW(effect(with_unit("mN m s/rad", drag)));
+    EXPECT_NO_THROW(effect(with_unit("N m s", drag)));  // angles count as numbers
+    EXPECT_THAT(error(with_unit("mN", drag)),
+                HasSubstr("has the unit of a torque, N m, only if 'x' is in kg m^2 s^-1; its unit "
+                          "is N"));
+    EXPECT_THAT(error(with_unit("N", "height = \"height*(1 + x^2*time)\"")),
+                HasSubstr("whatever the unit of 'x'"));
+    EXPECT_THAT(error(with_unit("N", "torque = \"torque + x*angular_velocity*time\"")),
+                HasSubstr("only if 'x' is in N m; its unit is N"));
+    EXPECT_THAT(error(with_unit("s", "torque = \"torque + x*time + x*height\"")),
+                HasSubstr("whatever the unit of 'x'"));
+    EXPECT_NO_THROW(effect(drag));  // without a unit nothing is stated that could be wrong
+    // A number may have a dimension.
+    EXPECT_NO_THROW(effect(with_unit("N m", "torque = \"torque + x*angular_velocity/3\"")));
+    EXPECT_NO_THROW(effect(with_unit("N m", "torque = \"torque + (time > 1 ? x : 0)\"")));
+}
+
 TEST(WrittenEffect, RefusesToChangeAnythingAtItsNeutralValue) {
     EXPECT_THAT(error("torque = \"torque*x\""),
                 AllOf(StartsWith("study.toml:6:10: "),
