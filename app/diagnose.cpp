@@ -17,6 +17,7 @@
 #include "reports/diagnosis_report.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
+#include "reports/proposal_figure.h"
 #include "reports/proposal_report.h"
 #include "workflow/confirm_diagnosis.h"
 #include "workflow/diagnosis_json.h"
@@ -181,7 +182,7 @@ nlohmann::ordered_json proposals_json(const StudyDiagnosis& d) {
         json.push_back({{"sentence", sentence_on(each)},
                         {"formula", tables},
                         {"p", each.p},
-                        {"stands", each.stands()},
+                        {"fits", each.fits()},
                         {"explained", each.explained},
                         {"chi2", each.explanation.chi2},
                         {"dof", each.explanation.fit.dof}});
@@ -241,7 +242,14 @@ int diagnose(const std::vector<std::string>& arguments) {
     print_notes(console, d, measurements, common->study.string());
     const auto figures = common->out_folder() / "figures";
     draw(diagnosis_figure(diagnosis, models), figures);
-    console.figures(figures, {"diagnosis"});
+    std::vector<std::string> names = {"diagnosis"};
+    if (!d.proposals.empty()) {
+        const Figure figure =
+            proposal_figure(d.proposals.front(), d.readings, diagnosis.fit.prediction);
+        draw(figure, figures);
+        names.push_back(figure.name);
+    }
+    console.figures(figures, names);
     console.next(next_step(diagnosis, common->study.string(), !d.proposals.empty()));
     console.json(json);
     return diagnosis.fit.converged ? done : not_converged;

@@ -112,7 +112,7 @@ std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, 
     const Fit& fit = best.explanation.fit;
     lines.push_back(fmt::format(
         "{} {}. This brings chi2/dof from {:.3g} to {:.3g}.",
-        best.stands() ? "A change of unknown cause would explain the readings:"
+        best.fits() ? "A change of unknown cause would explain the readings:"
                       : "A change of unknown cause would explain most of the misfit, not all:",
         sentence_on(best), chi2 / dof, best.explanation.chi2 / fit.dof));
     if (!best.alike.empty()) {

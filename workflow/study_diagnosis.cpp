@@ -72,7 +72,7 @@ void weigh_proposals(StudyDiagnosis& result) {
     if (!diagnosis.leaders) return;
     const Explanation& model = diagnosis.leaders->model;
     const bool better = std::ranges::any_of(result.proposals, [&](const Proposal& each) {
-        return each.stands() && each.shapes.size() <= model.chosen.size() &&
+        return each.fits() && each.shapes.size() <= model.chosen.size() &&
                each.description() + clearly_shorter < model.chi2;
     });
     if (!better) {

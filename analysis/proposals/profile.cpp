@@ -86,8 +86,15 @@ double size_at(const Profile& p, double x) {
 Profile sized(Profile profile, const ReadingCoordinate& coordinate) {
     profile.variable = coordinate.variable;
     profile.unit = coordinate.unit;
+    profile.along = coordinate.at;
     profile.at = coordinate.at.unaryExpr([&](double x) { return size_at(profile, x); });
     return profile;
+}
+
+/// Whether an oscillation is seen by any reading: those at equal phases may all be at its zeros.
+bool is_visible(const Profile& oscillation) {
+    constexpr double least = 0.3;
+    return oscillation.at.cwiseAbs().maxCoeff() > least;
 }
 
 void add_powers(const ReadingCoordinate& coordinate, std::vector<Profile>& profiles) {
@@ -138,11 +145,12 @@ void add_oscillations(const ReadingCoordinate& coordinate, std::vector<Profile>&
     const int periods = std::min(most_periods, static_cast<int>(coordinate.at.size()));
     for (int k = 1; k <= periods; ++k) {
         for (int phase = 0; phase < phases; ++phase) {
-            profiles.push_back(sized({.dependence = Dependence::oscillation,
-                                      .constant = 2 * span / k,
-                                      .phase = std::numbers::pi * phase / phases,
-                                      .price = price_of(periods * phases)},
-                                     coordinate));
+            Profile oscillation = sized({.dependence = Dependence::oscillation,
+                                         .constant = 2 * span / k,
+                                         .phase = std::numbers::pi * phase / phases,
+                                         .price = price_of(periods * phases)},
+                                        coordinate);
+            if (is_visible(oscillation)) profiles.push_back(std::move(oscillation));
         }
     }
 }
@@ -245,7 +253,8 @@ std::vector<Profile> finer_profiles(const Profile& profile, const ReadingCoordin
             Profile other = profile;
             other.constant = 1 / near;
             other.phase = std::numbers::pi * phase / (4 * phases);
-            finer.push_back(sized(std::move(other), coordinate));
+            other = sized(std::move(other), coordinate);
+            if (is_visible(other)) finer.push_back(std::move(other));
         }
     }
     return finer;

@@ -44,7 +44,8 @@ struct Profile {
     double phase = 0;      ///< phase of an oscillation [rad]
     /// Value of the coordinate at which the size is 1 [unit]; 0 where there is no such value.
     double full_at = 0;
-    Eigen::VectorXd at;  ///< size of the change at each reading [1]
+    Eigen::VectorXd along;  ///< value of the coordinate at each reading [unit]
+    Eigen::VectorXd at;     ///< size of the change at each reading [1]
     /// Price of the choice among n profiles of this kind: 2 ln n, to be added to chi2 [1].
     double price = 0;
 

@@ -46,7 +46,7 @@ class ShapeSearch {
 
     std::vector<Proposal> run() {
         std::vector<Proposal> found = fitted(scored_.unlike(scored_.singles(), most_singles));
-        if (std::ranges::none_of(found, &Proposal::stands)) {
+        if (std::ranges::none_of(found, &Proposal::fits)) {
             auto pairs = fitted(scored_.unlike(scored_.pairs(most_firsts), most_pairs));
             std::ranges::move(pairs, std::back_inserter(found));
         }
@@ -163,17 +163,17 @@ void ShapeSearch::judge(std::vector<Proposal>& proposals, const Explanations& ex
     for (Proposal& each : proposals) {
         if (standing == most_proposals || each.description() > limit) return;
         explanations.judge(each.explanation);
-        if (!each.stands()) continue;
+        if (!each.fits()) continue;
         if (standing++ == 0) limit = each.description() + about_as_short;
     }
 }
 
 std::vector<Proposal> ShapeSearch::best_of(std::vector<Proposal> found) {
     std::ranges::stable_sort(found, {}, [](const Proposal& each) {
-        return std::pair(!each.stands(), each.description());
+        return std::pair(!each.fits(), each.description());
     });
     if (found.empty()) return found;
-    if (!found.front().stands()) {
+    if (!found.front().fits()) {
         found.resize(found.front().explained < most_of_it ? 0 : 1);
         return found;
     }
@@ -183,7 +183,7 @@ std::vector<Proposal> ShapeSearch::best_of(std::vector<Proposal> found) {
         for (const FittedShape& fitted : each.shapes) {
             names += fitted.shape.name() + " ";
         }
-        return !each.stands() || !named.insert(names).second;
+        return !each.fits() || !named.insert(names).second;
     });
     return found;
 }

@@ -36,7 +36,7 @@ struct Proposal {
 
     /// Whether the model with the shapes describes the readings: neither lack of fit nor a further
     /// effect is significant.
-    bool stands() const { return explanation.accepted; }
+    bool fits() const { return explanation.accepted; }
 };
 
 /// Searches for the change of a quantity that would explain a misfit that no known effect explains.
@@ -45,7 +45,7 @@ struct Proposal {
 ///     chi2 reduction (g'Pr)^2/(g'Pg) - 2 ln(number of profiles of the kind),
 /// with whitened residuals r, change g and projection P (`WeightedResiduals`), and the best are
 /// refitted and tested like any explanation, among the known effects and one another. Pairs follow
-/// where no single shape stands. Returns those that stand, shortest description first, at most
+/// where no single shape fits. Returns those that fit, shortest description first, at most
 /// three; else the one that takes most of the misfit, if it takes at least half.
 /// @param diagnosis diagnosis of the study's model, which does not fit
 std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModels& models,

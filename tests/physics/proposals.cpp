@@ -49,7 +49,7 @@ TEST(Proposals, NameADragThatGrowsWithSpeed) {
     ASSERT_FALSE(proposals.empty());
     ASSERT_EQ(proposals[0].shapes.size(), 1u);
     const auto& [shape, effect, change, error] = proposals[0].shapes[0];
-    EXPECT_TRUE(proposals[0].stands());
+    EXPECT_TRUE(proposals[0].fits());
     EXPECT_LT(proposals[0].p, 0.001);
     EXPECT_EQ(shape.name(), "torque-with-angular-velocity");
     EXPECT_EQ(shape.profile.constant, 1);
@@ -68,7 +68,7 @@ TEST(Proposals, NameAStepInTime) {
     ASSERT_FALSE(proposals.empty());
     ASSERT_EQ(proposals[0].shapes.size(), 1u);
     const auto& [shape, effect, change, error] = proposals[0].shapes[0];
-    EXPECT_TRUE(proposals[0].stands());
+    EXPECT_TRUE(proposals[0].fits());
     EXPECT_EQ(shape.profile.dependence, Dependence::above);
     EXPECT_EQ(shape.profile.variable, "time");
     EXPECT_NEAR(shape.profile.constant, at, 30);
@@ -86,7 +86,7 @@ TEST(Proposals, NameASaturation) {
                                          }),
                                          13);
     ASSERT_FALSE(proposals.empty());
-    EXPECT_TRUE(proposals[0].stands());
+    EXPECT_TRUE(proposals[0].fits());
     // The torque over the force shows the ratio alone, so that either may be at fault.
     std::vector<FittedShape> named = proposals[0].alike;
     named.push_back(proposals[0].shapes[0]);
@@ -107,7 +107,7 @@ TEST(Proposals, NameAnOscillation) {
         }),
         14);
     ASSERT_FALSE(proposals.empty());
-    EXPECT_TRUE(proposals[0].stands());
+    EXPECT_TRUE(proposals[0].fits());
     const auto& [shape, effect, change, error] = proposals[0].shapes[0];
     EXPECT_EQ(shape.profile.dependence, Dependence::oscillation);
     EXPECT_NEAR(shape.profile.constant, period, 5);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/proposals/propose.h"
+#include "calib/model/model.h"
+#include "data/reading.h"
+#include "reports/figure.h"
+
+namespace pendular {
+
+/// Figure of a proposed change of unknown cause: deviation of shear stress and solid fraction from
+/// the study's model [%], as measured and with the change, along the quantity with which the change
+/// varies (the normal stress if it does not vary).
+/// @param model prediction of the readings by the study's model without the change
+Figure proposal_figure(const Proposal& proposal, const std::vector<Reading>& readings,
+                       const Prediction& model);
+
+}  // namespace pendular
