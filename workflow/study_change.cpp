@@ -165,7 +165,10 @@ Fitted fitted(const ResolvedStudy& study, Calibration c, const SessionOptions& s
 ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements, Action what,
                           const std::string& effect, SessionOptions session,
                           const ChangeOptions& options) {
-    const auto proposed = read_proposed(options.folder / "proposed.toml");
+    const bool known = std::ranges::any_of(study.catalogue().all(),
+                                           [&](const Effect& each) { return each.name == effect; });
+    const auto proposed =
+        known ? ProposedEffects{} : read_proposed(options.folder / "proposed.toml");
     StudyChange change = plan_change(study, what, effect, proposed.effects);
     Ladder ladder = read_ladder(options.folder / "ladder.json");  // throws before any work
     FitOptions fit = options.fit;
