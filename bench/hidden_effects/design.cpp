@@ -235,4 +235,14 @@ std::vector<Truth> planned_truths(const std::vector<double>& noncentralities) {
     return truths;
 }
 
+std::vector<Truth> planned_outside_truths(const std::vector<double>& noncentralities) {
+    std::vector<Truth> truths;
+    const Design plain(plain_friction);
+    for (const OutsideEffect& outside : more_outside_effects()) {
+        fmt::print(stderr, "{}\n", outside.effect.name);
+        add_effect(plain, outside.effect, plain_friction, true, noncentralities, truths);
+    }
+    return truths;
+}
+
 }  // namespace pendular::bench

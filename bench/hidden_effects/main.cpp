@@ -9,6 +9,7 @@
 
 #include "bench/hidden_effects/foreign_studies.h"
 #include "bench/hidden_effects/hidden_effects.h"
+#include "bench/hidden_effects/outside_shapes.h"
 #include "data/input_error.h"
 #include "sim/dem/simulation_error.h"
 
@@ -57,6 +58,19 @@ void run_foreign_studies(const po::variables_map& given) {
     bench::foreign_studies(options);
 }
 
+void run_outside_shapes(const po::variables_map& given) {
+    bench::OutsideShapesOptions options;
+    if (!given["work"].defaulted()) options.work = given["work"].as<std::string>();
+    if (!given["truths"].defaulted()) options.more_truths = given["truths"].as<std::string>();
+    if (!given["studies"].defaulted()) options.studies = given["studies"].as<int>();
+    if (given.contains("only")) options.only = separated(given["only"].as<std::string>());
+    options.results = given["results"].as<std::string>();
+    options.threads = given["threads"].as<int>();
+    options.plan = given.contains("plan");
+    options.diagnose = !given.contains("simulate-only");
+    bench::outside_shapes(options);
+}
+
 int run(int count, char** words) {
     bench::HiddenEffectsOptions options;
     std::string command, work, truths, results, only;
@@ -99,9 +113,14 @@ int run(int count, char** words) {
         run_foreign_studies(given);
         return 0;
     }
+    if (command == "outside-shapes") {
+        run_outside_shapes(given);
+        return 0;
+    }
     if (command != "hidden-effects") {
         throw InputError(fmt::format(
-            "unknown benchmark '{}'; there are hidden-effects and foreign-worlds", command));
+            "unknown benchmark '{}'; there are hidden-effects, foreign-worlds and outside-shapes",
+            command));
     }
     options.work = work, options.truths = truths, options.results = results;
     options.only = separated(only);

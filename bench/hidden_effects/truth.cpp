@@ -22,7 +22,11 @@ constexpr std::array kinds = {Truth::Kind::complete, Truth::Kind::effect, Truth:
 const Effect& known_effect(const std::string& name) {
     const auto& outside = outside_effects();
     const auto found = std::ranges::find(outside, name, &Effect::name);
-    return found != outside.end() ? *found : built_in_effect(name);
+    if (found != outside.end()) return *found;
+    for (const OutsideEffect& each : more_outside_effects()) {
+        if (each.effect.name == name) return each.effect;
+    }
+    return built_in_effect(name);
 }
 
 std::vector<std::string> words_of(const std::string& text) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/catalogue/effect.h"
@@ -34,6 +35,25 @@ std::string to_string(Truth::Kind kind);
 /// Effects that the catalogue does not have: a lid that wobbles, a load cell that saturates, a
 /// torque that steps up after some time, menisci that merge above a liquid content.
 const std::vector<Effect>& outside_effects();
+
+/// Descriptions of an effect outside the catalogue that are right: any of these quantities, varying
+/// along any of these coordinates ("none": the same at all conditions). Several coordinates are
+/// stated only where they describe one and the same change.
+struct RightShape {
+    std::vector<std::string> quantities, coordinates;
+};
+
+struct OutsideEffect {
+    Effect effect;
+    RightShape shape;
+};
+
+/// Further effects outside the catalogue, written without sight of the shapes that the program
+/// proposes for unknown changes.
+const std::vector<OutsideEffect>& more_outside_effects();
+
+/// @throws std::invalid_argument for an effect that is in neither list
+RightShape right_shape(std::string_view effect);
 
 /// The table of truths, so that runs stay valid while the emulator, by which amplitudes were
 /// chosen, gets better.
