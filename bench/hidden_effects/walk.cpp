@@ -60,8 +60,8 @@ std::filesystem::path file_of(const Reading& reading) {
     return std::filesystem::path(reading.origin.file).filename();
 }
 
-/// RMS error [%] of a model that is the truth: what the instrument's noise did to these readings,
-/// which the laboratory knows, and the standard error of its own runs.
+}  // namespace
+
 std::array<double, 2> noise_of(const std::vector<Reading>& readings, LabResult laboratory,
                                const std::filesystem::path& folder) {
     laboratory.plan.instrument.noise = laboratory.plan.instrument.drift = 0;
@@ -82,6 +82,8 @@ std::array<double, 2> noise_of(const std::vector<Reading>& readings, LabResult l
             100 * std::hypot(std::sqrt(squares(1)),
                              typical_error(laboratory, dem::Observable::solid_fraction))};
 }
+
+namespace {
 
 Outcome::Added added(const StudyInput& input, const std::vector<std::string>& effects,
                      const Fidelity& fidelity) {

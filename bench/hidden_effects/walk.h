@@ -47,6 +47,12 @@ std::uint64_t noise_seed(const Truth& truth, int study);
 std::map<std::string, std::string> recordings_with_noise(LabResult laboratory, const Truth& truth,
                                                          int study);
 
+/// RMS error of shear stress and solid fraction [%] of a model that is the truth: what the
+/// instrument's noise did to these readings, which the laboratory knows, and the standard error of
+/// its own runs. Works in a folder that it makes and removes.
+std::array<double, 2> noise_of(const std::vector<Reading>& readings, LabResult laboratory,
+                               const std::filesystem::path& folder);
+
 /// Makes the recordings of a simulated laboratory with noise of their own, imports them, diagnoses,
 /// and adds what is hidden where that is among what may be missing. Works in a folder that it makes
 /// and removes. The diagnosis has the fidelity of the laboratory.
