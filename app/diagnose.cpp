@@ -1,6 +1,7 @@
 // `pendular diagnose`: which physical effect is missing from a study's model.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -17,10 +18,13 @@
 #include "reports/diagnosis_report.h"
 #include "reports/draw_figure.h"
 #include "reports/failure_report.h"
+#include "reports/impact_figure.h"
+#include "reports/impact_report.h"
 #include "reports/proposal_figure.h"
 #include "reports/proposal_report.h"
 #include "workflow/confirm_diagnosis.h"
 #include "workflow/diagnosis_json.h"
+#include "workflow/impact_json.h"
 #include "workflow/json.h"
 #include "workflow/json_parts.h"
 #include "workflow/proposed_effects.h"
@@ -128,6 +132,14 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
     }
 }
 
+/// Prints what effects and errors of measurement do to the fitted friction.
+void print_impacts(Console& console, const ImpactTable& impacts, const Diagnosis& diagnosis) {
+    for (const std::string& line : impact_lines(impacts, diagnosis)) {
+        console.line(line);
+    }
+    if (console.all()) console.table(impact_table(impacts), impacts.impacts.size());
+}
+
 /// Prints notes on the import and on the limits of the models. `study`: name as the user gave it.
 void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& measurements,
                  const std::string& study) {
@@ -154,6 +166,18 @@ void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& 
                         "pendular calibrate {}",
                         why, study));
     }
+}
+
+/// Draws the figures that have panels in `folder`, and returns their names.
+std::vector<std::string> draw_all(const std::vector<Figure>& figures,
+                                  const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    for (const Figure& figure : figures) {
+        if (figure.panels.empty()) continue;
+        draw(figure, folder);
+        names.push_back(figure.name);
+    }
+    return names;
 }
 
 /// Proposed effects of a diagnosis, with a sentence on each as its summary.
@@ -226,6 +250,9 @@ int diagnose(const std::vector<std::string>& arguments) {
     json["rivals"] = to_json(d.rivals);
     json["proposed"] = proposals_json(d);
     json["confirmed"] = to_json(d.confirmed);
+    const std::optional<ImpactTable> impacts =
+        impacts_of(d, static_cast<std::size_t>(session->options().threads));
+    json["impact"] = impacts ? to_json(*impacts) : nullptr;
     add_belief(json, belief);
     write_proposed(common->out_folder() / "proposed.toml", proposed_of(d));
     write_json(common->out_folder() / "diagnosis.json", json);
@@ -238,18 +265,17 @@ int diagnose(const std::vector<std::string>& arguments) {
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
         if (k != belief.misfit_reason) console.line("Doubt: " + belief.reasons[k]);
     }
+    if (impacts) print_impacts(console, *impacts, diagnosis);
     print_evidence(console, d, checks, *session.operator->());
     print_notes(console, d, measurements, common->study.string());
     const auto figures = common->out_folder() / "figures";
-    draw(diagnosis_figure(diagnosis, models), figures);
-    std::vector<std::string> names = {"diagnosis"};
+    std::vector<Figure> drawn = {diagnosis_figure(diagnosis, models)};
     if (!d.proposals.empty()) {
-        const Figure figure =
-            proposal_figure(d.proposals.front(), d.readings, diagnosis.fit.prediction);
-        draw(figure, figures);
-        names.push_back(figure.name);
+        drawn.push_back(
+            proposal_figure(d.proposals.front(), d.readings, diagnosis.fit.prediction));
     }
-    console.figures(figures, names);
+    if (impacts) drawn.push_back(impact_figure(*impacts));
+    console.figures(figures, draw_all(drawn, figures));
     console.next(next_step(diagnosis, common->study.string(), !d.proposals.empty()));
     console.json(json);
     return diagnosis.fit.converged ? done : not_converged;

@@ -26,7 +26,7 @@ std::string block_name(std::size_t panel, std::size_t curve) {
 
 bool has_line(const Curve& curve) {
     return curve.style != Curve::Style::points && curve.style != Curve::Style::bars &&
-           !curve.x.empty();
+           curve.style != Curve::Style::bars_across && !curve.x.empty();
 }
 
 /// Gnuplot commands that define the data of lines and bands as named blocks, once for all file
@@ -132,6 +132,7 @@ std::string axes_script(const Panel& panel, const PanelPlace& place, const Page&
                                       : "set logscale y\nset ytics (" + tics_of_logarithm(place.y) +
                                             ") format '%g'\n";
     }
+    if (!panel.y_names.empty()) text += "unset ytics\n";
     if (!panel.x_names.empty()) {
         text += "unset xtics\n";
     } else if (panel.log_x) {

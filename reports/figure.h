@@ -12,7 +12,8 @@ namespace pendular {
 /// One series of data in a panel (pair of axes) of a figure: points, line, band or bars. A curve
 /// without data only adds an entry to the key.
 struct Curve {
-    enum class Style { points, line, dotted_line, dashed_line, band, bars };
+    /// Bars stand on the x axis; bars across are horizontal and begin at x = 0.
+    enum class Style { points, line, dotted_line, dashed_line, band, bars, bars_across };
     std::string label;
     Style style = Style::points;
     std::vector<double> x, y;
@@ -52,6 +53,8 @@ struct Panel {
     std::optional<std::pair<double, double>> x_range = {};
     /// Names below x = 1, 2, ... in place of numbers, each as its lines of text.
     std::vector<std::vector<std::string>> x_names = {};
+    /// Names to the left of y = 1, 2, ... in place of numbers; panels beside it have empty names.
+    std::vector<std::string> y_names = {};
     bool y_from_zero = false;  ///< include zero in a y axis that is not logarithmic
     double y_least = 0;        ///< least reach of the y axis to both sides of zero; 0: no limit
     /// Least and greatest value on the y axis below the headroom; empty: chosen from the data.

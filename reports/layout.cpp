@@ -92,6 +92,9 @@ void set_ranges(PanelPlace& place, const Panel& panel) {
         place.x = {0.4, static_cast<double>(panel.x_names.size()) + 0.6};
     }
     place.y = panel.y_range.value_or(range(panel, false));
+    if (!panel.y_names.empty()) {
+        place.y = {0.4, static_cast<double>(panel.y_names.size()) + 0.6};
+    }
     if (panel.y_least > 0) {
         place.y = {std::min(place.y.first, -panel.y_least),
                    std::max(place.y.second, panel.y_least)};
@@ -142,6 +145,18 @@ Size with_names(Size size, const Panel& panel, const Figure& figure) {
     return size;
 }
 
+/// Height of a panel whose y axis shows names, and left margin that the names need [inch].
+Size with_rows(const Panel& panel) {
+    constexpr double row = 0.25, character = 0.078, apart = 0.25;
+    std::size_t longest = 0;
+    for (const auto& name : panel.y_names) {
+        longest = std::max(longest, shown_characters(name));
+    }
+    const double rows = row * (static_cast<double>(panel.y_names.size()) + 0.2);
+    return {.width = character * static_cast<double>(longest) + apart,
+            .height = rows / (1 - panel.headroom) + top_margin + bottom_margin};
+}
+
 double bottom_of(const Panel& panel) {
     return panel.x_names.empty() ? bottom_margin
                                  : 0.12 + name_line * static_cast<double>(name_lines(panel) + 1) *
@@ -190,8 +205,13 @@ Page page_of(const Figure& figure) {
     for (const auto& panel : figure.panels) {
         Size cell = with_names(usual, panel, figure);
         cell.height += bottom_of(panel) - bottom_margin;
-        const double margin =
+        double margin =
             figure.small && panel.y_label.empty() ? left_margin_unlabelled : left_margin;
+        if (!panel.y_names.empty()) {
+            const Size rows = with_rows(panel);
+            margin = rows.width;
+            cell.height = rows.height;
+        }
         cell.width -= left_margin - margin;
         const double whole = cell.width + (panel.key == Key::outside ? outside_key_width : 0);
         PanelPlace place{.left = left + margin,

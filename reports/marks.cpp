@@ -63,6 +63,17 @@ void draw_bars(Ink& ink, const PanelPlace& place, const Panel& panel, const Curv
     }
 }
 
+/// Draws horizontal bars of a curve from x = 0 on, one in each row.
+void draw_bars_across(Ink& ink, const PanelPlace& place, const Curve& curve) {
+    for (std::size_t k = 0; k < curve.x.size(); ++k) {
+        const PaperPoint low = place.at(0, curve.y[k] - bar_width / 2),
+                         high = place.at(curve.x[k], curve.y[k] + bar_width / 2);
+        const Outline edge{low, {high.x, low.y}, high, {low.x, high.y}, low};
+        ink.area(edge, curve.colour, 0.55);
+        ink.line(edge, {curve.colour, 1});
+    }
+}
+
 void draw_names(Ink& ink, const PanelPlace& place, const Panel& panel) {
     for (std::size_t k = 0; k < panel.x_names.size(); ++k) {
         PaperPoint at = place.at(static_cast<double>(k) + 1, place.y.first);
@@ -71,6 +82,10 @@ void draw_names(Ink& ink, const PanelPlace& place, const Panel& panel) {
             ink.centred(line, at);
             at.y -= name_line;
         }
+    }
+    for (std::size_t k = 0; k < panel.y_names.size(); ++k) {
+        const PaperPoint row = place.at(place.x.first, static_cast<double>(k) + 1);
+        ink.text(panel.y_names[k], {place.left - 0.08, row.y}, true);
     }
 }
 
@@ -117,6 +132,7 @@ void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
             break;
         case Curve::Style::band:
         case Curve::Style::bars:
+        case Curve::Style::bars_across:
             ink.area({{middle.x - reach, y - half_band},
                       {middle.x + reach, y - half_band},
                       {middle.x + reach, y + half_band},
@@ -170,6 +186,8 @@ Ink marks_of(const Figure& figure, const Page& page) {
                 draw_points(ink, page.panels[p], curve);
             } else if (curve.style == Curve::Style::bars) {
                 draw_bars(ink, page.panels[p], panel, curve);
+            } else if (curve.style == Curve::Style::bars_across) {
+                draw_bars_across(ink, page.panels[p], curve);
             }
         }
         draw_names(ink, page.panels[p], panel);

@@ -177,6 +177,12 @@ std::optional<Checks> remaining_checks(const StudyDiagnosis& d, std::uint64_t se
     return checks_of(d, model.chosen, model.fit.prediction, seed);
 }
 
+std::optional<ImpactTable> impacts_of(const StudyDiagnosis& d, std::size_t threads) {
+    constexpr std::size_t refitted = 3;
+    if (d.mistake) return {};
+    return impacts(*d.models, d.evidence, d.diagnosis, refitted, threads);
+}
+
 /// Ratio of a likely discrepancy to the RMS misfit from which on the misfit varies more quickly
 /// with the conditions than a discrepancy does [1]: only an excessive one could then describe it.
 constexpr double rougher = 3;

@@ -9,6 +9,7 @@
 
 #include "analysis/design/next_measurement.h"
 #include "analysis/diagnosis/diagnosis.h"
+#include "analysis/diagnosis/impact.h"
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/checks.h"
 #include "analysis/misfit/unit_mistakes.h"
@@ -85,6 +86,11 @@ Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 /// explain most of the misfit but not all of it); empty where the diagnosis has no leading effects.
 /// `seed`: seed of the random errors from which p values are computed.
 std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
+
+/// What each effect and each error of measurement does to the fitted parameters of a study's model
+/// without further effects; empty where a column is in a wrong unit, as its fit means nothing then.
+/// `threads`: largest number of threads.
+std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size_t threads);
 
 /// Discrepancy of the model, relative to the shear stress [1], that would account for the misfit
 /// that the named effects leave, or that the best refitted model leaves where none is named: the

@@ -22,6 +22,12 @@ struct SuspectMeasurement {
     /// Change of the measured entries by each kind of error at amplitude 1, entries x kinds, in the
     /// units of the readings. An entry is one observable of one reading, or a direct measurement.
     Eigen::MatrixXd columns;
+    /// Quantity that each column changes, as in "shear stress"; empty where the name says it.
+    std::vector<std::string> quantities = {};
+    /// Amplitude of each kind of error that matters to a user [1].
+    double smallest_of_interest = 1;
+    /// Group to which the part belongs in tables, such as "files"; may be empty.
+    std::string group = {};
 };
 
 /// Readings and direct measurements with errors, conditions and suspect measurements, as a

@@ -51,14 +51,26 @@ class WithSuspect : public Model {
     std::vector<Parameter> parameters_;
 };
 
-/// Effort of a refit, which converges to far less than a standard error in seconds; the tolerance
-/// of a study's fit would take minutes.
-constexpr FitEffort quick{.most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
-
 /// p value below which a model is rejected without converging its fit fully.
 constexpr double hopeless = 0.1;
 
 }  // namespace
+
+WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit) {
+    Prediction prediction = fit.prediction;
+    const ParameterBounds bounds = model.bounds();
+    for (std::size_t k = 0; k < model.parameters().size(); ++k) {
+        const Parameter& p = model.parameters()[k];
+        const auto i = static_cast<Eigen::Index>(k);
+        const double least = std::max(p.lower, bounds.lower(i)),
+                     greatest = std::min(p.upper, bounds.upper(i)),
+                     close = 1e-6 * (greatest - least), at = fit.parameters(i);
+        if (at - least < close || greatest - at < close) {
+            prediction.jacobian.col(i).setZero();
+        }
+    }
+    return {measured, prediction};
+}
 
 Explanations::Explanations(const ModelSpace& space, const Evidence& evidence,
                            const DiagnosisOptions& options)
@@ -75,8 +87,8 @@ Explanation Explanations::refit(const EffectSet& chosen, std::optional<std::size
     const std::shared_ptr<const Model> model = space_.with(chosen);
     const auto fit_from = [&](const Eigen::VectorXd& from) {
         result.fit = suspect ? fit(WithSuspect(*model, evidence_.suspects[*suspect]),
-                                   evidence_.measured, from, quick)
-                             : fit(*model, evidence_.measured, from, quick);
+                                   evidence_.measured, from, refit_effort)
+                             : fit(*model, evidence_.measured, from, refit_effort);
     };
     // The first fit has the weights of the starting values, the second the weights of its result.
     fit_from(start);
@@ -88,20 +100,8 @@ Explanation Explanations::refit(const EffectSet& chosen, std::optional<std::size
 }
 
 WeightedResiduals Explanations::residuals_of(const Explanation& explanation) const {
-    Prediction prediction = explanation.fit.prediction;
-    const std::shared_ptr<const Model> model = space_.with(explanation.chosen);
-    const ParameterBounds bounds = model->bounds();
-    for (std::size_t k = 0; k < model->parameters().size(); ++k) {
-        const Parameter& p = model->parameters()[k];
-        const auto i = static_cast<Eigen::Index>(k);
-        const double least = std::max(p.lower, bounds.lower(i)),
-                     greatest = std::min(p.upper, bounds.upper(i)),
-                     close = 1e-6 * (greatest - least), at = explanation.fit.parameters(i);
-        if (at - least < close || greatest - at < close) {
-            prediction.jacobian.col(i).setZero();
-        }
-    }
-    return {evidence_.measured, prediction};
+    return pendular::residuals_of(*space_.with(explanation.chosen), evidence_.measured,
+                                  explanation.fit);
 }
 
 double Explanations::lack_of_fit_p(const WeightedResiduals& residuals) const {

@@ -6,6 +6,16 @@
 
 namespace pendular {
 
+/// Effort of a refit, which converges to far less than a standard error in seconds; the tolerance
+/// of a study's fit would take minutes.
+inline constexpr FitEffort refit_effort{
+    .most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
+
+/// Whitened residuals of the readings from a fitted model. Derivatives by parameters at a bound are
+/// set to zero, since such a parameter cannot move to imitate a change. `fit` may have amplitudes
+/// of a suspect measurement after the parameters of `model`.
+WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
+
 /// Refits a model with further effects to readings and tests whether the result fits. All tests use
 /// the same random draws of errors. Constant functions may be called from several threads at once.
 class Explanations {

@@ -20,9 +20,15 @@ namespace {
 
 /// Suspect measurement of some readings: one wrong factor on their shear stresses, another on their
 /// solid fractions. `values`: measured values of all entries.
-SuspectMeasurement suspect(std::string name, const std::vector<std::size_t>& readings,
+SuspectMeasurement suspect(std::string name, std::string group,
+                           const std::vector<std::size_t>& readings,
                            const Eigen::VectorXd& values) {
-    SuspectMeasurement result{std::move(name), Eigen::MatrixXd::Zero(values.size(), 2)};
+    constexpr double one_percent = 0.01;
+    SuspectMeasurement result{.name = std::move(name),
+                              .columns = Eigen::MatrixXd::Zero(values.size(), 2),
+                              .quantities = {"shear stress", "solid fraction"},
+                              .smallest_of_interest = one_percent,
+                              .group = std::move(group)};
     for (const std::size_t k : readings) {
         for (const Eigen::Index observable : {0, 1}) {
             const Eigen::Index entry = 2 * static_cast<Eigen::Index>(k) + observable;
@@ -141,7 +147,9 @@ void add_direct(Evidence& evidence, const std::vector<DirectMeasurement>& direct
         column(entry++, 0) = off;
     }
     for (const auto& [parameter, column] : columns) {
-        evidence.suspects.push_back({"the direct measurements of " + parameter, column});
+        evidence.suspects.push_back({.name = "the direct measurements of " + parameter,
+                                     .columns = column,
+                                     .group = "direct measurements"});
     }
 }
 
@@ -264,14 +272,14 @@ Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatte
         if (groups.size() > 1 && suspected.insert(group).second) {
             evidence.suspects.push_back(
                 suspect("the readings at " + condition_text(readings[group.front()].condition),
-                        group, evidence.measured.value));
+                        "conditions", group, evidence.measured.value));
         }
     }
     for (const auto& [file, members] : files) {
         if (files.size() > 1 && suspected.insert(members).second) {
             evidence.suspects.push_back(
                 suspect("the readings of " + std::filesystem::path(file).filename().string(),
-                        members, evidence.measured.value));
+                        "files", members, evidence.measured.value));
         }
     }
     add_direct(evidence, direct, 2 * static_cast<Eigen::Index>(readings.size()));

@@ -8,7 +8,7 @@
 namespace pendular {
 namespace {
 
-constexpr double significant = 0.05;
+constexpr double significant_p = 0.05;
 
 std::vector<Offending> offending_of(const Evidence& evidence, const WeightedResiduals& residuals,
                                     const NullDraws& draws) {
@@ -20,7 +20,7 @@ std::vector<Offending> offending_of(const Evidence& evidence, const WeightedResi
     std::vector<Offending> result;
     for (std::size_t k = 0; k < tests.size(); ++k) {
         const double p = family.p(tests[k].p());
-        if (p < significant) {
+        if (p < significant_p) {
             result.push_back({evidence.suspects[k].name, p});
         }
     }

@@ -15,6 +15,8 @@ namespace pendular {
 struct Candidate {
     std::string name;
     std::vector<EffectParameter> parameters;
+    /// Group to which the candidate belongs in tables, such as "instrument"; may be empty.
+    std::string group = {};
 
     /// Whether the candidate is a switch: present or absent, without a parameter to fit.
     bool is_switch() const;

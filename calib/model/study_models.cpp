@@ -10,6 +10,17 @@
 #include "data/input_error.h"
 
 namespace pendular {
+namespace {
+
+/// Group of an effect in tables of candidates: where it acts.
+std::string group_of(const Effect& effect) {
+    if (effect.of_instrument()) return "instrument";
+    if (effect.of_grains()) return "grains";
+    if (effect.of_condition() || effect.of_closure()) return "beads and liquid";
+    return "formulas of the study";
+}
+
+}  // namespace
 
 Study StudyModels::with_all_effects(const ResolvedStudy& study) {
     Study all = study;
@@ -83,7 +94,7 @@ void StudyModels::add_candidate(const Effect& effect) {
         left_aside_.push_back(
             {effect.name, "no known run has it alone; 'pendular campaign' makes such runs", true});
     } else {
-        Candidate candidate{effect.name, effect.parameters};
+        Candidate candidate{effect.name, effect.parameters, group_of(effect)};
         // An effect that the liquid switches on is neutral at the value that the liquid gives.
         candidate.parameters.front().neutral = effect.unlisted_value(study_.study().liquid);
         offered_.push_back(&effect);
