@@ -58,6 +58,9 @@ after Ctrl-C the same command continues with them.)";
 
 /// Time for --confirm without a number [min].
 constexpr double usual_minutes = 5;
+/// Number of drawn repetitions of the experiment. The share of 20 has a standard error of at most
+/// 11 of 100.
+constexpr std::size_t usual_repetitions = 20;
 
 /// Sentence on doubts about the readings behind the verdict, or on readings that doubts have set
 /// aside; empty without doubts.
@@ -85,6 +88,15 @@ std::string confirmation_line(const Confirmation& confirmed) {
                      "The verdict is not yet firm after {}: {}. To go on, give the same "
                      "command again.",
                      done, confirmed.open);
+}
+
+/// Sentence on how often the verdict would come again.
+std::string repeated_line(const Repeated& repeated) {
+    return fmt::format(
+        "If the experiment were repeated, this verdict would come again in about {:.0f} of 100 "
+        "cases ({} of {} drawn repetitions).",
+        100 * static_cast<double>(repeated.same) / static_cast<double>(repeated.of), repeated.same,
+        repeated.of);
 }
 
 /// Prints what the verdict is based on, and what follows from it.
@@ -229,6 +241,11 @@ int diagnose(const std::vector<std::string>& arguments) {
     std::optional<double> confirming;
     options.add_time("confirm", &confirming, usual_minutes,
                      "confirm the verdict by simulations for MINUTES at most");
+    std::size_t repetitions = usual_repetitions;
+    options.add("repetitions", &repetitions,
+                fmt::format("number of repetitions of the experiment that are drawn to state how "
+                            "often the verdict would come again; 0: none (default {})",
+                            usual_repetitions));
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -237,7 +254,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     const OpenSession session(console, *common, {"diagnosis.json", "proposed.toml", "figures"},
                               seed);
     const Measurements& measurements = session->measurements();
-    const StudyDiagnosis d = session->diagnose(confirming);
+    const StudyDiagnosis d = session->diagnose(confirming, repetitions);
     const Belief& belief = d.belief;
     const Diagnosis& diagnosis = d.diagnosis;
     const StudyModels& models = *d.models;
@@ -250,6 +267,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     json["rivals"] = to_json(d.rivals);
     json["proposed"] = proposals_json(d);
     json["confirmed"] = to_json(d.confirmed);
+    json["repeated"] = to_json(d.repeated);
     const std::optional<ImpactTable> impacts =
         impacts_of(d, static_cast<std::size_t>(session->options().threads));
     json["impact"] = impacts ? to_json(*impacts) : nullptr;
@@ -261,6 +279,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     if (shown_first) console.line(shown);
     console.answer(verdict_line(diagnosis, models, checks) + caution(d, measurements));
     if (!shown_first && !shown.empty()) console.line(shown);
+    if (d.repeated) console.line(repeated_line(*d.repeated));
     if (d.confirmed) console.line(confirmation_line(*d.confirmed));
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
         if (k != belief.misfit_reason) console.line("Doubt: " + belief.reasons[k]);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/diagnosis/diagnosis.h"
+#include "analysis/diagnosis/repeated.h"
 #include "analysis/misfit/checks.h"
 
 namespace pendular {
@@ -16,5 +18,8 @@ std::vector<std::string> names_of(const Explanation& explanation, const ModelSpa
 /// @param checks tests of the residuals of the study's model without further effects
 nlohmann::ordered_json to_json(const Diagnosis& diagnosis, const ModelSpace& space,
                                const Evidence& evidence, const Checks& checks);
+
+/// JSON of the number of repetitions of the experiment with the same verdict; null without any.
+nlohmann::ordered_json to_json(const std::optional<Repeated>& repeated);
 
 }  // namespace pendular

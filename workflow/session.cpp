@@ -69,13 +69,15 @@ Prediction Session::predict(const std::vector<Condition>& conditions) const {
     return predict_unseen(StudyModel(input_.study, c).model(), c, conditions);
 }
 
-StudyDiagnosis Session::diagnose(std::optional<double> confirming_seconds) const {
+StudyDiagnosis Session::diagnose(std::optional<double> confirming_seconds,
+                                 std::size_t repetitions) const {
     const Ladder ladder = read_ladder(folder_ / "ladder.json");  // throws before any work
     StudyDiagnosis diagnosis =
         confirming_seconds
             ? confirm_diagnosis(input_.study, measurements(), options_, *confirming_seconds)
             : diagnose_study(input_.study, measurements(), options_);
     diagnosis.rivals = rivals_alive(diagnosis, input_.study, ladder);
+    diagnosis.repeated = repeat_diagnosis(diagnosis, options_, repetitions);
     return diagnosis;
 }
 

@@ -76,10 +76,13 @@ class Session {
     /// effects that were added (`rivals_alive`).
     /// @param confirming_seconds time for simulations that confirm the verdict
     ///        (`confirm_diagnosis`) [s]; empty: nothing is simulated
+    /// @param repetitions number of repetitions of the experiment that are drawn to state how often
+    ///        the verdict comes again (`repeat_diagnosis`); 0: none
     /// @throws InputError where readings or known runs are too few, where a reading is outside the
     ///         range that can be simulated, and where ladder.json cannot be read
     /// @throws dem::Interrupted where the user stops the work
-    StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {}) const;
+    StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {},
+                            std::size_t repetitions = 0) const;
     /// Plans the next measurement to make, from the diagnosis of this session's study: it tells
     /// apart the models that fit or, where there is one only, determines its parameters best. The
     /// session and the diagnosis must outlive the result.

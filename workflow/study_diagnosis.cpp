@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -52,6 +53,7 @@ void suspect_measurement(StudyDiagnosis& result, const Study& study,
         }
     }
     if (suspects.empty()) return;
+    result.overruled = true;
     result.diagnosis.verdict = Verdict::suspect_measurement;
     result.diagnosis.effects.clear();
     result.diagnosis.leaders.reset();
@@ -82,6 +84,16 @@ void weigh_proposals(StudyDiagnosis& result) {
     diagnosis.verdict = Verdict::unknown;
     diagnosis.effects.clear();
     diagnosis.leaders.reset();
+}
+
+/// Callback that tells the user of a session how far work is, and ends it where the user stops it.
+std::function<void(std::string_view, std::size_t, std::size_t)> progress_of(
+    const SessionOptions& session) {
+    return [&session](std::string_view what, std::size_t at, std::size_t of) {
+        if (session.stop.stop_requested()) throw dem::Interrupted();
+        tell(session.listener,
+             {.kind = Event::Kind::refits, .text = std::string(what), .number = at, .total = of});
+    };
 }
 
 /// Checks that the readings suffice for a diagnosis.
@@ -131,11 +143,7 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
                                                   session.fidelity, std::move(known));
     result.evidence = evidence_of(result.readings, measurements.scatter, result.models->direct());
     DiagnosisOptions options{.seed = session.seed};
-    options.progress = [&](std::string_view what, std::size_t at, std::size_t of) {
-        if (session.stop.stop_requested()) throw dem::Interrupted();
-        tell(session.listener,
-             {.kind = Event::Kind::refits, .text = std::string(what), .number = at, .total = of});
-    };
+    options.progress = progress_of(session);
     options.threads = static_cast<std::size_t>(session.threads);
     result.diagnosis = diagnose(*result.models, result.evidence, options);
     const std::shared_ptr<const Predictor> model = result.models->predictor({});
@@ -181,6 +189,16 @@ std::optional<ImpactTable> impacts_of(const StudyDiagnosis& d, std::size_t threa
     constexpr std::size_t refitted = 3;
     if (d.mistake) return {};
     return impacts(*d.models, d.evidence, d.diagnosis, refitted, threads);
+}
+
+std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& d, const SessionOptions& session,
+                                         std::size_t count) {
+    if (d.overruled) return {};
+    return repeat(*d.models, d.evidence, d.diagnosis,
+                  {.count = count,
+                   .seed = session.seed,
+                   .threads = static_cast<std::size_t>(session.threads),
+                   .progress = progress_of(session)});
 }
 
 /// Ratio of a likely discrepancy to the RMS misfit from which on the misfit varies more quickly

@@ -10,6 +10,7 @@
 #include "analysis/design/next_measurement.h"
 #include "analysis/diagnosis/diagnosis.h"
 #include "analysis/diagnosis/impact.h"
+#include "analysis/diagnosis/repeated.h"
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/checks.h"
 #include "analysis/misfit/unit_mistakes.h"
@@ -48,6 +49,8 @@ struct StudyDiagnosis {
     /// Column of the recordings that was probably read in a wrong unit, which would explain the
     /// misfit; empty: none was found.
     std::optional<UnitMistake> mistake = {};
+    /// Whether a wrong measurement was found that takes precedence over the tests' verdict.
+    bool overruled = false;
     /// Models that explain the readings as well, with other effects in place of a listed one.
     std::vector<RivalModel> rivals = {};
     /// Changes of unknown cause that would explain the readings, where no known effect explains
@@ -55,6 +58,9 @@ struct StudyDiagnosis {
     std::vector<Proposal> proposals = {};
     /// Simulations that confirmed the verdict; empty: none were requested.
     std::optional<Confirmation> confirmed = {};
+    /// How often the verdict comes again in repetitions of the experiment; empty: not computed, or
+    /// no explanation was accepted.
+    std::optional<Repeated> repeated = {};
     Belief belief = {};  ///< judgement of the fit of the model without further effects
 };
 
@@ -87,10 +93,17 @@ Checks checks_of(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 /// `seed`: seed of the random errors from which p values are computed.
 std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uint64_t seed);
 
-/// What each effect and each error of measurement does to the fitted parameters of a study's model
+/// Impact of each effect and each error of measurement on the fitted parameters of a study's model
 /// without further effects; empty where a column is in a wrong unit, as its fit means nothing then.
 /// `threads`: largest number of threads.
 std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size_t threads);
+
+/// How often the verdict of a study comes again in `count` repetitions of the experiment
+/// (`repeat`); empty where no explanation was accepted, and where a wrong measurement overruled the
+/// tests.
+/// @throws dem::Interrupted where the user stops the work
+std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
+                                         const SessionOptions& session, std::size_t count);
 
 /// Discrepancy of the model, relative to the shear stress [1], that would account for the misfit
 /// that the named effects leave, or that the best refitted model leaves where none is named: the

@@ -24,7 +24,7 @@ struct Shift {
     const Eigen::VectorXd& best() const { return refitted.size() > 0 ? refitted : linear; }
 };
 
-/// What one effect, or one error of measurement, does to the calibrated parameters.
+/// Impact of one effect, or of one error of measurement, on the calibrated parameters.
 struct Impact {
     std::string name;          ///< effect or suspect measurement, as in "the readings of dry_1.csv"
     std::string quantity;      ///< parameter of the effect, or measured quantity that is in error
@@ -65,7 +65,7 @@ struct GroupImpact {
     Eigen::VectorXd at_interest, at_estimate, by_error;
 };
 
-/// What each effect that a model may lack, and each error of measurement, does to the calibrated
+/// Impact of each effect that a model may lack, and of each error of measurement, on the calibrated
 /// parameters.
 struct ImpactTable {
     std::vector<Parameter> parameters;  ///< calibrated parameters, friction first

@@ -37,6 +37,8 @@ class WeightedResiduals {
     /// Whitens changes of the readings: L^-1 times `columns`, which are in the units of the
     /// readings, with L L' the covariance of measurement and simulation.
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
+    /// Changes of the readings in their units from whitened ones: L times `columns`.
+    Eigen::MatrixXd unwhiten(const Eigen::MatrixXd& columns) const;
     /// L^-T times whitened columns, with L L' the covariance of measurement and simulation. The
     /// product of the result with a change in the units of the readings is that of `columns` with
     /// the whitened change.

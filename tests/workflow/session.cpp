@@ -95,6 +95,23 @@ TEST_F(Sessions, ConfirmNothingWithoutTime) {
     EXPECT_EQ(confirmed.diagnosis.chi2, plain.diagnosis.chi2);
 }
 
+TEST_F(Sessions, RepeatTheExperimentOnRequestOnly) {
+    const Session opened = session();
+    EXPECT_FALSE(opened.diagnose().repeated);
+    const StudyDiagnosis diagnosis = opened.diagnose({}, 6);
+    ASSERT_TRUE(diagnosis.repeated);
+    EXPECT_EQ(diagnosis.repeated->of, 6u);
+    EXPECT_GE(diagnosis.repeated->same, 2u);  // 5 expected
+    const auto impacts = impacts_of(diagnosis, 1);
+    ASSERT_TRUE(impacts);
+    EXPECT_EQ(impacts->impacts.front().name, "wall-friction");
+    EXPECT_EQ(impacts->impacts.front().group, "instrument");
+    // The refit of the diagnosis with wall friction at its estimate has this friction.
+    const Fit& refit = diagnosis.diagnosis.confidence_set.front().fit;
+    EXPECT_NEAR(impacts->fitted(0) + impacts->impacts.front().at_estimate.refitted(0),
+                refit.parameters(0), 1e-9);
+}
+
 TEST_F(Sessions, RefuseToWriteOverTheirInputs) {
     EXPECT_THAT(input_error([&] {
                     session({.folder = study_, .files = {"dry_1.csv"}, .json = std::nullopt});
