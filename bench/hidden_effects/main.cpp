@@ -32,9 +32,17 @@ pendular-bench foreign-worlds [--studies N] [--only WORLD,...] [--results FOLDER
 Diagnoses studies of grains that LAMMPS simulated (bench/foreign_worlds/states.csv), and writes
 foreign_worlds.txt and a row for each study.
 
+pendular-bench outside-shapes [--studies N] [--only TRUTH,...] [--results FOLDER] [--work FOLDER]
+
+Hides effects that the program does not know, and writes outside_shapes.txt: whether they are
+flagged, and whether the shape that is proposed for the missing change is right; and a row for each
+study. --truths: those of outside_truths.csv, written without sight of the shapes; --plan chooses
+their sizes anew.
+
 Examples:
   pendular-bench hidden-effects
   pendular-bench hidden-effects --only lid-slip --studies 2 --results /tmp
+  pendular-bench outside-shapes --only swelling --studies 1 --results /tmp
   pendular-bench foreign-worlds --only "dry rolling" --studies 2 --results /tmp
 
 )";

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <map>
 #include <sstream>
 
 #include "app/interrupt.h"
@@ -44,14 +43,9 @@ bool fits(const ShapeOutcome& o) {
     return !o.shapes.empty() && o.rms[0] <= close * o.noise[0] && o.rms[1] <= close * o.noise[1];
 }
 
-/// A quantity as proposals name it in a study with a cell, whose torque and height stand for the
-/// stress ratio and the solid fraction.
-std::string as_proposed(const std::string& quantity) {
-    static const std::map<std::string, std::string> names = {{"friction", "friction_difference"},
-                                                             {"stress_ratio", "torque"},
-                                                             {"solid_fraction", "height"}};
-    const auto found = names.find(quantity);
-    return found == names.end() ? quantity : found->second;
+/// A quantity as formulas name it.
+std::string in_formulas(const std::string& quantity) {
+    return quantity == "friction" ? "friction_difference" : quantity;
 }
 
 std::vector<std::string> split(const std::string& text, const std::string& separator) {
@@ -71,7 +65,7 @@ bool names(const std::string& proposal, const std::vector<std::string>& quantiti
     return !shapes.empty() && std::ranges::all_of(shapes, [&](const std::string& shape) {
         const auto parts = split(shape, "/");
         return std::ranges::any_of(quantities,
-                                   [&](const auto& q) { return as_proposed(q) == parts.at(0); }) &&
+                                   [&](const auto& q) { return in_formulas(q) == parts.at(0); }) &&
                std::ranges::find(coordinates, parts.at(1)) != coordinates.end();
     });
 }
