@@ -58,9 +58,6 @@ after Ctrl-C the same command continues with them.)";
 
 /// Time for --confirm without a number [min].
 constexpr double usual_minutes = 5;
-/// Number of drawn repetitions of the experiment. The share of 20 has a standard error of at most
-/// 11 of 100.
-constexpr std::size_t usual_repetitions = 20;
 
 /// Sentence on doubts about the readings behind the verdict, or on readings that doubts have set
 /// aside; empty without doubts.
@@ -241,11 +238,11 @@ int diagnose(const std::vector<std::string>& arguments) {
     std::optional<double> confirming;
     options.add_time("confirm", &confirming, usual_minutes,
                      "confirm the verdict by simulations for MINUTES at most");
-    std::size_t repetitions = usual_repetitions;
-    options.add("repetitions", &repetitions,
-                fmt::format("number of repetitions of the experiment that are drawn to state how "
-                            "often the verdict would come again; 0: none (default {})",
-                            usual_repetitions));
+    std::size_t repetitions = 0;
+    options.add(
+        "repetitions", &repetitions,
+        "number of repetitions of the experiment to draw, such as 100, to state how often the "
+        "verdict would come again (default 0: none)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -290,8 +287,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     const auto figures = common->out_folder() / "figures";
     std::vector<Figure> drawn = {diagnosis_figure(diagnosis, models)};
     if (!d.proposals.empty()) {
-        drawn.push_back(
-            proposal_figure(d.proposals.front(), d.readings, diagnosis.fit.prediction));
+        drawn.push_back(proposal_figure(d.proposals.front(), d.readings, diagnosis.fit.prediction));
     }
     if (impacts) drawn.push_back(impact_figure(*impacts));
     console.figures(figures, draw_all(drawn, figures));

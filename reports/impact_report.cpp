@@ -31,6 +31,8 @@ std::string percent_text(double share) {
 
 /// Text of a size with its unit: "0.05", "0.41 mN m", "1 %".
 std::string size_text(const Impact& impact, double size) {
+    // Two digits would hide the difference between a factor and 1.
+    if (impact.neutral != 0 && impact.unit == "1") return fmt::format("{:.4g}", size);
     if (!impact.measurement) return with_unit(size, impact.unit);
     return impact.quantity.empty() ? fmt::format("{:.2g} standard errors", size)
                                    : percent_text(size);

@@ -12,7 +12,7 @@ namespace pendular::bench {
 /// is measured comes from simulations.
 std::vector<Truth> planned_truths(const std::vector<double>& noncentralities);
 
-/// Likewise the truths of `more_outside_effects` alone.
+/// Truths of `more_outside_effects` alone, chosen in the same way.
 std::vector<Truth> planned_outside_truths(const std::vector<double>& noncentralities);
 
 }  // namespace pendular::bench

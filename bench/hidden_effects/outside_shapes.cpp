@@ -29,7 +29,7 @@ struct ShapeOutcome {
     std::string verdict, effects;  ///< effects: that the verdict points at
     std::string shapes;   ///< proposals as "quantity/coordinate + quantity/coordinate | ..."
     bool stands = false;  ///< proposal 1 describes the readings
-    /// Of proposal 1, and of the truth [%]; both 0 where nothing is proposed.
+    /// RMS errors of proposal 1 and of the truth [%]; both 0 where nothing is proposed.
     std::array<double, 2> rms{}, noise{};
 };
 
@@ -117,7 +117,7 @@ ShapeOutcome diagnosed(const Truth& truth, const LabResult& laboratory, int stud
     outcome.shapes = fmt::format("{}", fmt::join(proposals, " | "));
     if (!found.proposals.empty()) {
         const Proposal& first = found.proposals.front();
-        outcome.stands = first.stands();
+        outcome.stands = first.fits();
         outcome.rms = rms_percent(found.readings, first.explanation.fit.prediction.value);
         outcome.noise = noise_of(found.readings, laboratory, folder.string() + " without noise");
     }
