@@ -34,8 +34,8 @@ struct ShapeOfChange {
     std::string name() const;
 };
 
-/// Quantities that may change in a study with these readings. Without a cell the instrument's are
-/// left out, with a cell those of the flow that it shows; without wet readings, the liquid's.
+/// Quantities that may change in a study with these readings: those of the flow and of the grains;
+/// with a cell, also those that the instrument shows; with wet readings, also those of the liquid.
 std::vector<ChangedQuantity> quantities_that_may_change(const ResolvedStudy& study,
                                                         const std::vector<Reading>& readings);
 
