@@ -12,7 +12,7 @@ namespace pendular::bench {
 /// is measured comes from simulations.
 std::vector<Truth> planned_truths(const std::vector<double>& noncentralities);
 
-/// Truths of `more_outside_effects` alone, chosen in the same way.
+/// Chooses the sizes of the effects of `more_outside_effects` that reach these noncentralities.
 std::vector<Truth> planned_outside_truths(const std::vector<double>& noncentralities);
 
 }  // namespace pendular::bench

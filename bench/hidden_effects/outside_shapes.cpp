@@ -29,7 +29,7 @@ struct ShapeOutcome {
     std::string verdict, effects;  ///< effects: that the verdict points at
     std::string shapes;   ///< proposals as "quantity/coordinate + quantity/coordinate | ..."
     bool stands = false;  ///< proposal 1 describes the readings
-    /// RMS errors of proposal 1 and of the truth [%]; both 0 where nothing is proposed.
+    /// RMS error of proposal 1 and of the true model [%]; both 0 where nothing is proposed.
     std::array<double, 2> rms{}, noise{};
 };
 
