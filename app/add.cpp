@@ -158,8 +158,9 @@ int refuse_fit(Console& console, const StudyChange& change, const Fitted& after)
 }
 
 /// Adds or drops one effect, and prints the error before and after. Returns the exit code.
+/// @param last whether it is the last effect, whose change the JSON states
 int change_study(Action what, const std::string& effect, const AddOptions& own,
-                 const CommonOptions& common, Console& console) {
+                 const CommonOptions& common, Console& console, bool last) {
     const auto figures = common.out_folder() / "figures";
     const OpenSession session(console, common,
                               {"fit.json", "fit_runs.csv", "ladder.json", "figures"}, own.seed);
@@ -181,7 +182,7 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
     const int code = written ? static_cast<int>(done) : refuse_fit(console, plan, after);
     auto json = to_json(plan, before.ladder_step, after.ladder_step, written);
     add_belief(json, after.belief);
-    console.json(json);
+    if (last || !written) console.json(json);
     return after.belief.meaningless ? static_cast<int>(not_converged) : code;
 }
 
@@ -193,8 +194,9 @@ int change_study(Action what, const std::vector<std::string>& arguments) {
     }
     Console console(*common);
     for (const std::string& effect : own.effects) {
-        const int code = change_study(what, effect, own, *common, console);
-        if (code != done || effect == own.effects.back()) return code;
+        const bool last = effect == own.effects.back();
+        const int code = change_study(what, effect, own, *common, console, last);
+        if (code != done || last) return code;
     }
     return done;
 }

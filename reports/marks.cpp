@@ -33,6 +33,7 @@ void draw_points(Ink& ink, const PanelPlace& place, const Curve& curve) {
     }
 }
 
+constexpr double bar_opacity = 0.55;
 constexpr double bar_width = 0.62;  ///< width of a bar in units of the x axis
 
 /// Height on the page [inch] of a text above a bar that ends at `top` [inch], clear of the panel's
@@ -55,7 +56,7 @@ void draw_bars(Ink& ink, const PanelPlace& place, const Panel& panel, const Curv
         const PaperPoint low = place.at(curve.x[k] - bar_width / 2, place.y.first),
                          high = place.at(curve.x[k] + bar_width / 2, curve.y[k]);
         const Outline edge{low, {high.x, low.y}, high, {low.x, high.y}, low};
-        ink.area(edge, curve.colour, 0.55);
+        ink.area(edge, curve.colour, bar_opacity);
         ink.line(edge, {curve.colour, 1.2});
         if (k < curve.names.size()) {
             ink.centred(curve.names[k], {(low.x + high.x) / 2, above_bar(place, panel, high.y)});
@@ -69,7 +70,7 @@ void draw_bars_across(Ink& ink, const PanelPlace& place, const Curve& curve) {
         const PaperPoint low = place.at(0, curve.y[k] - bar_width / 2),
                          high = place.at(curve.x[k], curve.y[k] + bar_width / 2);
         const Outline edge{low, {high.x, low.y}, high, {low.x, high.y}, low};
-        ink.area(edge, curve.colour, 0.55);
+        ink.area(edge, curve.colour, bar_opacity);
         ink.line(edge, {curve.colour, 1});
     }
 }
@@ -137,7 +138,7 @@ void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
                       {middle.x + reach, y - half_band},
                       {middle.x + reach, y + half_band},
                       {middle.x - reach, y + half_band}},
-                     curve.colour, band_opacity);
+                     curve.colour, curve.style == Curve::Style::band ? band_opacity : bar_opacity);
             break;
     }
 }

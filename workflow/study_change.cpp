@@ -34,12 +34,17 @@ void check_added(const ResolvedStudy& study, const std::string& name) {
     }
 }
 
+/// Whether the study's catalogue has an effect with this name.
+bool is_known(const std::string& name, const ResolvedStudy& study) {
+    const auto& all = study.catalogue().all();
+    return std::ranges::find(all, name, &Effect::name) != all.end();
+}
+
 /// Effect with this name among the `proposed` ones; null where the study's catalogue has one.
 const WrittenEffect* proposed_effect(const std::string& name, const ResolvedStudy& study,
                                      const std::vector<WrittenEffect>& proposed) {
-    const auto is_named = [&](const auto& effect) { return effect.name == name; };
-    if (std::ranges::any_of(study.catalogue().all(), is_named)) return nullptr;
-    const auto found = std::ranges::find_if(proposed, is_named);
+    if (is_known(name, study)) return nullptr;
+    const auto found = std::ranges::find(proposed, name, &WrittenEffect::name);
     return found == proposed.end() ? nullptr : &*found;
 }
 
@@ -165,10 +170,8 @@ Fitted fitted(const ResolvedStudy& study, Calibration c, const SessionOptions& s
 ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measurements, Action what,
                           const std::string& effect, SessionOptions session,
                           const ChangeOptions& options) {
-    const bool known = std::ranges::any_of(study.catalogue().all(),
-                                           [&](const Effect& each) { return each.name == effect; });
-    const auto proposed =
-        known ? ProposedEffects{} : read_proposed(options.folder / "proposed.toml");
+    const auto proposed = is_known(effect, study) ? ProposedEffects{}
+                                                  : read_proposed(options.folder / "proposed.toml");
     StudyChange change = plan_change(study, what, effect, proposed.effects);
     Ladder ladder = read_ladder(options.folder / "ladder.json");  // throws before any work
     FitOptions fit = options.fit;

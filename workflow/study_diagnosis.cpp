@@ -81,6 +81,11 @@ void weigh_proposals(StudyDiagnosis& result) {
         result.proposals.clear();
         return;
     }
+    for (Finding& finding : diagnosis.scan) {
+        if (std::ranges::find(model.chosen, finding.candidate) != model.chosen.end()) {
+            finding.decision = "does not explain it";
+        }
+    }
     diagnosis.verdict = Verdict::unknown;
     diagnosis.effects.clear();
     diagnosis.leaders.reset();

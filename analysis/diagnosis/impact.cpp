@@ -66,7 +66,7 @@ class Impacts {
     bool is_switch(const Impact& impact) const {
         return !impact.measurement && space_.candidates()[impact.index].is_switch();
     }
-    /// The diagnosis' refit with a candidate alone; null where there is none that converged.
+    /// The diagnosis' refit with a candidate alone; null where there is none.
     const Explanation* refit_of(std::size_t candidate) const;
     /// Shift of the parameters by a change of the readings by an amplitude of 1.
     Eigen::VectorXd shift_by(const Eigen::VectorXd& change) const {
@@ -91,7 +91,7 @@ bool Impacts::is_named(const Impact& impact) const {
 
 const Explanation* Impacts::refit_of(std::size_t candidate) const {
     const auto found = std::ranges::find_if(diagnosis_.tried, [&](const Explanation& each) {
-        return each.chosen == EffectSet{candidate} && !each.suspect && each.fit.converged;
+        return each.chosen == EffectSet{candidate} && !each.suspect;
     });
     return found == diagnosis_.tried.end() ? nullptr : &*found;
 }
@@ -124,6 +124,10 @@ void Impacts::add_candidate(const Finding& finding) {
         impact.error = finding.standard_error;
     }
     const Explanation* refit = is_switch ? nullptr : refit_of(k);
+    if (refit != nullptr && !refit->fit.converged) {
+        refit = nullptr;
+        impact.error = 0;  // no fit settles the size
+    }
     if (refit != nullptr) {
         estimate = refit->fit.parameters.tail(1)(0);
         impact.error = refit->fit.standard_error(refit->fit.parameters.size() - 1);

@@ -39,12 +39,13 @@ Range range_of(const ReadingCoordinate& coordinate) {
     return range;
 }
 
-/// Midpoints between the distinct values of a coordinate, at most `most_places` of them.
+/// Midpoints between the distinct values of a coordinate, at most `most_places` of them. Set points
+/// that differ by less than 1 % are replicates of one another; times are not.
 std::vector<double> midpoints(const ReadingCoordinate& coordinate) {
     std::vector<double> values(coordinate.at.begin(), coordinate.at.end());
     std::ranges::sort(values);
     std::vector<double> middles;
-    const double close = 1e-2;  // replicates differ by less
+    const double close = coordinate.variable == "time" ? 0 : 1e-2;
     for (std::size_t k = 1; k < values.size(); ++k) {
         if (values[k] - values[k - 1] > close * values[k]) {
             middles.push_back(0.5 * (values[k - 1] + values[k]));
@@ -99,6 +100,7 @@ bool is_visible(const Profile& oscillation) {
 
 void add_powers(const ReadingCoordinate& coordinate, std::vector<Profile>& profiles) {
     const auto [least, greatest] = range_of(coordinate);
+    if (greatest <= varied * least) return;  // present or absent: a step says the same
     for (const double power : powers) {
         profiles.push_back(sized({.dependence = Dependence::power,
                                   .constant = power,

@@ -82,6 +82,19 @@ TEST(Impact, OfAnErrorIsOneStandardErrorOfTheSizeToBothSides) {
                 with.covariance(0, 0) - without.covariance(0, 0), 1e-6);
 }
 
+TEST(Impact, HasNoPullWhereNoFitSettlesTheSize) {
+    const LinearSpace space = line_and();
+    Measuring measuring(2);
+    const Evidence evidence =
+        measuring.of(plain() + 5 * over_places([](double x) { return x * x; }));
+    Diagnosis d = diagnosed(space, evidence);
+    ASSERT_TRUE(std::isfinite(impact_of(impacts(space, evidence, d), "parabola").pull()));
+    for (Explanation& each : d.tried) {
+        each.fit.converged = false;
+    }
+    EXPECT_TRUE(std::isnan(impact_of(impacts(space, evidence, d), "parabola").pull()));
+}
+
 TEST(Impact, OfASuspectConditionIsThatOfCorrectingItsReadings) {
     const LinearSpace space = line_and();
     Measuring measuring(4);

@@ -54,6 +54,24 @@ TEST(Profiles, EqualTheirFormulasAndAreAtMostOne) {
     }
 }
 
+TEST(Profiles, AreFiniteWhereAQuantityIsPresentOrAbsent) {
+    const ReadingCoordinate one_content{"liquid_content", "1", Eigen::Vector4d(0, 0, 0.03, 0.03)};
+    const auto profiles = profiles_along(one_content, false);
+    EXPECT_FALSE(profiles.empty());
+    for (const Profile& profile : profiles) {
+        EXPECT_TRUE(profile.at.allFinite()) << profile.formula();
+    }
+}
+
+TEST(Profiles, StepBetweenAllReadingsOfALongSeries) {
+    const ReadingCoordinate times{"time", "s", Eigen::VectorXd::LinSpaced(300, 0, 2990)};
+    double latest = 0;
+    for (const Profile& profile : profiles_along(times, false)) {
+        if (profile.dependence == Dependence::above) latest = std::max(latest, profile.constant);
+    }
+    EXPECT_GT(latest, 2900);
+}
+
 TEST(Profiles, ReachOneWhereTheySay) {
     for (const auto& coordinate : coordinates_of(laboratory_readings(), study_with("dem"), true)) {
         for (const Profile& profile : profiles_along(coordinate, true)) {

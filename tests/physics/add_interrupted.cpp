@@ -3,11 +3,11 @@
 
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <thread>
 
 #include "sim/runs/store/run_store.h"
 #include "tests/support/app_support.h"
+#include "tests/support/drag_study.h"
 
 using namespace pendular;
 using testing::HasSubstr;
@@ -16,27 +16,7 @@ namespace fs = std::filesystem;
 TEST(AddInterrupted, LeavesTheStudyAndGoesOnFromItsRuns) {
     const TemporaryFolder folder;
     const fs::path study = folder.path() / "study";
-    fs::create_directory(study);
-    // Emulated at friction 0.09, less 20 Pa of shear stress; fast flow, for the sake of time.
-    std::ofstream(study / "points.csv")
-        << "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction,"
-           "solid_fraction_sd,inertial_number\n"
-           "300,85.1,0.9,0.5985,0.0012,0.1\n"
-           "1000,331.0,3.3,0.5992,0.0012,0.1\n"
-           "3000,1028,10,0.5996,0.0012,0.1\n";
-    std::ofstream(study / "study.toml") << R"([grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-[cell]
-inner_radius = "21 mm"
-outer_radius = "45 mm"
-bead_mass = "60 g"
-[[readings]]
-file = "points.csv"
-liquid_content = 0
-[model]
-effects = []
-)";
+    write_drag_study(study);
     const std::string before = content_of(study / "study.toml");
     const fs::path file = folder.path() / "runs.sqlite";
     const std::string words = "add " + study.string() +

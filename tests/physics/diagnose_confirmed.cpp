@@ -4,12 +4,12 @@
 
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "sim/runs/store/run_store.h"
 #include "tests/support/app_support.h"
+#include "tests/support/drag_study.h"
 
 namespace pendular::physics_diagnose_confirmed_test {
 
@@ -18,29 +18,7 @@ namespace fs = std::filesystem;
 
 class DiagnoseConfirmed : public testing::Test {
   protected:
-    DiagnoseConfirmed() {
-        fs::create_directory(study_);
-        // Emulated at friction 0.09, less 20 Pa of shear stress; fast flow, for the sake of time.
-        std::ofstream(study_ / "points.csv")
-            << "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction,"
-               "solid_fraction_sd,inertial_number\n"
-               "300,85.1,0.9,0.5985,0.0012,0.1\n"
-               "1000,331.0,3.3,0.5992,0.0012,0.1\n"
-               "3000,1028,10,0.5996,0.0012,0.1\n";
-        std::ofstream(study_ / "study.toml") << R"([grains]
-diameter = "500 um"
-density = "1050 kg/m^3"
-[cell]
-inner_radius = "21 mm"
-outer_radius = "45 mm"
-bead_mass = "60 g"
-[[readings]]
-file = "points.csv"
-liquid_content = 0
-[model]
-effects = []
-)";
-    }
+    DiagnoseConfirmed() { write_drag_study(study_); }
     std::string words(const std::string& minutes) const {
         return "diagnose " + study_.string() + " --confirm " + minutes +
                " --fidelity quick --quiet --json - --store " + store_.string();

@@ -1,13 +1,16 @@
 // Changes that no known effect makes: the diagnosis names their shape.
 #include "analysis/proposals/propose.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "reports/proposal_report.h"
 #include "tests/physics/planted_readings.h"
+#include "tests/support/app_support.h"
 
 namespace pendular {
 namespace {
@@ -23,15 +26,20 @@ Effect unknown_effect(Show show) {
                 .where = ChangeInstrument::Where::transducers}};
 }
 
-/// Proposals for readings of the laboratory with a hidden effect and random errors.
-std::vector<Proposal> proposals_for(const Effect& hidden, std::uint64_t seed) {
+/// Readings of the laboratory with a hidden effect and random errors.
+std::vector<Reading> readings_hiding(const Effect& hidden, std::uint64_t seed) {
     const std::vector<Effect> more = {hidden};
     const StudyModels with_hidden = models().offering(more);
     const std::shared_ptr<const Model> truth = with_hidden.with({models().candidates().size()});
     const Eigen::VectorXd parameters = Eigen::VectorXd::Constant(1, planted_friction);
     std::mt19937_64 random(seed);
-    const auto readings =
-        scattered(conditions(), truth->predict(parameters, PredictionPart::values).value, random);
+    return scattered(conditions(), truth->predict(parameters, PredictionPart::values).value,
+                     random);
+}
+
+/// Proposals for readings of the laboratory with a hidden effect and random errors.
+std::vector<Proposal> proposals_for(const Effect& hidden, std::uint64_t seed) {
+    const auto readings = readings_hiding(hidden, seed);
     const Evidence evidence = evidence_of(readings, {});
     const DiagnosisOptions options;
     const Diagnosis diagnosis = diagnose(models(), evidence, options);
@@ -39,13 +47,17 @@ std::vector<Proposal> proposals_for(const Effect& hidden, std::uint64_t seed) {
     return propose(planted_study(), models(), evidence, readings, diagnosis, options);
 }
 
+/// Drag of a seal, which grows with the speed; `drag`: torque over angular velocity [N m s/rad].
+Effect seal_drag(double drag) {
+    return unknown_effect([drag](CellState s) {
+        s.torque += drag * s.angular_velocity;
+        return s;
+    });
+}
+
 TEST(Proposals, NameADragThatGrowsWithSpeed) {
     const double drag = 4e-4;  // [N m s/rad]
-    const auto proposals = proposals_for(unknown_effect([&](CellState s) {
-                                             s.torque += drag * s.angular_velocity;
-                                             return s;
-                                         }),
-                                         11);
+    const auto proposals = proposals_for(seal_drag(drag), 11);
     ASSERT_FALSE(proposals.empty());
     ASSERT_EQ(proposals[0].shapes.size(), 1u);
     const auto& [shape, effect, change, error] = proposals[0].shapes[0];
@@ -56,6 +68,62 @@ TEST(Proposals, NameADragThatGrowsWithSpeed) {
     EXPECT_FALSE(shape.quantity.relative);
     EXPECT_NEAR(change, drag * shape.profile.full_at, 4 * error);
     EXPECT_LT(error, 0.1 * std::abs(change));
+}
+
+TEST(Proposals, ReplaceLeadingEffectsAndAreAddedByTheirNumber) {
+    const auto readings = readings_hiding(seal_drag(3e-4), 15);
+    const Diagnosis alone = diagnose(models(), evidence_of(readings, {}));
+    ASSERT_TRUE(alone.leaders);  // known effects lead, without explaining all
+    TemporaryFolder folder;
+    std::string table =
+        "normal_stress [Pa],shear_stress [Pa],solid_fraction,inertial_number,liquid_content,"
+        "height [m],time [s]\n";
+    for (const Reading& reading : readings) {
+        const Condition& c = reading.condition;
+        table += fmt::format("{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", c.normal_stress,
+                             reading.value(0), reading.value(1), c.inertial_number,
+                             c.liquid_content, *c.height, c.time);
+    }
+    folder.write("points.csv", table);
+    const std::string study = folder
+                                  .write("study.toml", R"([grains]
+diameter = "500 um"
+density = "1050 kg/m^3"
+[liquid]
+surface_tension = "20.6 mN/m"
+contact_angle = "0 deg"
+[cell]
+inner_radius = "21 mm"
+outer_radius = "45 mm"
+bead_mass = "60 g"
+[[readings]]
+file = "points.csv"
+[scatter]
+shear_stress = 0.01
+solid_fraction = 0.002
+[model]
+effects = []
+)")
+                                  .string();
+    const auto run = [&](const std::string& words) {
+        const Outcome outcome = run_pendular(words + " --fidelity quick --quiet --json -");
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+        return nlohmann::json::parse(outcome.output);
+    };
+    const auto before = run("diagnose " + study);
+    EXPECT_EQ(before["verdict"], "unknown");
+    EXPECT_TRUE(before["effects"].empty());
+    ASSERT_FALSE(before["proposed"].empty());
+    EXPECT_EQ(before["proposed"][0]["fits"], true);
+    for (const auto& finding : before["scan"]) {
+        EXPECT_NE(finding["decision"], "missing, with others") << finding["effect"];
+    }
+    const auto added = run("add " + study + " --proposed 1");
+    EXPECT_GT(added["before"]["chi2"], 300);
+    EXPECT_LT(added["after"]["chi2"], 110);  // 59 degrees of freedom
+    const auto after = run("diagnose " + study);
+    EXPECT_EQ(after["complete"], true);
+    EXPECT_EQ(after["model_effects"], nlohmann::json({"torque-with-angular-velocity"}));
 }
 
 TEST(Proposals, NameAStepInTime) {

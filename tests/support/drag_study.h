@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+
+namespace pendular {
+
+/// Writes a study to a new folder: three dry readings at friction 0.09, as the emulator predicts
+/// them, less 20 Pa of shear stress. The flow is fast, so that simulations of it are short.
+inline void write_drag_study(const std::filesystem::path& folder) {
+    std::filesystem::create_directory(folder);
+    std::ofstream(folder / "points.csv")
+        << "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction,"
+           "solid_fraction_sd,inertial_number\n"
+           "300,85.1,0.9,0.5985,0.0012,0.1\n"
+           "1000,331.0,3.3,0.5992,0.0012,0.1\n"
+           "3000,1028,10,0.5996,0.0012,0.1\n";
+    std::ofstream(folder / "study.toml") << R"([grains]
+diameter = "500 um"
+density = "1050 kg/m^3"
+[cell]
+inner_radius = "21 mm"
+outer_radius = "45 mm"
+bead_mass = "60 g"
+[[readings]]
+file = "points.csv"
+liquid_content = 0
+[model]
+effects = []
+)";
+}
+
+}  // namespace pendular
