@@ -124,16 +124,19 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
             console.line(line);
         }
     }
-    if (const std::string line =
-            discrepancy_line(remaining_discrepancy(d, session.study().model.discrepancy[0]));
-        !line.empty()) {
-        console.line(line);
+    // A change that explains the readings leaves nothing for a smooth error of the model.
+    if (d.proposals.empty() || !d.proposals.front().fits()) {
+        if (const std::string line =
+                discrepancy_line(remaining_discrepancy(d, session.study().model.discrepancy[0]));
+            !line.empty()) {
+            console.line(line);
+        }
     }
     for (const std::string& line : proposal_lines(d.proposals, diagnosis.chi2, diagnosis.dof)) {
         console.line(line);
     }
     console.table(unseen_table(diagnosis, models), 3);
-    for (const std::string& line : advice_on(diagnosis, models)) {
+    for (const std::string& line : advice_on(diagnosis, models, !d.proposals.empty())) {
         console.line(line);
     }
     if (measurements.doubts.empty() && !d.mistake) {

@@ -321,7 +321,7 @@ std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& spac
     return lines;
 }
 
-std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space) {
+std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, bool proposes) {
     std::vector<std::string> lines;
     if (d.verdict == Verdict::indistinguishable) lines.push_back(alike_line(d));
     if (d.verdict == Verdict::inconclusive) {
@@ -334,7 +334,9 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space) 
             lines.push_back(fmt::format("The best of them, {}, brings {}, which is not enough.",
                                         with_estimates(*best, space), reduction(d, *best)));
         }
-        lines.push_back("An effect of your own can be written as [[effect]] in study.toml.");
+        if (!proposes) {
+            lines.push_back("An effect of your own can be written as [[effect]] in study.toml.");
+        }
     }
     if (!d.suspects.empty() && d.verdict != Verdict::suspect_measurement) {
         lines.push_back(fmt::format(

@@ -47,8 +47,10 @@ std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpa
 
 /// Sentences on the limits of a diagnosis' verdict: how similarly the effects that explain the
 /// readings equally well change them, which readings to repeat or to add, and whether the standard
-/// errors of the readings are assumed.
-std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace& space);
+/// errors of the readings are assumed. `proposes`: whether the diagnosis proposes changes of
+/// unknown cause.
+std::vector<std::string> advice_on(const Diagnosis& diagnosis, const ModelSpace& space,
+                                   bool proposes = false);
 
 /// Text of the `pendular` command to give next, or of the measurement to repeat, after a diagnosis.
 /// `study` is the study's name as the user gave it; `proposes`: whether the diagnosis proposes

@@ -27,9 +27,12 @@ std::vector<const Impact*> rows_of(const ImpactTable& table) {
     return rows;
 }
 
+/// Factor on shifts in the figure: those of a friction are drawn in thousandths [1].
+constexpr double in_thousandths = 1e3;
+
 Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& rows) {
     const std::string& parameter = table.parameters.front().name;
-    Panel panel{.x_label = "shift of " + plain_text(parameter), .y_label = ""};
+    Panel panel{.x_label = "10^3 × shift of " + plain_text(parameter), .y_label = ""};
     Curve up{.label = "estimate plus its standard error",
              .style = Curve::Style::bars_across,
              .colour = model_colour},
@@ -39,15 +42,16 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
         interest{.label = "smallest size of interest",
                  .colour = measured_colour,
                  .symbol = {Shape::diamond, Filling::hollow}};
-    double reach = table.errors(0);
+    const double error = in_thousandths * table.errors(0);
+    double reach = error;
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const double row = static_cast<double>(k) + 1;
         for (const auto& [curve, shift] :
              {std::pair(&up, rows[k]->up()(0)), std::pair(&down, rows[k]->down()(0)),
               std::pair(&interest, rows[k]->at_interest.best()(0))}) {
-            curve->x.push_back(shift);
+            curve->x.push_back(in_thousandths * shift);
             curve->y.push_back(row);
-            if (curve != &interest) reach = std::max(reach, std::abs(shift));
+            if (curve != &interest) reach = std::max(reach, std::abs(curve->x.back()));
         }
         panel.y_names.push_back(plain_text(impact_name(*rows[k])));
     }
@@ -59,8 +63,8 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
         }
     }
     panel.curves = {up, down, interest};
-    panel.references = {{"standard error of the fitted " + plain_text(parameter), 0,
-                         table.errors(0), true, "#888888"}};
+    panel.references = {
+        {"standard error of the fitted " + plain_text(parameter), 0, error, true, "#888888"}};
     panel.x_range = {-1.08 * reach, 1.08 * reach};
     panel.key = Key::top_left;
     panel.headroom = 0.2;

@@ -11,7 +11,7 @@ namespace pendular {
 /// verdict names, at their estimated sizes. Where the verdict names none that would shift it, on
 /// the effects with the largest shifts at their smallest sizes of interest: "If wall-friction of
 /// 0.05 were present, the fitted friction would be 0.012 lower.". Shifts below a tenth of the
-/// friction's standard error are left out.
+/// friction's standard error are left out. Empty where no known effect explains the readings.
 std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis& diagnosis);
 
 /// Name of an effect, or of an error of measurement with the quantity that is in error: "shear

@@ -110,6 +110,9 @@ effects = []
         EXPECT_EQ(outcome.code, 0) << outcome.errors;
         return nlohmann::json::parse(outcome.output);
     };
+    const std::string printed =
+        run_pendular("diagnose " + study + " --fidelity quick --quiet").output;
+    EXPECT_LE(std::ranges::count(printed, '\n'), 25) << printed;
     const auto before = run("diagnose " + study);
     EXPECT_EQ(before["verdict"], "unknown");
     EXPECT_TRUE(before["effects"].empty());

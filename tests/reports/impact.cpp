@@ -51,6 +51,12 @@ TEST(ImpactReport, SaysWhatTheNamedEffectDoesAtItsEstimate) {
                     "0.080 lower (0.220 instead of 0.300)."));
 }
 
+TEST(ImpactReport, SaysNothingWhereNoKnownEffectExplainsTheReadings) {
+    Diagnosis d;
+    d.verdict = Verdict::unknown;
+    EXPECT_TRUE(impact_lines(table(), d).empty());
+}
+
 TEST(ImpactReport, SaysWhatTheTwoLeadingEffectsWouldDoWhereNoneIsNamed) {
     Diagnosis d;
     d.verdict = Verdict::inconclusive;
@@ -74,8 +80,8 @@ TEST(ImpactFigure, RanksTheShiftsByTheErrorsOfTheSizes) {
     ASSERT_EQ(figure.panels.size(), 2u);
     EXPECT_EQ(figure.panels[0].y_names.back(), "lid-slip");  // the top row
     const Curve& up = figure.panels[0].curves[0];
-    EXPECT_NEAR(up.x.back(), -0.05, 1e-12);
-    EXPECT_NEAR(figure.panels[0].curves[1].x.back(), 0.05, 1e-12);
+    EXPECT_NEAR(up.x.back(), -50, 1e-9);  // in thousandths
+    EXPECT_NEAR(figure.panels[0].curves[1].x.back(), 50, 1e-9);
     EXPECT_NEAR(figure.panels[1].curves[0].x[2], 4, 1e-12);  // pull of wall-friction
 }
 
