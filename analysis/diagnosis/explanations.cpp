@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -54,6 +55,18 @@ class WithSuspect : public Model {
 /// p value below which a model is rejected without converging its fit fully.
 constexpr double hopeless = 0.1;
 
+/// Number of draws that decide where a statistic is far above all of them.
+constexpr Eigen::Index first_draws = 600;
+
+/// Whether a statistic is so far above all drawn values that further draws would not reach it: by
+/// more than three standard deviations of the logarithm of the drawn values. Of values with a tail
+/// as heavy as 1/x (two degrees of freedom), one in 30,000 is.
+bool far_above(double observed, const Eigen::VectorXd& drawn) {
+    const Eigen::ArrayXd logarithm = drawn.array().max(1e-300).log();
+    const double deviation = std::sqrt((logarithm - logarithm.mean()).square().mean());
+    return std::log(observed) > logarithm.maxCoeff() + 3 * deviation;
+}
+
 }  // namespace
 
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit) {
@@ -92,7 +105,7 @@ Explanation Explanations::refit(const EffectSet& chosen, std::optional<std::size
     };
     // The first fit has the weights of the starting values, the second the weights of its result.
     fit_from(start);
-    if (lack_of_fit_p(residuals_of(result)) > hopeless * half_significance()) {
+    if (lack_of_fit_p(residuals_of(result), true) > hopeless * half_significance()) {
         fit_from(result.fit.parameters);
     }
     result.chi2 = residuals_of(result).chi2();
@@ -104,12 +117,18 @@ WeightedResiduals Explanations::residuals_of(const Explanation& explanation) con
                                   explanation.fit);
 }
 
-double Explanations::lack_of_fit_p(const WeightedResiduals& residuals) const {
+double Explanations::lack_of_fit_p(const WeightedResiduals& residuals, bool roughly) const {
     const Eigen::MatrixXd means = residuals.means_over(evidence_.conditions);
     const double observed = (means.transpose() * residuals.residuals()).squaredNorm();
-    const Eigen::VectorXd drawn =
-        draws_.along(residuals, means).colwise().squaredNorm().transpose();
-    return NullDraws::p(observed, drawn);
+    const auto drawn = [&](Eigen::Index draws) {
+        return Eigen::VectorXd(
+            draws_.along(residuals, means, draws).colwise().squaredNorm().transpose());
+    };
+    if (roughly) {
+        const Eigen::VectorXd first = drawn(std::min(first_draws, draws_.count()));
+        if (far_above(observed, first)) return NullDraws::p(observed, first);
+    }
+    return NullDraws::p(observed, drawn(draws_.count()));
 }
 
 std::vector<ScoreTest> Explanations::suspect_tests(const WeightedResiduals& residuals,
@@ -150,7 +169,7 @@ std::vector<ScoreTest> Explanations::further_tests(const WeightedResiduals& resi
 
 void Explanations::judge(Explanation& explanation) const {
     const WeightedResiduals residuals = residuals_of(explanation);
-    explanation.lack_of_fit_p = lack_of_fit_p(residuals);
+    explanation.lack_of_fit_p = lack_of_fit_p(residuals, true);
     if (!explanation.fit.converged || explanation.lack_of_fit_p < half_significance()) {
         return;
     }

@@ -47,7 +47,8 @@ class Impacts {
           diagnosis_(diagnosis),
           fit_(diagnosis.fit),
           bare_(space.with({})),
-          residuals_(residuals_of(*bare_, evidence.measured, fit_)) {
+          residuals_(residuals_of(*bare_, evidence.measured, fit_)),
+          covariance_(evidence.measured.covariance + fit_.prediction.covariance) {
         table_.parameters = bare_->parameters();
         table_.fitted = fit_.parameters;
         table_.errors = Eigen::VectorXd::NullaryExpr(
@@ -81,6 +82,8 @@ class Impacts {
     const Fit& fit_;
     std::shared_ptr<const Model> bare_;
     WeightedResiduals residuals_;
+    /// Covariance of the differences between readings and predictions of the diagnosis' fit.
+    Eigen::MatrixXd covariance_;
     ImpactTable table_;
 };
 
@@ -176,14 +179,17 @@ Eigen::VectorXd Impacts::refitted(const Impact& impact, double size,
                                   const Eigen::VectorXd& start) const {
     try {
         if (!impact.measurement) {
-            return fit(WithFixed(space_, impact.index, size), evidence_.measured, start,
-                       refit_effort)
-                       .parameters -
+            const WithFixed model(space_, impact.index, size);
+            const Eigen::MatrixXd covariance =
+                evidence_.measured.covariance +
+                model.predict(start, PredictionPart::covariance).covariance;
+            return best_parameters(model, evidence_.measured, covariance, start, refit_effort) -
                    fit_.parameters;
         }
         Measured corrected = evidence_.measured;
         corrected.value -= size * evidence_.suspects[impact.index].columns.col(impact.column);
-        return fit(*bare_, corrected, start, refit_effort).parameters - fit_.parameters;
+        return best_parameters(*bare_, corrected, covariance_, start, refit_effort) -
+               fit_.parameters;
     } catch (const std::domain_error&) {
         return {};  // the readings are impossible with so much of the effect
     }

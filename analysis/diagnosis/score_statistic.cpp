@@ -18,10 +18,6 @@ double upper_tail(double statistic, double freedom) {
     return boost::math::cdf(boost::math::complement(boost::math::chi_squared(freedom), statistic));
 }
 
-double trace_of_projected(const WeightedResiduals& residuals, const Eigen::MatrixXd& covariance) {
-    return residuals.project(residuals.whiten_covariance(covariance)).trace();
-}
-
 /// Sets estimate, errors and statistic of a test of a change with one column, with the errors of
 /// the change included.
 void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const Signature& signature,
@@ -30,10 +26,9 @@ void test_amplitude(ScoreTest& test, const WeightedResiduals& residuals, const S
     double u = projected.dot(residuals.residuals()), noise = 0;
     test.length = test.information = v;
     if (signature.errors.change.size() > 0) {
-        u += trace_of_projected(residuals, signature.errors.with_without);
-        test.information -= trace_of_projected(residuals, signature.errors.change);
-        noise = std::max(
-            0.0, projected.dot(residuals.whiten_covariance(signature.errors.change) * projected));
+        u += residuals.trace_of_projected(signature.errors.with_without);
+        test.information -= residuals.trace_of_projected(signature.errors.change);
+        noise = std::max(0.0, residuals.variance_along(projected, signature.errors.change));
     }
     if (test.information <= 0) {
         return;  // the change is not larger than its error

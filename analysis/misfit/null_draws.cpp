@@ -98,10 +98,11 @@ NullDraws::NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, 
     }
 }
 
-Eigen::MatrixXd NullDraws::along(const WeightedResiduals& residuals,
-                                 const Eigen::MatrixXd& basis) const {
-    return residuals.whiten_basis(basis).transpose() * errors_ +
-           (residuals.prediction_root().transpose() * basis).transpose() * predictions_;
+Eigen::MatrixXd NullDraws::along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis,
+                                 Eigen::Index draws) const {
+    return residuals.whiten_basis(basis).transpose() * errors_.leftCols(draws) +
+           (residuals.prediction_root().transpose() * basis).transpose() *
+               predictions_.leftCols(draws);
 }
 
 Eigen::MatrixXd NullDraws::whitened(const WeightedResiduals& residuals) const {

@@ -70,7 +70,12 @@ class NullDraws {
     Eigen::Index count() const { return errors_.cols(); }
     /// Components B' e of the drawn errors e along a basis, one column for each draw; e is whitened
     /// as these residuals, with drawn errors of measurement and prediction [1]. B is `basis`.
-    Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis) const;
+    Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis) const {
+        return along(residuals, basis, count());
+    }
+    /// Likewise of the first draws only, `draws` of them.
+    Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis,
+                          Eigen::Index draws) const;
     /// Drawn errors of measurement and prediction, whitened as these residuals are (divided by the
     /// Cholesky factor of the covariance) [1], entries x draws.
     Eigen::MatrixXd whitened(const WeightedResiduals& residuals) const;

@@ -4,6 +4,24 @@
 #include <stdexcept>
 
 namespace pendular {
+namespace {
+
+/// Lower triangular root of a covariance of whitened predictions [1]. Such a covariance has no
+/// eigenvalue above 1, but may be singular, and rounding may make eigenvalues slightly negative.
+/// The root is that of the covariance plus the smallest of some negligible variances that makes it
+/// positive definite; the root of zero is zero.
+Eigen::MatrixXd lower_root(const Eigen::MatrixXd& covariance) {
+    if (covariance.isZero(0)) return covariance;
+    Eigen::LLT<Eigen::MatrixXd> factor;
+    for (const double variance : {1e-10, 1e-8, 1e-6, 1e-4}) {
+        factor.compute(covariance +
+                       variance * Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols()));
+        if (factor.info() == Eigen::Success) return factor.matrixL();
+    }
+    throw std::logic_error("the covariance of the predictions has negative eigenvalues");
+}
+
+}  // namespace
 
 WeightedResiduals::WeightedResiduals(const Measured& measured, const Prediction& prediction)
     : measured_(measured.value) {
@@ -12,11 +30,7 @@ WeightedResiduals::WeightedResiduals(const Measured& measured, const Prediction&
         throw std::logic_error("the covariance of the readings is not positive definite");
     }
     lower_ = factor.matrixL();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-        whiten_covariance(prediction.covariance));
-    prediction_root_ = modes.eigenvectors() *
-                       modes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
-                       modes.eigenvectors().transpose();
+    prediction_root_ = lower_root(whiten(whiten(prediction.covariance).transpose()));
     residuals_ = whiten(measured.value - prediction.value);
     slopes_ = whiten(prediction.jacobian);
     lengths_ = slopes_.colwise().norm().cwiseMax(1e-300);
@@ -42,8 +56,20 @@ Eigen::MatrixXd WeightedResiduals::whiten_basis(const Eigen::MatrixXd& columns) 
     return lower_.transpose().triangularView<Eigen::Upper>().solve(columns);
 }
 
-Eigen::MatrixXd WeightedResiduals::whiten_covariance(const Eigen::MatrixXd& covariance) const {
-    return whiten(whiten(covariance).transpose());
+double WeightedResiduals::trace_of_projected(const Eigen::MatrixXd& covariance) const {
+    // tr(P L^-1 C L^-T) = tr(C Sigma^-1) - tr(V' C V), with V = L^-T times the basis of J
+    const Eigen::MatrixXd along = whiten_basis(basis_);
+    std::call_once(inverse_->once, [&] {
+        inverse_->matrix = whiten_basis(whiten(Eigen::MatrixXd::Identity(size(), size())));
+    });
+    return covariance.cwiseProduct(inverse_->matrix).sum() -
+           (along.transpose() * covariance * along).trace();
+}
+
+double WeightedResiduals::variance_along(const Eigen::VectorXd& direction,
+                                         const Eigen::MatrixXd& covariance) const {
+    const Eigen::VectorXd along = whiten_basis(direction);
+    return along.dot(covariance * along);
 }
 
 Eigen::MatrixXd WeightedResiduals::project(const Eigen::MatrixXd& columns) const {

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/QR>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "calib/fit/fit.h"
@@ -43,12 +45,17 @@ class WeightedResiduals {
     /// product of the result with a change in the units of the readings is that of `columns` with
     /// the whitened change.
     Eigen::MatrixXd whiten_basis(const Eigen::MatrixXd& columns) const;
-    /// Symmetric square root of L^-1 Sigma_simulation L^-T, the whitened covariance of the
-    /// prediction's errors.
+    /// Lower triangular root R of the whitened covariance of the prediction's errors [1]:
+    /// R R' = L^-1 Sigma_simulation L^-T.
     const Eigen::MatrixXd& prediction_root() const { return prediction_root_; }
-    /// Whitens a covariance C of the entries, given in the units of the readings: returns L^-1 C
-    /// L^-T.
-    Eigen::MatrixXd whiten_covariance(const Eigen::MatrixXd& covariance) const;
+    /// Trace of P L^-1 C L^-T [1], for a covariance C of the entries in the units of the readings:
+    /// expected squared length of whitened errors of this covariance, beyond what a change of the
+    /// calibrated parameters can imitate.
+    double trace_of_projected(const Eigen::MatrixXd& covariance) const;
+    /// Variance [1] of the component of whitened errors along `direction`, a whitened vector; the
+    /// errors have the covariance C in the units of the readings: d' L^-1 C L^-T d.
+    double variance_along(const Eigen::VectorXd& direction,
+                          const Eigen::MatrixXd& covariance) const;
     /// Removes from whitened changes of the readings what a change of the calibrated parameters can
     /// imitate: P times `columns`.
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
@@ -70,6 +77,13 @@ class WeightedResiduals {
     Eigen::VectorXd measured_;
     Eigen::MatrixXd lower_;  ///< Cholesky factor L of Sigma_measurement + Sigma_simulation
     Eigen::MatrixXd prediction_root_;
+    /// Inverse of Sigma_measurement + Sigma_simulation, computed when it is first needed; the same
+    /// for all copies.
+    struct Inverse {
+        std::once_flag once;
+        Eigen::MatrixXd matrix;
+    };
+    std::shared_ptr<Inverse> inverse_ = std::make_shared<Inverse>();
     Eigen::VectorXd residuals_;
     Eigen::MatrixXd slopes_;
     Eigen::VectorXd lengths_;  ///< norms of the columns of J

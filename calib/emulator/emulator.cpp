@@ -185,13 +185,14 @@ Eigen::MatrixXd Emulator::covariance(const std::vector<Query>& queries) const {
     for (const Affected& one : all) {
         plain.insert(plain.end(), one.learned->plain.begin(), one.learned->plain.end());
     }
-    Eigen::MatrixXd map = Eigen::MatrixXd::Identity(n, static_cast<Eigen::Index>(plain.size()));
+    Eigen::MatrixXd weights_of_training =
+        Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(plain.size()) - n);
     Eigen::MatrixXd at_given_plain = Eigen::MatrixXd::Zero(n, n);
-    Eigen::Index column = n;
+    Eigen::Index column = 0;
     for (const Affected& one : all) {
         const auto& [response, trained_at, sizes, plain_error] = *one.learned;
         const Eigen::MatrixXd weights = response.weights(one.places, one.amplitudes);
-        map(one.queries, Eigen::seqN(column, sizes.size())) =
+        weights_of_training(one.queries, Eigen::seqN(column, sizes.size())) =
             -(one.sizes.asDiagonal() * weights * sizes.cwiseInverse().asDiagonal());
         at_given_plain(one.queries, one.queries) +=
             one.sizes.asDiagonal() *
@@ -200,8 +201,17 @@ Eigen::MatrixXd Emulator::covariance(const std::vector<Query>& queries) const {
             one.sizes.asDiagonal();
         column += sizes.size();
     }
-    const Eigen::MatrixXd result = plain_.covariance(plain);
-    return all.empty() ? result : Eigen::MatrixXd(map * result * map.transpose() + at_given_plain);
+    const Eigen::MatrixXd joint = plain_.covariance(plain);
+    if (all.empty()) {
+        return joint;
+    }
+    // (1 W) (A B'; B C) (1 W)' = A + W B + (W B)' + W C W', with W = weights_of_training
+    const Eigen::Index trained = column;
+    const Eigen::MatrixXd through_training =
+        weights_of_training * joint.bottomLeftCorner(trained, n);
+    const Eigen::MatrixXd half = weights_of_training * joint.bottomRightCorner(trained, trained);
+    return joint.topLeftCorner(n, n) + through_training + through_training.transpose() +
+           half * weights_of_training.transpose() + at_given_plain;
 }
 
 Emulator Emulator::with(const std::vector<dem::RunResult>& more) const {

@@ -105,20 +105,21 @@ Eigen::VectorXd GaussianProcess::mean(const std::vector<Requested>& requested) c
 
 Eigen::MatrixXd GaussianProcess::covariance(const std::vector<Requested>& requested) const {
     const Eigen::MatrixXd half = factor_.matrixL().solve(with_known(requested));
-    Eigen::MatrixXd result = -half.transpose() * half;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(half.cols(), half.cols());
+    result.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose(), -1);
     std::vector<Kernel::Prepared> places;
     for (const Requested& one : requested) {
         places.push_back(prepared(one));
     }
     for (std::size_t i = 0; i < requested.size(); ++i) {
-        for (std::size_t j = 0; j < requested.size(); ++j) {
+        for (std::size_t j = 0; j <= i; ++j) {
             if (requested[i].quantity == requested[j].quantity) {
                 result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
                     kernels_[static_cast<std::size_t>(requested[i].quantity)](places[i], places[j]);
             }
         }
     }
-    return result;
+    return result.selfadjointView<Eigen::Lower>();
 }
 
 }  // namespace pendular

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -119,7 +120,7 @@ std::vector<Term> terms_of(const Query& query) {
 struct Share {
     std::vector<Eigen::Index> queries;
     std::vector<GaussianProcess::Requested> requested;
-    Eigen::MatrixXd map;
+    Eigen::SparseMatrix<double> map;
 };
 
 std::map<Observable, Share> shares_of(const std::vector<Query>& queries) {
@@ -131,21 +132,16 @@ std::map<Observable, Share> shares_of(const std::vector<Query>& queries) {
         terms[process].push_back(terms_of(queries[k]));
     }
     for (auto& [process, share] : shares) {
-        std::vector<double> factors;
-        std::vector<Eigen::Index> rows;
+        std::vector<Eigen::Triplet<double>> factors;
         for (std::size_t row = 0; row < terms[process].size(); ++row) {
             for (const Term& term : terms[process][row]) {
+                factors.emplace_back(static_cast<int>(row),
+                                     static_cast<int>(share.requested.size()), term.factor);
                 share.requested.push_back(term.requested);
-                factors.push_back(term.factor);
-                rows.push_back(static_cast<Eigen::Index>(row));
             }
         }
-        const auto columns = static_cast<Eigen::Index>(factors.size());
-        share.map =
-            Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(terms[process].size()), columns);
-        for (Eigen::Index c = 0; c < columns; ++c) {
-            share.map(rows[static_cast<std::size_t>(c)], c) = factors[static_cast<std::size_t>(c)];
-        }
+        share.map.resize(std::ssize(terms[process]), std::ssize(share.requested));
+        share.map.setFromTriplets(factors.begin(), factors.end());
     }
     return shares;
 }
@@ -243,8 +239,8 @@ Eigen::MatrixXd PlainEmulator::covariance(const std::vector<Query>& queries) con
     const auto n = static_cast<Eigen::Index>(queries.size());
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
     for (const auto& [process, share] : shares_of(queries)) {
-        result(share.queries, share.queries) =
-            share.map * process_of(process).covariance(share.requested) * share.map.transpose();
+        const Eigen::MatrixXd half = share.map * process_of(process).covariance(share.requested);
+        result(share.queries, share.queries) = half * share.map.transpose();
     }
     return result;
 }

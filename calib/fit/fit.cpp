@@ -28,6 +28,8 @@ class Whitening {
     Eigen::MatrixXd apply(const Matrix& matrix) const {
         return llt_.matrixL().solve(Eigen::MatrixXd(matrix));
     }
+    /// Sigma^-1 times a matrix.
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& matrix) const { return llt_.solve(matrix); }
 
   private:
     Eigen::LLT<Eigen::MatrixXd> llt_;
@@ -246,10 +248,8 @@ bool determined(const Fit& fit, const ParameterBounds& range) {
 /// readings: K S K' with the estimator K = C J' Sigma^-1.
 Eigen::MatrixXd part_of(const Eigen::MatrixXd& covariance, const Whitening& whitening,
                         const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& part) {
-    const Eigen::MatrixXd whitened_jacobian = whitening.apply(jacobian);
-    const Eigen::MatrixXd half = whitening.apply(part);                  // L^-1 S
-    const Eigen::MatrixXd whitened = whitening.apply(half.transpose());  // L^-1 S L^-T
-    return covariance * whitened_jacobian.transpose() * whitened * whitened_jacobian * covariance;
+    const Eigen::MatrixXd estimator = whitening.solve(jacobian) * covariance;  // K'
+    return estimator.transpose() * part * estimator;
 }
 
 /// Adds the covariances between readings due to shared errors; the covariance of each reading
@@ -355,6 +355,19 @@ Fit fit(const Model& model, const Measured& measured, const Eigen::VectorXd& sta
                                   range.upper(k) - parameters(k) < close);
     }
     return result;
+}
+
+Eigen::VectorXd best_parameters(const Model& model, const Measured& measured,
+                                const Eigen::MatrixXd& covariance, const Eigen::VectorXd& start,
+                                const FitEffort& effort) {
+    const ParameterBounds range = allowed(model);
+    const Whitening whitening(covariance);
+    Minimum minimum = minimise(model, measured, whitening, range,
+                               start.cwiseMax(range.lower).cwiseMin(range.upper), effort);
+    if (minimum.usable) {
+        polish(model, measured, whitening, range, effort.settled, minimum);
+    }
+    return minimum.parameters;
 }
 
 std::pair<double, double> profile_interval(const Model& model, const Measured& measured,

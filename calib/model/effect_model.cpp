@@ -122,12 +122,12 @@ Eigen::VectorXd EffectModel::shown(const Truths& truths, const Eigen::VectorXd& 
     return result;
 }
 
-Eigen::MatrixXd EffectModel::shown_by_predicted(const Truths& truths,
-                                                const Eigen::VectorXd& predicted) const {
+Eigen::SparseMatrix<double> EffectModel::shown_by_predicted(
+    const Truths& truths, const Eigen::VectorXd& predicted) const {
     // Each reading depends on its own two predictions only, so that all readings are varied at
     // once.
     const Eigen::Index n = predicted.size();
-    Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(n, n);
+    std::vector<Eigen::Triplet<double>> slopes;
     constexpr double step = 1e-5;
     for (const Eigen::Index of : {0, 1}) {
         Eigen::VectorXd above = predicted, below = predicted;
@@ -137,11 +137,15 @@ Eigen::MatrixXd EffectModel::shown_by_predicted(const Truths& truths,
         }
         const Eigen::VectorXd difference = shown(truths, above) - shown(truths, below);
         for (Eigen::Index k = 0; k < n; k += 2) {
-            slopes.block<2, 1>(k, k + of) =
-                difference.segment<2>(k) / (above(k + of) - below(k + of));
+            for (const Eigen::Index row : {0, 1}) {
+                slopes.emplace_back(k + row, k + of,
+                                    difference(k + row) / (above(k + of) - below(k + of)));
+            }
         }
     }
-    return slopes;
+    Eigen::SparseMatrix<double> result(n, n);
+    result.setFromTriplets(slopes.begin(), slopes.end());
+    return result;
 }
 
 void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
@@ -206,14 +210,18 @@ Prediction EffectModel::predict(const Eigen::VectorXd& parameters,
     if (what == PredictionPart::values) {
         return result;
     }
-    const Eigen::MatrixXd slopes = shown_by_predicted(truths, inside.value);
+    const Eigen::SparseMatrix<double> slopes = shown_by_predicted(truths, inside.value);
+    const auto shown_covariance = [&](const Eigen::MatrixXd& predicted) {
+        const Eigen::MatrixXd half = slopes * predicted;
+        return Eigen::MatrixXd(half * slopes.transpose());
+    };
     if (what == PredictionPart::covariance) {
-        result.covariance = slopes * inside.covariance * slopes.transpose();
+        result.covariance = shown_covariance(inside.covariance);
         if (study_.model.discrepancy != std::array{0.0, 0.0}) {
             result.covariance +=
                 discrepancy_covariance(conditions, result.value, study_.model.discrepancy);
         }
-        result.run_noise = slopes * inside.run_noise * slopes.transpose();
+        result.run_noise = shown_covariance(inside.run_noise);
     }
     result.jacobian = Eigen::MatrixXd::Zero(inside.value.size(), parameters.size());
     result.jacobian.leftCols(inside.jacobian.cols()) = slopes * inside.jacobian;
@@ -242,16 +250,24 @@ ModelSpace::ChangeErrors EffectModel::change_errors(
         with_values.segment<2>(2 * static_cast<Eigen::Index>(k)) =
             inside.value.segment<2>(2 * place[k]);
     }
-    const Eigen::MatrixXd with_slopes = shown_by_predicted(here, with_values);
-    const Eigen::MatrixXd slopes = without.shown_by_predicted(there, inside.value.head(n));
-    Eigen::MatrixXd with_by_asked = Eigen::MatrixXd::Zero(n, inside.value.size());
-    for (std::size_t k = 0; k < place.size(); ++k) {
-        with_by_asked.middleCols<2>(2 * place[k]) +=
-            with_slopes.middleCols<2>(2 * static_cast<Eigen::Index>(k));
-    }
-    Eigen::MatrixXd without_by_asked = Eigen::MatrixXd::Zero(n, inside.value.size());
-    without_by_asked.leftCols(n) = slopes;
-    const Eigen::MatrixXd change = with_by_asked - without_by_asked;
+    // Selects the predictions with the effect, and those without it, from all requested ones.
+    const auto selection = [&](const auto& place_of) {
+        std::vector<Eigen::Triplet<double>> ones;
+        for (Eigen::Index row = 0; row < n; ++row) {
+            ones.emplace_back(row, 2 * place_of(row / 2) + row % 2, 1);
+        }
+        Eigen::SparseMatrix<double> result(n, inside.value.size());
+        result.setFromTriplets(ones.begin(), ones.end());
+        return result;
+    };
+    const Eigen::SparseMatrix<double> with_by_asked = shown_by_predicted(here, with_values) *
+                                                      selection([&](Eigen::Index k) {
+                                                          return place[static_cast<std::size_t>(k)];
+                                                      }),
+                                      without_by_asked =
+                                          without.shown_by_predicted(there, inside.value.head(n)) *
+                                          selection([](Eigen::Index k) { return k; }),
+                                      change = with_by_asked - without_by_asked;
     const Eigen::MatrixXd half = inside.covariance * change.transpose();
     return {change * half, without_by_asked * half};
 }

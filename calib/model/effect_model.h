@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <memory>
 #include <vector>
 
@@ -69,8 +70,8 @@ class EffectModel : public Predictor {
     Eigen::VectorXd shown(const Truths& truths, const Eigen::VectorXd& predicted) const;
     /// Derivatives of the values that `shown` returns by the entries of `predicted`, the true shear
     /// stresses [Pa] and solid fractions [1].
-    Eigen::MatrixXd shown_by_predicted(const Truths& truths,
-                                       const Eigen::VectorXd& predicted) const;
+    Eigen::SparseMatrix<double> shown_by_predicted(const Truths& truths,
+                                                   const Eigen::VectorXd& predicted) const;
     /// Sets the columns of `result.jacobian` that belong to the effects' parameters and, where any
     /// effect acts on grains, also those of the inner model's parameters, by difference quotients.
     /// @param predicted true values that the inner model predicts at `parameters`

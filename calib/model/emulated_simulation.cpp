@@ -1,6 +1,7 @@
 #include "calib/model/emulated_simulation.h"
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -111,7 +112,8 @@ StructureResponse EmulatedSimulation::capillary_shear_stress(
 struct EmulatedSimulation::Errors {
     /// Two queries for each wet condition: coordination by contacts and by distant bridges.
     std::vector<Query> coordinations;
-    Eigen::MatrixXd by_coordination;  ///< derivatives of all predictions by the coordinations
+    /// Derivatives of predictions by coordinations, as row, column and value.
+    std::vector<Eigen::Triplet<double>> by_coordination;
     /// Standard error of the stiffness correction of each prediction, fully correlated between all.
     Eigen::VectorXd stiffness;
 };
@@ -167,9 +169,14 @@ Prediction EmulatedSimulation::predict_slopes(const std::vector<FlowState>& stat
             total += volume_slope * log_volume_by_coordination * z.by_friction;
             if (errors != nullptr) {
                 const auto column = static_cast<Eigen::Index>(errors->coordinations.size());
-                errors->by_coordination.block<2, 1>(2 * k, column) =
+                const Eigen::Vector2d change =
                     unit.cwiseProduct(volume_slope) * log_volume_by_coordination;
-                errors->by_coordination.col(column + 1) = errors->by_coordination.col(column);
+                for (const Eigen::Index one : {0, 1}) {
+                    for (const Eigen::Index row : {0, 1}) {
+                        errors->by_coordination.emplace_back(2 * k + row, column + one,
+                                                             change(row));
+                    }
+                }
                 errors->coordinations.push_back({state, Observable::contact_coordination});
                 errors->coordinations.push_back({state, Observable::distant_coordination});
             }
@@ -229,20 +236,19 @@ Eigen::VectorXd EmulatedSimulation::predict_values(
 Prediction EmulatedSimulation::predict_all(
     const std::vector<FlowState>& states, const std::vector<EffectiveCondition>& conditions) const {
     const auto n = static_cast<Eigen::Index>(conditions.size());
-    Errors errors{.coordinations = {},
-                  .by_coordination = Eigen::MatrixXd::Zero(2 * n, 2 * n),
-                  .stiffness = Eigen::VectorXd::Zero(2 * n)};
+    Errors errors{
+        .coordinations = {}, .by_coordination = {}, .stiffness = Eigen::VectorXd::Zero(2 * n)};
     Prediction prediction = predict_slopes(states, conditions, &errors);
     Eigen::VectorXd unit = Eigen::VectorXd::Ones(2 * n);
     for (Eigen::Index k = 0; k < n; ++k) {
         unit(2 * k) = conditions[static_cast<std::size_t>(k)].normal_stress;
     }
-    const auto through_volume =
-        errors.by_coordination.leftCols(static_cast<Eigen::Index>(errors.coordinations.size()));
+    Eigen::SparseMatrix<double> through_volume(2 * n, std::ssize(errors.coordinations));
+    through_volume.setFromTriplets(errors.by_coordination.begin(), errors.by_coordination.end());
     prediction.run_noise =
         unit.asDiagonal() * emulator_.covariance(pairs_at(states)) * unit.asDiagonal();
-    prediction.run_noise +=
-        through_volume * emulator_.covariance(errors.coordinations) * through_volume.transpose();
+    const Eigen::MatrixXd half = through_volume * emulator_.covariance(errors.coordinations);
+    prediction.run_noise += half * through_volume.transpose();
     prediction.covariance = prediction.run_noise + errors.stiffness * errors.stiffness.transpose();
     return prediction;
 }
