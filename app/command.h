@@ -27,6 +27,7 @@ struct Command {
 int import(const std::vector<std::string>& arguments);
 int simulate(const std::vector<std::string>& arguments);
 int predict(const std::vector<std::string>& arguments);
+int reproduce(const std::vector<std::string>& arguments);
 int calibrate(const std::vector<std::string>& arguments);
 int compare(const std::vector<std::string>& arguments);
 int diagnose(const std::vector<std::string>& arguments);

@@ -37,7 +37,9 @@ const std::vector<Group> groups = {
       {"simulate", "shear one sample of grains by the discrete-element method", simulate},
       {"campaign", "simulate many states; resumable, also on a cluster", campaign},
       {"runs", "list, compare, plot, export, import, merge and prune stored runs", runs},
-      {"virtual-lab", "write recordings of an instrument with a hidden truth", virtual_lab}}}};
+      {"virtual-lab", "write recordings of an instrument with a hidden truth", virtual_lab},
+      {"reproduce", "compare the simulations with a published study, figures included",
+       reproduce}}}};
 
 void print_overview() {
     fmt::print(

@@ -73,7 +73,7 @@ class NullDraws {
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis) const {
         return along(residuals, basis, count());
     }
-    /// Likewise of the first draws only, `draws` of them.
+    /// Components along a basis of the first `draws` drawn errors only.
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis,
                           Eigen::Index draws) const;
     /// Drawn errors of measurement and prediction, whitened as these residuals are (divided by the

@@ -46,12 +46,20 @@ TEST(ReferencePages, OfCommandsHoldTheirHelp) {
         "of the machine.\n";
     for (const char* command :
          {"import", "calibrate", "compare", "diagnose", "next", "add", "drop", "effects", "predict",
-          "simulate", "campaign", "runs", "virtual-lab"}) {
+          "simulate", "campaign", "runs", "virtual-lab", "reproduce"}) {
         const std::string help = run_pendular(std::string(command) + " --help").output;
         text += fmt::format("\n## {}\n\n```\n{}```\n", command,
                             std::regex_replace(help, std::regex("N \\(=[0-9]+\\)"), "N      "));
     }
     expect_current("commands.md", text);
+}
+
+TEST(ReferencePages, OfTheReproductionHoldsItsNumbers) {
+    const TemporaryFolder folder;
+    const Outcome run = run_pendular(
+        fmt::format("reproduce --out {0} --store {0}/none.sqlite", folder.path().string()));
+    ASSERT_EQ(run.code, 0) << run.errors;
+    expect_current("../reproduction.md", content_of(folder.path() / "reproduction.md"));
 }
 
 TEST(ReferencePages, OfEffectsHoldTheRegistry) {

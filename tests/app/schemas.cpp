@@ -164,6 +164,7 @@ TEST_F(JsonOutput, OfRunsIsAsTheSchemasSay) {
     expect_output(small_run + "--reduced-pressure 4 --rolling-resistance.coefficient 0.1" + store,
                   "run");
     expect_output("runs list" + store, "runs");
+    expect_output("reproduce" + store, "reproduction");
     expect_output("runs show 1" + store, "runs");
     expect_output("runs compare 1 2" + store, "runs-compare");
     ASSERT_EQ(run_pendular("runs export " + path("runs.csv") + store).code, 0);

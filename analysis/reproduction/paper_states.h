@@ -1,0 +1,152 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "calib/emulator/emulator.h"
+#include "sim/closures/capillary_stress.h"
+#include "sim/dem/run.h"
+
+// Simulated states of the parameter study of Badetti et al. (2018), on which its figures and
+// numbers are based.
+namespace pendular {
+
+/// Intergranular frictions of the parameter study [1]. Source: Badetti et al. (2018), tab:symbols.
+inline constexpr std::array paper_frictions = {0.05, 0.09, 0.15, 0.20, 0.25};
+
+/// A bridge volume of the parameter study with the liquid content that names it.
+struct PaperContent {
+    double bridge_volume;   ///< V0/a^3 [1]
+    double liquid_content;  ///< Phi_L/Phi_S at P* = 3 [1]
+};
+/// Bridge volumes of the parameter study. Source: Badetti et al. (2018), tab:philphis.
+inline constexpr std::array<PaperContent, 5> paper_contents = {
+    {{5e-4, 0.003}, {1e-3, 0.007}, {2e-3, 0.014}, {4e-3, 0.030}, {8e-3, 0.063}}};
+
+/// Simulated state of wet grains with the stress ratio of dry grains of the same friction, from
+/// which the closures of Badetti et al. (2018) predict its strength. All values are dimensionless.
+class PaperState {
+  public:
+    /// @param dry_stress_ratio stress ratio of dry grains at the run's friction and inertial number
+    /// @param stress_ratio_error standard error of the run's stress ratio, with the scatter between
+    ///        runs
+    PaperState(dem::RunResult run, const Mean& dry_stress_ratio, double stress_ratio_error);
+
+    const dem::RunResult& run() const { return run_; }
+    double friction() const { return run_.parameters.friction; }
+    double bridge_volume() const { return run_.parameters.wetting->bridge_volume; }
+    double reduced_pressure() const { return run_.parameters.wetting->reduced_pressure; }
+    /// Stress ratio of dry grains at this friction and inertial number [1].
+    const Mean& dry_stress_ratio() const { return dry_stress_ratio_; }
+    /// Averages of the run from which the closures compute stresses.
+    const closures::State& network() const { return network_; }
+    /// Capillary stresses measured in the run, over F0/a^2 [1].
+    const closures::CapillaryStress& capillary() const { return capillary_; }
+
+    /// Observable of the run with its standard error; that of the stress ratio includes the scatter
+    /// between runs.
+    Mean operator[](dem::Observable which) const;
+    /// Solid fraction corrected to rigid grains [1].
+    Mean rigid_solid_fraction() const;
+    /// Stress ratio of the contact forces, |s12cont|/s22cont [1] (eq:coulombeff).
+    Mean contact_stress_ratio() const;
+    /// Stress ratio from the dry stress ratio and measured capillary stresses [1] (eq:strength1).
+    Mean strength1() const;
+    /// Stress ratio from Z*, solid fraction and capillary shear stress [1] (eq:strength2).
+    Mean strength2() const;
+    /// Stress ratio from Z* and solid fraction, without capillary shear stress [1] (eq:strength3).
+    Mean strength3() const;
+    /// Reduced cohesion by Rumpf's formula with Z* = Z_c + 0.5 Z_d [1] (eq:cohesion3).
+    Mean rumpf_cohesion() const;
+    /// Generalised reduced cohesion [1] (eq:cohgen).
+    Mean generalised_cohesion() const;
+
+  private:
+    /// A prediction from the dry stress ratio with the share of its standard error.
+    Mean from_dry(const std::function<double(double dry)>& prediction) const;
+
+    dem::RunResult run_;
+    Mean dry_stress_ratio_;
+    double stress_ratio_error_;
+    closures::State network_;
+    closures::CapillaryStress capillary_;
+};
+
+/// Straight line mu* = intercept + c*/P* through the stress ratios of one friction and bridge
+/// volume at P* >= 2.3, weighted by their standard errors (eq:mohrcoulomb2).
+struct StrengthLine {
+    double friction = 0, bridge_volume = 0;  ///< friction and V0/a^3 [1]
+    Mean intercept, cohesion;                ///< intercept and reduced cohesion c* [1]
+    double covariance = 0;                   ///< covariance of intercept and c* [1]
+    int points = 0;                          ///< number of states that the line is fitted to
+
+    /// Stress ratio of the line at a reduced pressure [1], with its standard error.
+    Mean at(double reduced_pressure) const;
+};
+
+/// Lowest reduced pressure P* of the states to which lines are fitted [1]. Source: Badetti et al.
+/// (2018), Measurement of a macroscopic cohesion.
+inline constexpr double lowest_line_pressure = 2.3;
+
+/// Stiffness number of the simulations of Badetti et al. (2018) [1].
+inline constexpr double paper_stiffness = 8400;
+
+/// A state of the parameter study that no known run simulates.
+struct MissingState {
+    double friction, bridge_volume, reduced_pressure;
+};
+
+/// Known simulations of the parameter study of Badetti et al. (2018).
+class PaperStudy {
+  public:
+    /// Takes the usable runs without effects at the frictions and bridge volumes of the study and
+    /// inertial numbers up to 0.0035. Of several runs of one state, that with the stiffness number
+    /// nearest to the paper's counts (8400), then that with the most grains.
+    /// @param runs known runs; @param emulator emulator trained on them, for dry grains
+    PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator);
+
+    /// The states, in the order of friction, bridge volume and reduced pressure.
+    const std::vector<PaperState>& states() const { return states_; }
+    /// States that fulfil a condition.
+    std::vector<const PaperState*> where(
+        const std::function<bool(const PaperState&)>& condition) const;
+    /// State of a friction, bridge volume and reduced pressure; null where no run simulates it.
+    const PaperState* at(double friction, double bridge_volume, double reduced_pressure) const;
+    /// Dry runs without effects, in the order of friction and inertial number.
+    const std::vector<dem::RunResult>& dry_runs() const { return dry_runs_; }
+    /// Lines through the states of each friction and bridge volume that has three or more at P* of
+    /// `lowest_line_pressure` or above.
+    const std::vector<StrengthLine>& lines() const { return lines_; }
+    const StrengthLine* line(double friction, double bridge_volume) const;
+    /// Runs of one state at another stiffness number than that in states(), with that state.
+    struct OtherStiffness {
+        const PaperState* stiff;
+        PaperState soft;
+    };
+    const std::vector<OtherStiffness>& other_stiffness() const { return other_stiffness_; }
+    /// Stress ratio and solid fraction of rigid dry grains [1] in the limit of slow shear, by the
+    /// emulator.
+    Mean dry_stress_ratio(double friction) const;
+    Mean dry_solid_fraction(double friction) const;
+    /// Stress ratio and solid fraction of rigid dry grains at an inertial number [1].
+    Mean dry(dem::Observable which, double friction, double inertial_number) const;
+    /// States of the paper's grid, at P* = 0.5, 1, 2, 3, 5 and 10, that no run simulates.
+    std::vector<MissingState> missing() const;
+
+  private:
+    void fit_lines();
+
+    const Emulator& emulator_;
+    std::vector<PaperState> states_;
+    std::vector<dem::RunResult> dry_runs_;
+    std::vector<StrengthLine> lines_;
+    std::vector<OtherStiffness> other_stiffness_;
+};
+
+/// Reduced pressures of the grid of simulations [1]. Badetti et al. (2018) state the range from 0.5
+/// up only.
+inline constexpr std::array paper_pressures = {0.5, 1.0, 2.0, 3.0, 5.0, 10.0};
+
+}  // namespace pendular

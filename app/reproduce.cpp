@@ -1,0 +1,93 @@
+// `pendular reproduce`: the numbers and figures of Badetti et al. (2018) beside the simulations.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "app/console.h"
+#include "app/interrupt.h"
+#include "app/options.h"
+#include "app/stored_runs.h"
+#include "data/files/text_file.h"
+#include "data/input_error.h"
+#include "reports/draw_figure.h"
+#include "reports/paper_figures.h"
+#include "reports/reproduction_report.h"
+#include "sim/runs/ensemble.h"
+#include "workflow/reproduction.h"
+
+namespace pendular::app {
+namespace {
+
+const char* const about_reproduce =
+    R"(Compares the simulations with every number of Badetti et al. (2018), Shear strength of wet
+granular materials, and draws each of its figures that shows simulations. The command uses the runs
+that come with the program and those of the store. It prints the numbers that disagree (--all: every
+number), and with --out it writes reproduction.md and the figures.)";
+
+/// Simulates the states of the paper's study that no known run simulates, and keeps the runs.
+void simulate_missing(const Reproduction& reproduction, const CommonOptions& common,
+                      RunStore* store, Console& console) {
+    const std::vector<dem::RunParameters> runs = reproduction.missing_runs();
+    if (runs.empty()) return;
+    const InterruptGuard guard;
+    run_all(runs,
+            {.threads = common.threads,
+             .stop = guard.token(),
+             .report = [&](const EnsembleProgress& at) { console.progress("Simulations", at); },
+             .store = store});
+    console.end_progress();
+}
+
+}  // namespace
+
+int reproduce(const std::vector<std::string>& arguments) {
+    Options options("reproduce [options]", about_reproduce,
+                    "  pendular reproduce\n"
+                    "  pendular reproduce --all --json -\n"
+                    "  pendular reproduce --out paper\n"
+                    "  pendular reproduce --simulate --fidelity paper --out paper\n",
+                    false);
+    options.set_out("folder for reproduction.md and the figures (default: none are written)");
+    bool simulate = false;
+    options.add_switch("simulate", &simulate,
+                       "simulate the states that are missing at the --fidelity, keep the runs in "
+                       "the store");
+    const auto common = options.parse(arguments);
+    if (!common) {
+        return done;
+    }
+    Console console(*common);
+    const auto store = open_store(*common);
+    if (simulate) {
+        if (store == nullptr) {
+            throw InputError("--simulate: the store cannot be written; name one with --store FILE");
+        }
+        simulate_missing(Reproduction(common->fidelity, store.get()), *common, store.get(),
+                         console);
+    }
+    const Reproduction reproduction(common->fidelity, store.get());
+    console.answer(verdict_of(reproduction));
+    console.table(scoreboard_table(reproduction.rows(), common->all), 30);
+    if (const std::size_t missing = reproduction.study().missing().size(); missing > 0) {
+        console.note(fmt::format(
+            "No run simulates {} of the {} states of the paper's grid; 'pendular reproduce "
+            "--simulate' makes them.",
+            missing, missing + reproduction.study().states().size()));
+    }
+    if (common->out) {
+        write_whole(*common->out / "reproduction.md", reproduction_page(reproduction));
+        std::vector<std::string> names;
+        for (const Figure& figure : paper_figures(reproduction.study())) {
+            draw(figure, *common->out / "figures");
+            names.push_back(figure.name);
+        }
+        console.figures(*common->out / "figures", names);
+    } else {
+        console.next("pendular reproduce --out paper   # writes reproduction.md and the figures");
+    }
+    console.json(to_json(reproduction));
+    return done;
+}
+
+}  // namespace pendular::app

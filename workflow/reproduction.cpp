@@ -1,0 +1,96 @@
+#include "workflow/reproduction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "calib/emulator/emulated_observables.h"
+#include "data/input_error.h"
+#include "sim/runs/store/run_table.h"
+#include "workflow/known_runs.h"
+#include "workflow/requested_state.h"
+
+namespace pendular {
+namespace {
+
+/// Name of the file beside the atlas with runs at the stiffness number of Badetti et al. (2018).
+/// They teach no emulator, which has one stiffness number for structure.
+constexpr const char* paper_runs_name = "paper.csv";
+
+/// Inertial number of ordered runs [1]: slow enough, and three times as fast to simulate as 0.001.
+constexpr double ordered_inertial_number = 0.003;
+
+std::vector<dem::RunResult> paper_runs() {
+    const auto atlas = atlas_file();
+    const auto file = atlas.parent_path() / paper_runs_name;
+    std::vector<dem::RunResult> runs;
+    if (!atlas.empty() && std::filesystem::exists(file)) {
+        for (StoredRun& stored : read_runs(file)) {
+            runs.push_back(std::move(stored.run));
+        }
+    }
+    return runs;
+}
+
+/// JSON of a number that may be infinite: null in JSON.
+nlohmann::ordered_json number(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace
+
+Reproduction::Reproduction(const Fidelity& fidelity, const RunStore* store) : fidelity_(fidelity) {
+    auto known = known_runs(Study{}, fidelity, store);
+    if (!known) {
+        throw InputError(
+            "there are too few runs; name an atlas in PENDULAR_ATLAS, or make runs with 'pendular "
+            "campaign'");
+    }
+    std::vector<dem::RunResult> runs = paper_runs();
+    runs.insert(runs.end(), known->runs.begin(), known->runs.end());
+    emulator_ = std::make_unique<Emulator>(known->runs, std::move(known->hyperparameters));
+    study_ = std::make_unique<PaperStudy>(runs, *emulator_);
+    rows_ = scoreboard(*study_);
+}
+
+std::size_t Reproduction::agreeing() const {
+    return static_cast<std::size_t>(std::ranges::count_if(rows_, &ScoreboardRow::agrees));
+}
+
+std::vector<dem::RunParameters> Reproduction::missing_runs() const {
+    std::vector<dem::RunParameters> runs;
+    for (const MissingState& state : study_->missing()) {
+        runs.push_back(run_of({.friction = state.friction,
+                               .inertial_number = ordered_inertial_number,
+                               .inverse_pressure = 1 / state.reduced_pressure,
+                               .bridge_volume = state.bridge_volume},
+                              fidelity_, fidelity_.stiffness_number));
+    }
+    return runs;
+}
+
+nlohmann::ordered_json to_json(const Reproduction& reproduction) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const ScoreboardRow& row : reproduction.rows()) {
+        rows.push_back({{"section", row.section},
+                        {"what", row.what},
+                        {"published", row.published},
+                        {"published_range", {number(row.lower), number(row.upper)}},
+                        {"ours", row.ours},
+                        {"our_range", {row.least, row.greatest}},
+                        {"distance", row.distance},
+                        {"values", row.values},
+                        {"outside", row.outside},
+                        {"where", row.where},
+                        {"agrees", row.agrees}});
+    }
+    return {{"rows", rows},
+            {"agreeing", reproduction.agreeing()},
+            {"states", reproduction.study().states().size()},
+            {"missing", reproduction.study().missing().size()}};
+}
+
+}  // namespace pendular

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "analysis/reproduction/scoreboard.h"
+#include "sim/runs/fidelity.h"
+#include "sim/runs/store/run_store.h"
+
+namespace pendular {
+
+/// Numbers of Badetti et al. (2018) beside those of the known simulations, with the simulations.
+class Reproduction {
+  public:
+    /// Reads the runs of the atlas, the runs at the paper's stiffness that come with the program,
+    /// and the runs of a store.
+    /// @param store user's file of runs; may be null
+    /// @throws InputError where there are too few runs
+    Reproduction(const Fidelity& fidelity, const RunStore* store);
+    Reproduction(const Reproduction&) = delete;
+    Reproduction& operator=(const Reproduction&) = delete;
+
+    const PaperStudy& study() const { return *study_; }
+    const std::vector<ScoreboardRow>& rows() const { return rows_; }
+    /// Number of rows that agree.
+    std::size_t agreeing() const;
+    /// Parameters of the runs that simulate the states of the paper's grid which no known run
+    /// simulates, as large as the fidelity's and at its stiffness number.
+    std::vector<dem::RunParameters> missing_runs() const;
+
+  private:
+    Fidelity fidelity_;
+    std::unique_ptr<const Emulator> emulator_;
+    std::unique_ptr<const PaperStudy> study_;
+    std::vector<ScoreboardRow> rows_;
+};
+
+/// JSON of a reproduction, as `pendular reproduce` prints it: each published number or range with
+/// that of the simulations and whether they agree.
+nlohmann::ordered_json to_json(const Reproduction& reproduction);
+
+}  // namespace pendular
