@@ -163,11 +163,15 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
                  const CommonOptions& common, Console& console, bool last) {
     const auto figures = common.out_folder() / "figures";
     const OpenSession session(console, common,
-                              {"fit.json", "fit_runs.csv", "ladder.json", "figures"}, own.seed);
+                              {"fit.json", "fit_runs.csv", "ladder.json", "figures"}, own.seed,
+                              OpenSession::Access::changes);
     const auto change = what == Action::add ? &Session::add : &Session::drop;
     const ChangedStudy changed =
         (session.operator->()->*change)(effect, own.fit, !own.fidelity_given);
     const auto& [plan, before, after, ladder, written] = changed;
+    auto json = to_json(plan, before.ladder_step, after.ladder_step, written);
+    add_belief(json, after.belief);
+    if (last || !written) console.json(json);  // before the figure, which needs gnuplot
     if (written) {
         console.answer(verdict_of(plan, before.ladder_step, after.ladder_step));
         print_doubts(console, after.belief, 0, "Doubt about the new fit: ");
@@ -180,9 +184,6 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
                                  common.study.string()));
     }
     const int code = written ? static_cast<int>(done) : refuse_fit(console, plan, after);
-    auto json = to_json(plan, before.ladder_step, after.ladder_step, written);
-    add_belief(json, after.belief);
-    if (last || !written) console.json(json);
     return after.belief.meaningless ? static_cast<int>(not_converged) : code;
 }
 

@@ -134,7 +134,8 @@ int calibrate(const std::vector<std::string>& arguments) {
     }
     if (no_confirm) confirming.reset();
     set_confirmation(confirming, fit);
-    const OpenSession session(console, *common, {"fit.json", "fit_runs.csv", "figures"}, seed);
+    const OpenSession session(console, *common, {"fit.json", "fit_runs.csv", "figures"}, seed,
+                              OpenSession::Access::changes);
     const Measurements& measurements = session->measurements();
     const CalibratedStudy result = session->calibrate(fit);
     const auto& [c, comparison, belief] = result;

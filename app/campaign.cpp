@@ -11,6 +11,7 @@
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/stored_runs.h"
+#include "app/terminal.h"
 #include "data/input_error.h"
 #include "sim/runs/campaign.h"
 #include "sim/runs/mpi_ensemble.h"
@@ -55,15 +56,8 @@ Survey survey(const std::vector<dem::RunParameters>& runs, const RunStore& store
 void or_abort(const MpiProcesses& processes, const std::function<void()>& work) {
     try {
         work();
-    } catch (const InputError& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
-        processes.abort(wrong_input);
-    } catch (const dem::Interrupted& interruption) {
-        fmt::print(stderr, "\n{}\n", interruption.what());
-        processes.abort(interrupted);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "pendular failed: {}\n", error.what());
-        processes.abort(program_failed);
+    } catch (const std::exception&) {
+        processes.abort(report_exception());
     }
 }
 
@@ -204,6 +198,7 @@ int campaign(const std::vector<std::string>& arguments) {
             throw interrupted_with(&store);
         }
         console.end_progress();
+        store.demand_present();
         report(runs.size(), before, survey(runs, store), store, console);
     };
     if (processes) {

@@ -113,6 +113,7 @@ int compare(const std::vector<std::string>& arguments) {
     if (!c.fit.converged) {
         console.note("The calibration did not converge.");
     }
+    console.json(json);  // before the figures, which need gnuplot
     std::vector<std::string> drawn_figures;
     for (auto figure : comparison_figures(model, c, comparison)) {
         if (!belief.believable()) figure.title += " (in doubt: see compare.json)";
@@ -125,7 +126,6 @@ int compare(const std::vector<std::string>& arguments) {
     console.next(fmt::format("pendular {} {}",
                              fits && !c.model.effects.empty() ? "next" : "diagnose",
                              common->study.string()));
-    console.json(json);
     return done;
 }
 

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/terminal.h"
 #include "data/files/json_text.h"
 #include "workflow/json.h"
 
@@ -75,14 +76,14 @@ Console::~Console() {
 void Console::answer(const std::string& text) {
     const bool bold =
         options_.json != "-" && isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-    line(bold ? "\033[1m" + text + "\033[0m" : text);
+    if (bold) fmt::print("\033[1m");
+    line(text);
+    if (bold) fmt::print("\033[0m");
 }
 
 void Console::line(const std::string& text) {
     end_progress();
-    const bool json_on_output = options_.json == "-";
-    fmt::print(json_on_output ? stderr : stdout, "{}\n", text);
-    std::fflush(json_on_output ? stderr : stdout);
+    print_line(options_.json == "-" ? stderr : stdout, text);
 }
 
 void Console::table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows) {

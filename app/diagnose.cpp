@@ -293,9 +293,9 @@ int diagnose(const std::vector<std::string>& arguments) {
         drawn.push_back(proposal_figure(d.proposals.front(), d.readings, diagnosis.fit.prediction));
     }
     if (impacts) drawn.push_back(impact_figure(*impacts));
+    console.json(json);  // before the figures, which need gnuplot
     console.figures(figures, draw_all(drawn, figures));
     console.next(next_step(diagnosis, common->study.string(), !d.proposals.empty()));
-    console.json(json);
     return diagnosis.fit.converged ? done : not_converged;
 }
 

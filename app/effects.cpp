@@ -9,7 +9,7 @@
 #include "app/console.h"
 #include "app/open_session.h"
 #include "app/options.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "reports/draw_figure.h"
 #include "reports/effect_pages.h"

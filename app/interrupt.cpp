@@ -26,6 +26,7 @@ extern "C" void note_signal(int) {
 InterruptGuard::InterruptGuard() {
     std::signal(SIGINT, note_signal);
     std::signal(SIGTERM, note_signal);
+    std::signal(SIGHUP, note_signal);
     // A signal handler must not request the stop itself; this thread does.
     watcher_ = std::jthread([this](const std::stop_token& end) {
         while (!end.stop_requested() && signals_seen == 0) {

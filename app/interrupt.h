@@ -5,8 +5,9 @@
 
 namespace pendular::app {
 
-/// Turns the signals SIGINT (Ctrl-C) and SIGTERM into a request to stop, so that simulation runs
-/// end at a clean point and no file is left half-written. A second signal ends the program at once.
+/// Turns the signals SIGINT (Ctrl-C), SIGTERM and SIGHUP into a request to stop, so that simulation
+/// runs end at a clean point and no file is left half-written. A second signal ends the program at
+/// once.
 class InterruptGuard {
   public:
     InterruptGuard();

@@ -91,13 +91,13 @@ int next(const std::vector<std::string>& arguments) {
             "The known runs do not support {} of {} conditions; the plan leaves them out.",
             next.unsupported, next.unsupported + next.points.size()));
     }
+    console.json(json);  // before the figure, which needs gnuplot
     if (const Figure figure = next_figure(next); !figure.panels.empty()) {
         draw(figure, common->out_folder() / "figures");
         console.figures(common->out_folder() / "figures", {"next"});
     }
     console.next(fmt::format("pendular diagnose {}   # once study.toml lists the new recording",
                              common->study.string()));
-    console.json(json);
     return done;
 }
 

@@ -9,6 +9,7 @@
 #include "app/console.h"
 #include "app/interrupt.h"
 #include "app/options.h"
+#include "app/study_lock.h"
 #include "sim/runs/store/run_store.h"
 #include "workflow/session.h"
 
@@ -26,24 +27,27 @@ void set_confirmation(const std::optional<double>& seconds, FitOptions& fit);
 /// runs) and with progress on the console. Ctrl-C ends long work without half-written files.
 class OpenSession {
   public:
+    enum class Access { reads, changes };
     /// Reads the study `options.study` and opens the store of simulation runs.
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
+    /// @param access whether the command changes the study or its fit; such commands follow one
+    /// another
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
     /// @throws std::runtime_error where a store that the user named cannot be written
     OpenSession(Console& console, const CommonOptions& options,
-                std::vector<std::filesystem::path> files, std::int64_t seed = 1);
+                std::vector<std::filesystem::path> files, std::int64_t seed = 1,
+                Access access = Access::reads);
     OpenSession(const OpenSession&) = delete;
     OpenSession& operator=(const OpenSession&) = delete;
 
     const Session* operator->() const { return &session_; }
 
   private:
-    OpenSession(Console& console, const CommonOptions& options, StudyInput input,
-                std::uint64_t seed);
-
     InterruptGuard guard_;
+    std::unique_ptr<StudyLock> lock_;
+    StudyInput input_;  ///< moved to the session
     std::unique_ptr<RunStore> store_;
     Session session_;
 };

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <thread>
 
@@ -86,6 +87,32 @@ void demand_writable(const std::filesystem::path& path, const std::string& optio
                                      std::strerror(errno)));
     }
 }
+
+namespace {
+
+/// First character of a file that is no blank; empty where the file is missing, empty or no regular
+/// file.
+std::optional<char> first_character(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+    std::ifstream stream(file, std::ios::binary);
+    char first = 0;
+    return stream >> first ? std::optional(first) : std::nullopt;
+}
+
+/// @throws InputError where the file exists and holds something else than JSON, a recording for
+///         example
+void demand_json(const std::filesystem::path& file, const std::string& option) {
+    const auto first = first_character(file);
+    if (first && *first != '{' && *first != '[') {
+        throw InputError(
+            fmt::format("{} {}: that file holds something else than JSON; nothing was "
+                        "written: name another file",
+                        option, file.string()));
+    }
+}
+
+}  // namespace
 
 std::filesystem::path CommonOptions::out_folder() const {
     return out ? *out : study_folder(study) / "out";
@@ -215,6 +242,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
         result.json = json;
         if (json != "-") {
             demand_writable(json, "--json", false);
+            demand_json(json, "--json");
             std::error_code error;
             if (takes_study_ && std::filesystem::equivalent(json, study, error)) {
                 throw InputError(fmt::format(

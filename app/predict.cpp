@@ -12,7 +12,7 @@
 #include "app/options.h"
 #include "app/stored_runs.h"
 #include "calib/emulator/emulated_observables.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "reports/draw_figure.h"
 #include "reports/prediction_figure.h"
@@ -136,13 +136,13 @@ void predict_along(const RequestedState& requested, const VariedQuantity& varied
     const PredictionCurve curve = predictor.along(requested, varied);
     const std::filesystem::path folder = common.out.value_or(".");
     write_whole(folder / "prediction.csv", prediction_table(curve));
+    console.json(to_json(curve));  // before the figure, which needs gnuplot
     draw(prediction_figure(curve, predictor.emulator()), folder / "figures");
     console.answer(fmt::format("{} states from {} runs are written to {} and {}.", curve.at.size(),
                                predictor.emulator().runs().size(),
                                (folder / "prediction.csv").string(),
                                (folder / "figures" / "prediction.png").string()));
     note_left_out(curve, varied.points, console);
-    console.json(to_json(curve));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include <cstdio>
 #include <exception>
@@ -6,9 +7,9 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/terminal.h"
 #include "data/input_error.h"
 #include "data/quantities/nearest.h"
-#include "sim/dem/run.h"
 
 namespace pendular::app {
 namespace {
@@ -89,24 +90,19 @@ int run_command(const std::vector<std::string>& arguments) {
             return done;
         }
         return command_named(arguments[0]).run({arguments.begin() + 1, arguments.end()});
-    } catch (const InputError& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
-        return wrong_input;
-    } catch (const dem::Interrupted& interruption) {
-        fmt::print(stderr, "\n{}\n", interruption.what());
-        return interrupted;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "pendular failed: {}\n", error.what());
-        return program_failed;
+    } catch (const std::exception&) {
+        return report_exception();
     }
 }
 
 }  // namespace
 
 int run_program(const std::vector<std::string>& arguments) {
+    // Ceres logs what goes wrong inside of a fit; users read messages of commands.
+    FLAGS_minloglevel = google::GLOG_FATAL;
     const int code = run_command(arguments);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-        fmt::print(stderr, "pendular failed: standard output cannot be written\n");
+        print_error("pendular failed: ", "standard output cannot be written");
         return program_failed;
     }
     return code;

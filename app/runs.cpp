@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include "app/console.h"
 #include "app/options.h"
 #include "app/stored_runs.h"
+#include "app/terminal.h"
 #include "calib/emulator/emulated_observables.h"
 #include "calib/emulator/emulator.h"
 #include "calib/emulator/emulator_hyperparameters.h"
@@ -196,9 +198,28 @@ int plot(const Request& request, Console& console) {
     return done;
 }
 
+/// @throws InputError where a file exists and is no table that `first` begins, a recording for
+/// example
+void demand_table(const std::filesystem::path& file, const std::string& first) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error) ||
+        std::filesystem::file_size(file, error) == 0) {
+        return;
+    }
+    std::string begin(first.size(), '\0');
+    std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
+    if (begin != first) {
+        throw InputError(
+            fmt::format("{} holds something else than such a table; nothing was "
+                        "written: name another file",
+                        file.string()));
+    }
+}
+
 int export_runs(const Request& request, Console& console) {
     demand_words(request, 1, "the file to write: pendular runs export runs.csv");
     demand_writable(request.words[0], "export", false);
+    demand_table(request.words[0], "physics_version,");
     const auto runs = request.selected();
     write_runs(request.words[0], runs);
     console.line(fmt::format("{} runs are written to {}.", runs.size(), request.words[0]));
@@ -212,7 +233,7 @@ int take_in(const Request& request, Console& console, const std::string& what,
             const std::function<std::size_t(RunStore&, const std::string&)>& take) {
     demand_words(request, 1, what);
     for (const std::string& file : request.words) {
-        if (!std::filesystem::exists(file)) {
+        if (std::error_code error; !std::filesystem::exists(file, error)) {
             // Checked first, so that a missing file creates no empty store.
             throw InputError(file + ": no such file");
         }
@@ -229,14 +250,18 @@ int take_in(const Request& request, Console& console, const std::string& what,
 }
 
 int import_runs(const Request& request, Console& console) {
-    return take_in(request, console, "the file to read: pendular runs import runs.csv",
-                   [](RunStore& store, const std::string& file) {
-                       std::size_t added = 0;
-                       for (const StoredRun& run : read_runs(file)) {
-                           added += store.add(run.run, run.physics_version);
-                       }
-                       return added;
-                   });
+    const auto read = [](RunStore& store, const std::string& file) {
+        std::size_t added = 0;
+        for (const StoredRun& run : read_runs(file)) {
+            added += store.add(run.run, run.physics_version);
+        }
+        return added;
+    };
+    for (const std::string& file : request.words) {
+        std::error_code error;
+        if (std::filesystem::exists(file, error)) read_runs(file);  // a wrong table makes no store
+    }
+    return take_in(request, console, "the file to read: pendular runs import runs.csv", read);
 }
 
 int merge(const Request& request, Console& console) {
@@ -268,6 +293,7 @@ int prune(const Request& request, Console& console) {
 /// Fits the hyperparameters of the emulator to the selected runs and writes them to a CSV file.
 int learn(const Request& request, Console& console) {
     demand_words(request, 1, "the file to write, emulator.csv beside its atlas");
+    demand_table(request.words[0], "observable,");
     std::vector<dem::RunResult> runs;
     for (const StoredRun& stored : request.selected()) {
         if (emulated::usable(stored.run)) {
@@ -283,8 +309,8 @@ int learn(const Request& request, Console& console) {
             hyperparameters[which] = PlainEmulator::learn(runs, which);
         }
         if (!request.common.quiet) {
-            fmt::print(stderr, "Hyperparameters fitted for {} of {} observables.\n",
-                       hyperparameters.size(), emulated::observables().size());
+            print_line(stderr, fmt::format("Hyperparameters fitted for {} of {} observables.",
+                                           hyperparameters.size(), emulated::observables().size()));
         }
     }
     write_hyperparameters(request.words[0], hyperparameters);

@@ -14,7 +14,8 @@
 #include "app/options.h"
 #include "app/run_effects.h"
 #include "app/stored_runs.h"
-#include "data/files/text_file.h"
+#include "app/terminal.h"
+#include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
 #include "reports/draw_figure.h"
@@ -235,8 +236,8 @@ dem::RunResult shear(const dem::RunParameters& run, const dem::StoredSample* sta
         options.observers.push_back(
             [&, told = false](const dem::ShearCell&, double strain) mutable {
                 if (!std::exchange(told, true)) {
-                    fmt::print(stderr, "Resumed at strain {:.2f} from {}.\n", strain,
-                               checkpoint->file().string());
+                    print_line(stderr, fmt::format("Resumed at strain {:.2f} from {}.", strain,
+                                                   checkpoint->file().string()));
                 }
             });
     }

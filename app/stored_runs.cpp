@@ -5,6 +5,7 @@
 
 #include <charconv>
 
+#include "app/terminal.h"
 #include "data/input_error.h"
 
 namespace pendular::app {
@@ -14,10 +15,9 @@ std::unique_ptr<RunStore> open_store(const CommonOptions& options) {
         std::error_code error;
         std::filesystem::create_directories(options.store.parent_path(), error);
         if (error || access(options.store.parent_path().c_str(), W_OK) != 0) {
-            fmt::print(stderr,
-                       "note: {} cannot be written, so that runs are not kept; --store FILE names "
-                       "another place\n",
-                       options.store.parent_path().string());
+            print_line(stderr, fmt::format("note: {} cannot be written, so that runs are not kept; "
+                                           "--store FILE names another place",
+                                           options.store.parent_path().string()));
             return nullptr;
         }
     }

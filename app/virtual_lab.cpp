@@ -8,7 +8,7 @@
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "data/files/json_text.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/quantities/units.h"
 #include "reports/truth.h"

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <csignal>
 #include <iterator>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
-#include "data/files/text_file.h"
+#include "data/files/file_bytes.h"
+#include "data/files/write_whole.h"
 #include "reports/figure_numbers.h"
 #include "reports/figure_text.h"
 #include "reports/layout.h"
@@ -202,9 +205,9 @@ constexpr Format formats[] = {
     {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.7 linewidth 1.6 size", 0,
      "%%EOF"}};
 
-/// Temporary file for a drawing, which is renamed when the drawing is complete.
-fs::path unfinished(const fs::path& folder, const Figure& figure, const Format& format) {
-    return folder / fmt::format(".{}.{}", figure.name, format.extension);
+/// File in which gnuplot draws a figure.
+fs::path drawing(const fs::path& folder, const Figure& figure, const Format& format) {
+    return folder / fmt::format("{}.{}", figure.name, format.extension);
 }
 
 std::string size_of(const Page& page, const Format& format) {
@@ -214,26 +217,59 @@ std::string size_of(const Page& page, const Format& format) {
                : fmt::format("{}in,{}in", page.width, page.height);
 }
 
-bool written_whole(const fs::path& file, std::string_view end) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+/// Content of a drawing; empty if the file is missing or incomplete.
+std::string complete_drawing(const fs::path& file, std::string_view end) {
+    std::error_code error;
+    if (!fs::exists(file, error)) return "";
+    std::string content = read_bytes(file, largest_table);
     const std::string_view tail = std::string_view(content).substr(
         content.size() - std::min<std::size_t>(content.size(), 32));
-    return tail.find(end) != std::string_view::npos;
+    return tail.find(end) != std::string_view::npos ? content : "";
 }
+
+/// Lets writing to a program that has ended fail, during the life of the object, instead of ending
+/// this program: gnuplot may be missing.
+class BrokenPipesIgnored {
+  public:
+    BrokenPipesIgnored() : before_(std::signal(SIGPIPE, SIG_IGN)) {}
+    BrokenPipesIgnored(const BrokenPipesIgnored&) = delete;
+    BrokenPipesIgnored& operator=(const BrokenPipesIgnored&) = delete;
+    ~BrokenPipesIgnored() { std::signal(SIGPIPE, before_); }
+
+  private:
+    void (*before_)(int);
+};
+
+/// Folder of its own for drawings, removed with them at the end of the object's life. Nobody else
+/// can have put a link there, which gnuplot would write through.
+class DrawingFolder {
+  public:
+    explicit DrawingFolder(const fs::path& beside) : path_(new_temporary_folder(beside)) {}
+    DrawingFolder(const DrawingFolder&) = delete;
+    DrawingFolder& operator=(const DrawingFolder&) = delete;
+    ~DrawingFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
 
 /// Draws a figure by gnuplot into temporary files, one per format, and waits for gnuplot to end.
 /// Gnuplot reads no settings of the user, and its warnings are discarded. The folder must be
 /// absolute: gnuplot takes a file name that begins with '|' for a command and a leading '~' for the
 /// home directory.
 void run_gnuplot(const Figure& figure, const fs::path& folder) {
+    const BrokenPipesIgnored ignored;
     Gnuplot gnuplot("gnuplot --default-settings 2>/dev/null");
     const Page page = page_of(figure);
     const Ink marks = marks_of(figure, page);
     gnuplot << "set encoding utf8\nset samples 2\n" << data_blocks(figure) << marks.data_blocks();
     for (const auto& format : formats) {
         gnuplot << "set terminal " << format.terminal << ' ' << size_of(page, format)
-                << "\nset output " << gnuplot_string(unfinished(folder, figure, format).string())
+                << "\nset output " << gnuplot_string(drawing(folder, figure, format).string())
                 << '\n'
                 << page_script(figure, page, marks);
     }
@@ -244,22 +280,21 @@ void run_gnuplot(const Figure& figure, const fs::path& folder) {
 void draw(const Figure& figure, const fs::path& folder) {
     fs::create_directories(folder);
     write_whole(folder / (figure.name + ".csv"), numbers_table(figure));
-    run_gnuplot(figure, fs::absolute(folder));
-    const bool whole = std::ranges::all_of(formats, [&](const Format& format) {
-        return written_whole(unfinished(folder, figure, format), format.end);
-    });
+    const DrawingFolder drawn(fs::absolute(folder));
+    run_gnuplot(figure, drawn.path());
+    std::map<fs::path, std::string> files;
     for (const auto& format : formats) {
-        const fs::path drawn = unfinished(folder, figure, format);
-        std::error_code ignored;
-        whole ? fs::rename(drawn, folder / fmt::format("{}.{}", figure.name, format.extension),
-                           ignored)
-              : static_cast<void>(fs::remove(drawn, ignored));
+        std::string content = complete_drawing(drawing(drawn.path(), figure, format), format.end);
+        if (content.empty()) {
+            throw std::runtime_error(
+                fmt::format("the figure {} is missing, all else is written: gnuplot could not draw "
+                            "it; is gnuplot installed, and is there space on the disk?",
+                            (folder / figure.name).string()));
+        }
+        files[drawing(folder, figure, format)] = std::move(content);
     }
-    if (!whole) {
-        throw std::runtime_error(
-            fmt::format("gnuplot could not draw {}; is gnuplot installed, and is there space on "
-                        "the disk?",
-                        (folder / figure.name).string()));
+    for (const auto& [file, content] : files) {
+        write_whole(file, content);
     }
 }
 

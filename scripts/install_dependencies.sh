@@ -13,7 +13,8 @@ packages=(
   # figures
   gnuplot-nox fonts-dejavu-core
   # tests, benchmarks, style
-  libgtest-dev libgmock-dev libvalijson-dev libbenchmark-dev clang-format clang-tidy doxygen codespell
+  libgtest-dev libgmock-dev libvalijson-dev libbenchmark-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev libomp-14-dev doxygen codespell
+  sqlite3 python3
 )
 
 missing=()

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "calib/fit/calibrate_study.h"
+#include "data/files/file_bytes.h"
 #include "data/files/json_text.h"
 #include "data/formula_variant.h"
 #include "data/input_error.h"
@@ -284,13 +284,13 @@ Calibration parse_calibration(const Json& json, const ResolvedStudy& resolved,
 
 Calibration read_calibration(const std::filesystem::path& file, const ResolvedStudy& study,
                              const std::vector<Reading>& readings) {
-    std::ifstream stream(file);
-    if (!stream) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) {
         throw InputError({file.string()},
                          "there is no calibration yet; run 'pendular calibrate' first");
     }
     try {
-        const Json json = Json::parse(stream);
+        const Json json = Json::parse(read_bytes(file, largest_table));
         check_json_format(json, file, "run 'pendular calibrate' again");
         return parse_calibration(json, study, readings, {file.string()});
     } catch (const InputError&) {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "data/files/json_text.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "workflow/failure_json.h"
 #include "workflow/json_parts.h"
 #include "workflow/run_json.h"

@@ -9,6 +9,7 @@
 
 #include "data/files/json_text.h"
 #include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/input_error.h"
 
 namespace pendular {
@@ -83,7 +84,8 @@ Json to_json(const LadderStep& ladder_step) {
 }
 
 Ladder read_ladder(const std::filesystem::path& file) {
-    if (!std::filesystem::exists(file)) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) {
         return {};
     }
     try {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/study/study_table.h"
 
 namespace pendular {
@@ -52,7 +52,8 @@ void write_proposed(const std::filesystem::path& file, const ProposedEffects& pr
 }
 
 ProposedEffects read_proposed(const std::filesystem::path& file) {
-    if (!std::filesystem::exists(file)) return {};
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) return {};
     const StudyTable root = StudyTable::read(file, {"proposal", "effect"});
     ProposedEffects proposed{.proposals = {}, .effects = read_written_effects(root)};
     for (const StudyTable& table : root.tables("proposal", {"effects"})) {

@@ -68,7 +68,8 @@ Effects names_of(const std::vector<ListedEffect>& effects) {
 
 std::vector<Effects> rivals_in(const std::filesystem::path& file, const Study& study,
                                const std::string& effect) {
-    if (!std::filesystem::exists(file)) return {};
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) return {};
     try {
         return rivals_in_text(read_text(file), names_of(study.model.effects), effect);
     } catch (const std::exception&) {

@@ -97,7 +97,7 @@ ChangedStudy Session::drop(const std::string& effect, const FitOptions& fit,
 
 ChangedStudy Session::change(Action action, const std::string& effect, const FitOptions& fit,
                              bool same_fidelity) const {
-    if (read_text(study().file) != input_.text) {
+    if (read_text(study().file, largest_settings) != input_.text) {
         throw InputError({study().file.string()},
                          "has changed since it was read; nothing was written: give the same "
                          "command again, or open another session");

@@ -76,7 +76,7 @@ const char* word_for(Action change) {
 StudyChange plan_change(const ResolvedStudy& study, Action change, const std::string& effect,
                         const std::vector<WrittenEffect>& proposed) {
     const std::string file = study.study().file.string();
-    const std::string old_text = read_text(file);
+    const std::string old_text = read_text(file, largest_settings);
     if (change == Action::drop) {
         Study changed = study;
         std::erase_if(changed.model.effects,
@@ -128,7 +128,7 @@ nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& befo
 void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after,
                   Ladder& ladder, const std::filesystem::path& out) {
     const std::filesystem::path& file = change.study.study().file;
-    if (read_text(file) != change.old_text) {
+    if (read_text(file, largest_settings) != change.old_text) {
         throw InputError({file.string()},
                          "has changed while the fit was under way; nothing was written: give the "
                          "same command again");

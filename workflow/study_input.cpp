@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/recordings/measurements.h"
 #include "data/study/files.h"
@@ -46,6 +48,17 @@ bool would_replace(const fs::path& output, const fs::path& input) {
     return fs::equivalent(output, fs::canonical(input, error).parent_path(), error);
 }
 
+/// Checks that results go to no place that a link in the study names. A folder for results that the
+/// user named may be a link.
+/// @throws InputError where one of the outputs is a link that leads out of its folder
+void protect_other_folders(const Study& study, const OutputPlaces& outputs) {
+    if (outputs.folder.lexically_normal() == (study.folder / "out").lexically_normal())
+        refuse_link_out(outputs.folder);
+    for (const fs::path& output : outputs.files) {
+        refuse_link_out(outputs.folder / output);
+    }
+}
+
 }  // namespace
 
 void protect_inputs(const Study& study, const OutputPlaces& outputs) {
@@ -64,6 +77,15 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs) {
                 fmt::format("--json {}: that is the study's input {}; nothing was written: name "
                             "another file",
                             *outputs.json, input.string()));
+        }
+    }
+    protect_other_folders(study, outputs);
+    if (outputs.json && *outputs.json != "-") {
+        if (const auto pattern = pattern_that_reads(*outputs.json, study)) {
+            throw InputError(
+                fmt::format("--json {0}: 'file = \"{1}\"' of the study would read it as a "
+                            "measurement; nothing was written: name another file",
+                            *outputs.json, *pattern));
         }
     }
     for (const fs::path& output : outputs.files) {
@@ -91,7 +113,13 @@ StudyInput with_measurements(const Study& read) {
         }
     }
     Measurements measurements = read_measurements(study);
-    std::string text = read_text(study.file);
+    std::string text = read_text(study.file, largest_settings);
+    if (const auto outside = std::ranges::count_if(
+            inputs_of(study), [&](const fs::path& file) { return !is_within(file, study.folder); }))
+        measurements.notes.push_back(
+            fmt::format("{} of the files that were read are outside of the study's folder, as its "
+                        "'allow_outside' permits",
+                        outside));
     return {std::move(resolved), std::move(measurements), std::move(text)};
 }
 

@@ -7,7 +7,7 @@
 
 #include "bench/hidden_effects/foreign_world.h"
 #include "bench/hidden_effects/judgement.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/recordings/robust.h"
 
 namespace pendular::bench {

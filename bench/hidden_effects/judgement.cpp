@@ -8,7 +8,7 @@
 #include <set>
 
 #include "data/files/csv.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 
 namespace pendular::bench {
 

@@ -13,7 +13,7 @@
 #include "bench/hidden_effects/rig.h"
 #include "bench/hidden_effects/walk.h"
 #include "data/files/csv.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/quantities/number.h"
 #include "sim/runs/store/run_store.h"
 #include "sim/runs/store/run_table.h"

@@ -10,7 +10,7 @@
 #include <map>
 
 #include "bench/hidden_effects/judgement.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/recordings/robust.h"
 #include "reports/draw_figure.h"
 #include "reports/figure.h"

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "data/files/csv.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
 

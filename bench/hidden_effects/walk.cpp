@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/recordings/replicate_groups.h"
 #include "sim/lab/virtual_study.h"
 #include "sim/runs/seeds.h"

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "data/files/csv.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
@@ -23,9 +23,9 @@ EmulatorHyperparameters read_hyperparameters(const std::filesystem::path& file) 
         std::array<double, Hyperparameters::count> values{};
         for (std::size_t k = 0; k < Hyperparameters::count; ++k) {
             const auto number = parse_number(row.cells[k + 1].text);
-            if (!number || *number <= 0) {
+            if (!number || *number < smallest_magnitude || *number > largest_magnitude) {
                 throw InputError(table.at(row, k + 1),
-                                 fmt::format("'{}' is no positive number", row.cells[k + 1].text));
+                                 fmt::format("'{}' is no positive number of ordinary size", row.cells[k + 1].text));
             }
             values[k] = *number;
         }

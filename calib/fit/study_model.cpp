@@ -1,10 +1,12 @@
 #include "calib/fit/study_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "calib/fit/calibration.h"
+#include "data/input_error.h"
 
 namespace pendular {
 namespace {
@@ -14,6 +16,28 @@ std::shared_ptr<const EmulatedSimulation> simulation_of(const Study& study, cons
         c.cold ? c.fidelity.stiffness_number : emulated::reference_stiffness;
     return std::make_shared<EmulatedSimulation>(
         study, c.fidelity, Emulator(c.runs, c.hyperparameters, structure_stiffness));
+}
+
+/// Checks that a calibration, which may have been read from a file, has the parameters of a model,
+/// with values at most as far outside of the bounds as these are apart.
+/// @throws InputError if it has others
+void check_parameters(const Calibration& c, const EffectModel& model) {
+    const ParameterBounds bounds = model.bounds();
+    const bool same_names = std::ranges::equal(c.parameters, model.parameters(), {},
+                                               &Parameter::name, &Parameter::name);
+    const auto inside = [&](Eigen::Index k) {
+        const double width = bounds.upper(k) - bounds.lower(k);
+        return std::abs(c.fit.parameters(k) - (bounds.lower(k) + bounds.upper(k)) / 2) <=
+               1.5 * width;
+    };
+    bool all_inside = same_names;
+    for (Eigen::Index k = 0; all_inside && k < bounds.lower.size(); ++k)
+        all_inside = inside(k);
+    if (!all_inside)
+        throw InputError(
+            "fit.json has other parameters than the model of the study, or values that no fit "
+            "gives; "
+            "run 'pendular calibrate' again");
 }
 
 }  // namespace
@@ -29,7 +53,9 @@ StudyModel::StudyModel(const ResolvedStudy& study,
 }
 
 StudyModel::StudyModel(const ResolvedStudy& study, const Calibration& c)
-    : StudyModel(study, simulation_of(study, c)) {}
+    : StudyModel(study, simulation_of(study, c)) {
+    check_parameters(c, *model_);
+}
 
 ModelOfReadings StudyModel::at(const std::vector<Reading>& readings) const {
     return {model_, conditions_of(readings), direct()};

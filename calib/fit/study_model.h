@@ -20,6 +20,7 @@ class StudyModel {
     StudyModel(const ResolvedStudy& study, std::shared_ptr<const EmulatedSimulation> simulation);
     /// Assembles the model of a finished calibration again, with an emulator trained on the
     /// calibration's runs.
+    /// @throws InputError if the calibration, as read from a file, has other parameters than the model
     StudyModel(const ResolvedStudy& study, const Calibration& calibration);
 
     /// Model that predicts readings as the instrument shows them, with all effects of the study.

@@ -132,7 +132,14 @@ void Columns::refuse_missing(std::string_view wanted) const {
 
 double Columns::number(const Row& row, const Column& column) const {
     const std::string& text = row.cells[column.index].text;
-    if (const auto value = parse_number(text)) return column.factor * *value + column.offset;
+    if (const auto value = parse_number(text)) {
+        const double number = column.factor * *value + column.offset;
+        if (const auto why = beyond_measure(number))
+            throw InputError(table_.at(row, column.index),
+                             fmt::format("column '{}': \"{}\" {}",
+                                         table_.header.cells[column.index].text, text, *why));
+        return number;
+    }
     std::string wrong =
         fmt::format("\"{}\" is not a finite number; correct it or remove the line", text);
     if (text.empty()) wrong = "the cell is empty; fill it in or remove the line";
@@ -164,7 +171,7 @@ std::optional<double> Columns::deviation(const Row& row, std::string_view name) 
     const Column* const column = find(name, true);
     if (!column || row.cells[column->index].text.empty()) return std::nullopt;
     const double result = number(row, *column);
-    if (result <= 0)
+    if (result < smallest_magnitude)
         throw InputError(table_.at(row, column->index),
                          fmt::format("column '{}': a standard deviation must be positive; leave "
                                      "the cell empty where it is not known",

@@ -98,8 +98,15 @@ bool passed_over(std::string_view line) {
     return text.starts_with('#') || text.find_first_not_of(" \t,;") == std::string_view::npos;
 }
 
+constexpr std::size_t most_columns = 1000;
+
 void check_header(const Table& table) {
     const auto& cells = table.header.cells;
+    if (cells.size() > most_columns)
+        throw InputError(table.at_header(most_columns),
+                         fmt::format("{} columns, and at most {} are read; remove those that are "
+                                     "not needed",
+                                     cells.size(), most_columns));
     for (std::size_t i = 0; i < cells.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (cells[i].text.empty() || cells[i].text != cells[j].text) continue;

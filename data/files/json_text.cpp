@@ -11,7 +11,9 @@ namespace pendular {
 std::string json_text(const nlohmann::ordered_json& object, int indent) {
     nlohmann::ordered_json document = {{"format", json_format}};
     document.update(object);
-    return document.dump(indent) + '\n';
+    // Names of files may be other bytes than UTF-8, of which JSON consists.
+    return document.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+           '\n';
 }
 
 void check_json_format(const nlohmann::ordered_json& object, const std::filesystem::path& file,

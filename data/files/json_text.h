@@ -12,7 +12,7 @@ namespace pendular {
 constexpr int json_format = 1;
 
 /// JSON text of an object for a file, with the key "format" before the object's keys. A number that
-/// is not finite is written as null.
+/// is not finite is written as null, bytes that are not UTF-8 as U+FFFD.
 std::string json_text(const nlohmann::ordered_json& object, int indent = 2);
 
 /// Checks that this version of the program can read a JSON file. Files without a key "format" are

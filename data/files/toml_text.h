@@ -13,7 +13,7 @@ namespace pendular {
 Position position_in(const std::string& file, const toml::source_position& where);
 
 /// Parses a text in TOML; `file` is the name of the text's file in error messages.
-/// @throws InputError at the position of a syntax error
+/// @throws InputError at the position of a syntax error, and for a key of more than 16 parts
 toml::table parse_toml(const std::string& file, const std::string& text);
 
 }  // namespace pendular

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "data/files/csv.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/quantities/quantity.h"
 
 namespace pendular {

@@ -26,6 +26,12 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
+std::optional<std::string> beyond_measure(double number) {
+    if (std::abs(number) <= largest_magnitude) return std::nullopt;
+    return fmt::format("is {:.3g} in SI units, more than any measurement ({:g}); correct it",
+                       number, largest_magnitude);
+}
+
 bool has_decimal_comma(std::string_view text) {
     if (std::count(text.begin(), text.end(), ',') != 1) return false;
     std::string with_point(text);

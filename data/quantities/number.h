@@ -13,6 +13,17 @@ std::string_view trimmed(std::string_view text);
 /// number. The decimal sign is '.' in every locale.
 std::optional<double> parse_number(std::string_view text);
 
+/// Largest magnitude in SI units of a quantity that a study may state. Values beyond it are
+/// mistakes, and their powers overflow in a fit.
+constexpr double largest_magnitude = 1e15;
+/// Smallest magnitude in SI units of a quantity that must not be 0, a standard deviation for
+/// example.
+constexpr double smallest_magnitude = 1e-15;
+
+/// Reason why a number in SI units can be no measurement: it is not finite, or its magnitude
+/// exceeds `largest_magnitude`; empty if it can be one.
+std::optional<std::string> beyond_measure(double number);
+
 /// Text of a number with three significant digits; an exponent is used only below 0.0001 and from a
 /// million on: "1000", "0.0123", "2e+07".
 std::string short_text(double number);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,6 +17,9 @@
 
 namespace pendular {
 namespace {
+
+constexpr double smallest_factor =
+    1e-30;  ///< least ratio of a unit to the SI unit, and its inverse
 
 /// Mutex to hold in every call of UDUNITS, which has global state.
 std::mutex& udunits_mutex() {
@@ -184,6 +188,9 @@ Unit::Unit(std::string_view spelling) : spelling_(trimmed(spelling)) {
     dimension_ = parts.dimension;
     offset_ = cv_convert_double(converter.get(), 0);
     factor_ = cv_convert_double(converter.get(), 1) - offset_;
+    if (!(std::abs(factor_) >= smallest_factor && std::abs(factor_) <= 1 / smallest_factor) ||
+        !std::isfinite(offset_))
+        throw not_a_unit(spelling_);
 }
 
 namespace {

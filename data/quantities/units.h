@@ -38,8 +38,8 @@ class Unit {
 ///     'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
-/// SI unit with the dimension of a unit, "1" if dimensionless, in its common spelling, or else in the
-/// unit's own without prefixes: "N m" for "mNm", "Pa" for "kPa", "N m s/rad" for "mN m s/rad".
+/// SI unit with the dimension of a unit, "1" if dimensionless, in its common spelling, or else in
+/// the unit's own without prefixes: "N m" for "mNm", "Pa" for "kPa", "N m s/rad" for "mN m s/rad".
 std::string si_spelling(const Unit& unit);
 
 /// Value in SI units of a text such as "500 um". The unit may be left out if the expected unit is

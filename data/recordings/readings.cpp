@@ -10,6 +10,7 @@
 #include "data/files/columns.h"
 #include "data/files/header_cell.h"
 #include "data/quantities/nearest.h"
+#include "data/quantities/number.h"
 
 namespace pendular {
 namespace {
@@ -62,7 +63,7 @@ void refuse_misspelt(const Table& table, const Columns& columns) {
 
 double positive(const Points& points, const Row& row, std::string_view name) {
     const double value = points.columns.value(row, name);
-    if (value <= 0)
+    if (value < smallest_magnitude)
         throw InputError(points.columns.at(row, name),
                          fmt::format("{} must be positive", quantity(name).meaning));
     return value;

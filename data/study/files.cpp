@@ -1,9 +1,14 @@
 #include "data/study/files.h"
 
+#include <dirent.h>
 #include <fnmatch.h>
 #include <glob.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <stdexcept>
 
 namespace pendular {
 namespace {
@@ -23,20 +28,45 @@ std::string whole_pattern(const std::filesystem::path& folder, const std::string
     return absolute ? pattern : escaped(folder.string()) + "/" + pattern;
 }
 
+constexpr int most_folders = 10'000;  ///< largest number of folders that a pattern may open
+thread_local int folders_left = 0;    ///< folders that the present search may still open
+
+/// Opens a folder for the search of glob(3); fails once the search has opened too many.
+void* open_folder(const char* name) {
+    if (folders_left-- > 0) return opendir(name);
+    errno = EMFILE;
+    return nullptr;
+}
+
+/// Files, folders and links that match a pattern.
+/// @throws std::invalid_argument for a pattern that opens too many folders
+std::vector<std::filesystem::path> search(const std::string& pattern) {
+    glob_t matches = {};
+    matches.gl_opendir = open_folder;
+    matches.gl_readdir = [](void* folder) { return readdir(static_cast<DIR*>(folder)); };
+    matches.gl_closedir = [](void* folder) { closedir(static_cast<DIR*>(folder)); };
+    matches.gl_stat = stat;
+    matches.gl_lstat = lstat;
+    folders_left = most_folders;
+    const bool found = glob(pattern.c_str(), GLOB_ALTDIRFUNC, nullptr, &matches) == 0;
+    std::vector<std::filesystem::path> result;
+    if (found) result.assign(matches.gl_pathv, matches.gl_pathv + matches.gl_pathc);
+    globfree(&matches);
+    if (folders_left < 0)
+        throw std::invalid_argument("the pattern matches too many folders; name them");
+    return result;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& folder,
                                                   const std::string& pattern) {
     const std::string whole = whole_pattern(folder, pattern);
     std::vector<std::filesystem::path> result;
-    glob_t matches = {};
-    if (glob(whole.c_str(), 0, nullptr, &matches) == 0) {
-        for (std::size_t i = 0; i < matches.gl_pathc; ++i) {
-            const std::filesystem::path path(matches.gl_pathv[i]);
-            if (std::filesystem::is_regular_file(path)) result.push_back(path.lexically_normal());
-        }
-    }
-    globfree(&matches);
+    std::error_code error;  // of a link to itself, for example
+    for (const std::filesystem::path& path : search(whole))
+        if (std::filesystem::is_regular_file(path, error))
+            result.push_back(path.lexically_normal());
     std::sort(result.begin(), result.end());
     return result;
 }

@@ -8,6 +8,7 @@ namespace pendular {
 
 /// Existing files whose path matches a pattern with '*', '?' and '[...]', sorted by path. The
 /// pattern is relative to the folder unless it is an absolute path.
+/// @throws std::invalid_argument for a pattern that opens more than 10,000 folders
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& folder,
                                                   const std::string& pattern);
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
-#include "data/files/text_file.h"
+#include "data/files/file_bytes.h"
 #include "data/study/files.h"
 #include "data/study/study_table.h"
 
@@ -15,7 +16,7 @@ namespace {
 using Keys = std::vector<std::string>;
 
 const Keys top_keys = {"grains", "liquid", "cell", "recording", "readings", "model",
-                       "effect", "direct", "rig",  "import",    "scatter"};
+                       "effect", "direct", "rig",  "import",    "scatter",  "allow_outside"};
 const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_ratio"};
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
 const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
@@ -34,10 +35,11 @@ constexpr double right_angle = 1.5707963267948966;
 /// Path of study.toml, from the path of this file or of its folder.
 /// @throws InputError if the file does not exist
 std::filesystem::path study_file(const std::filesystem::path& study) {
-    if (!std::filesystem::exists(study))
+    std::error_code error;  // of a link to itself, for example
+    if (!std::filesystem::exists(study, error))
         throw InputError({study.string()}, "is not there; name a study folder or its study.toml");
-    if (!std::filesystem::is_directory(study)) return study;
-    if (!std::filesystem::exists(study / "study.toml"))
+    if (!std::filesystem::is_directory(study, error)) return study;
+    if (!std::filesystem::exists(study / "study.toml", error))
         throw InputError({study.string()}, "has no study.toml; name a folder that has one");
     return study / "study.toml";
 }
@@ -100,7 +102,38 @@ std::optional<AnnularCell> read_cell(const StudyTable& root, const GrainProperti
     return cell;
 }
 
-Source read_source(const StudyTable& table, Source::Kind kind, const Study& study) {
+/// Files of an entry, which are in the study's folder unless `allow_outside`.
+/// @throws InputError if no file matches, or one is elsewhere
+std::vector<std::filesystem::path> files_of(const StudyTable& table, const std::string& pattern,
+                                            const Study& study, bool allow_outside) {
+    const auto refuse_outside = [&](const std::string& path) {
+        if (allow_outside) return;
+        table.refuse("file",
+                     fmt::format("{} is outside of the study's folder; write allow_outside "
+                                 "= true above the first table of study.toml if it is to be "
+                                 "read, or copy it to the study",
+                                 path));
+    };
+    // Before the search, which would open folders of the whole disk.
+    const std::filesystem::path normal = std::filesystem::path(pattern).lexically_normal();
+    if (normal.is_absolute() || (!normal.empty() && *normal.begin() == ".."))
+        refuse_outside(fmt::format("\"{}\"", pattern));
+    std::vector<std::filesystem::path> files;
+    try {
+        files = matching_files(study.folder, pattern);
+    } catch (const std::invalid_argument& error) {
+        table.refuse("file", error.what());
+    }
+    if (files.empty())
+        table.refuse("file",
+                     fmt::format("no file matches \"{}\" in {}", pattern, study.folder.string()));
+    for (const std::filesystem::path& file : files)
+        if (!is_within(file, study.folder)) refuse_outside(file.string());
+    return files;
+}
+
+Source read_source(const StudyTable& table, Source::Kind kind, const Study& study,
+                   bool allow_outside) {
     Source source{.kind = kind,
                   .pattern = {},
                   .files = {},
@@ -110,10 +143,7 @@ Source read_source(const StudyTable& table, Source::Kind kind, const Study& stud
     const auto pattern = table.text("file");
     if (!pattern) throw InputError(table.position(), "lacks 'file'; add file = \"....csv\"");
     source.pattern = *pattern;
-    source.files = matching_files(study.folder, source.pattern);
-    if (source.files.empty())
-        table.refuse("file",
-                     fmt::format("no file matches \"{}\" in {}", *pattern, study.folder.string()));
+    source.files = files_of(table, source.pattern, study, allow_outside);
     source.liquid_content = table.quantity("liquid_content", "1");
     if (source.liquid_content.value_or(0) < 0)
         table.refuse("liquid_content", "must not be negative");
@@ -156,12 +186,13 @@ void check_overlap(const std::vector<Source>& sources) {
 
 std::vector<Source> read_sources(const StudyTable& root, const Study& study) {
     std::vector<Source> sources;
+    const bool allow_outside = root.flag("allow_outside").value_or(false);
     for (const StudyTable& table : root.tables("recording", source_keys)) {
-        sources.push_back(read_source(table, Source::Kind::recording, study));
+        sources.push_back(read_source(table, Source::Kind::recording, study, allow_outside));
         check_recording(sources.back(), study);
     }
     for (const StudyTable& table : root.tables("readings", source_keys))
-        sources.push_back(read_source(table, Source::Kind::readings, study));
+        sources.push_back(read_source(table, Source::Kind::readings, study, allow_outside));
     if (sources.empty())
         throw InputError(root.position(),
                          "nothing was measured; add a [[recording]] or [[readings]] with its file");

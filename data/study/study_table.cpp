@@ -10,6 +10,7 @@
 #include "data/files/text_file.h"
 #include "data/files/toml_text.h"
 #include "data/quantities/nearest.h"
+#include "data/quantities/number.h"
 #include "data/quantities/units.h"
 
 namespace pendular {
@@ -37,7 +38,8 @@ StudyTable StudyTable::parse(const std::string& file, const std::string& text,
 
 StudyTable StudyTable::read(const std::filesystem::path& file,
                             const std::vector<std::string>& keys) {
-    return parse(file.string(), fmt::format("{}\n", fmt::join(read_lines(file), "\n")), keys);
+    return parse(file.string(),
+                 fmt::format("{}\n", fmt::join(read_lines(file, largest_settings), "\n")), keys);
 }
 
 StudyTable::StudyTable(std::shared_ptr<const toml::table> root, const toml::table& table,
@@ -95,7 +97,7 @@ std::vector<StudyTable> StudyTable::tables(std::string_view key,
 
 double StudyTable::finite_number(std::string_view key, const toml::node& node) const {
     const double value = *node.value<double>();
-    if (!std::isfinite(value)) refuse(key, "must be finite");
+    if (const auto why = beyond_measure(value)) refuse(key, *why);
     return value;
 }
 
@@ -105,7 +107,9 @@ double StudyTable::quantity_from_text(std::string_view key, const toml::node& no
         refuse(key, fmt::format("must be a quantity; write a string like \"1 {}\"",
                                 expected.spelling()));
     try {
-        return quantity_in_si(*node.value<std::string>(), expected);
+        const double value = quantity_in_si(*node.value<std::string>(), expected);
+        if (const auto why = beyond_measure(value)) throw std::invalid_argument(*why);
+        return value;
     } catch (const std::invalid_argument& error) {
         refuse(key, error.what());
     }
@@ -155,7 +159,8 @@ double StudyTable::required_quantity(std::string_view key, std::string_view unit
 
 double StudyTable::positive_quantity(std::string_view key, std::string_view unit) const {
     const double value = required_quantity(key, unit);
-    if (value <= 0) refuse(key, "must be positive");
+    if (value < smallest_magnitude)
+        refuse(key, value <= 0 ? "must be positive" : "is too small; correct it");
     return value;
 }
 
@@ -163,7 +168,7 @@ std::vector<double> StudyTable::numbers(std::string_view key) const {
     std::vector<double> result;
     const auto take = [&](const toml::node& node) {
         const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-        if (!value || !std::isfinite(*value)) {
+        if (!value || beyond_measure(*value)) {
             throw InputError(position_of(node), fmt::format("'{}': must be a finite number", key));
         }
         result.push_back(*value);

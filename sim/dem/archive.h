@@ -3,8 +3,12 @@
 #include <cereal/archives/binary.hpp>
 #include <cereal/types/array.hpp>
 #include <cereal/types/vector.hpp>
+#include <cstring>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "sim/dem/vector.h"
 
@@ -17,6 +21,69 @@ void save(Archive& archive, const Vector& v) {
 template <typename Archive>
 void load(Archive& archive, Vector& v) {
     archive(cereal::binary_data(&v, sizeof v));
+}
+
+/// Reads what `cereal::BinaryOutputArchive` wrote, as `cereal::BinaryInputArchive` does, and takes
+/// no number of elements at its word: a number that the bytes cannot hold is an error, and not a
+/// request for memory.
+class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyClassElision> {
+  public:
+    explicit ByteReader(std::string_view bytes) : InputArchive(this), bytes_(bytes) {}
+
+    std::size_t left() const { return bytes_.size(); }
+    void demand(std::size_t count) const {
+        if (count > left()) throw cereal::Exception("the bytes are too few");
+    }
+    void take(void* to, std::size_t count) {
+        demand(count);
+        if (count > 0) std::memcpy(to, bytes_.data(), count);
+        bytes_.remove_prefix(count);
+    }
+
+  private:
+    std::string_view bytes_;  ///< bytes that were not read yet
+};
+
+template <typename Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>
+void load(ByteReader& reader, Number& number) {
+    if constexpr (std::is_same_v<Number, bool>) {
+        std::uint8_t byte = 0;
+        reader.take(&byte, sizeof byte);
+        number = byte != 0;  // other bytes than 0 and 1 are no truth value
+    } else {
+        reader.take(&number, sizeof number);
+    }
+}
+template <typename T>
+void load(ByteReader& reader, cereal::BinaryData<T>& data) {
+    reader.take(data.data, data.size);
+}
+template <typename T>
+void load(ByteReader& reader, cereal::NameValuePair<T>& pair) {
+    reader(pair.value);
+}
+template <typename T>
+void load(ByteReader& reader, cereal::SizeTag<T>& tag) {
+    reader(tag.size);
+    reader.demand(tag.size);  // an element has a byte at least
+}
+template <typename T, typename Allocator>
+void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
+    cereal::size_type size = 0;
+    reader(cereal::make_size_tag(size));
+    elements.clear();
+    if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+        if (size > reader.left() / sizeof(T)) throw cereal::Exception("the bytes are too few");
+        elements.resize(size);
+        reader.take(elements.data(), size * sizeof(T));
+    } else {
+        // One after the other, so that an element that is longer than its bytes takes no memory.
+        for (; size > 0; --size) {
+            T element{};
+            reader(element);
+            elements.push_back(std::move(element));
+        }
+    }
 }
 
 /// Returns the bytes of a state that has a `serialize` member. Only a program of the same memory
@@ -32,15 +99,20 @@ std::string archived(const State& state) {
 /// Reads a state from the bytes that `archived` returned.
 /// @return false where the bytes are too few or too many for this state
 template <typename State>
-bool restore(const std::string& bits, State& state) {
-    std::istringstream stream(bits, std::ios::binary);
-    cereal::BinaryInputArchive archive(stream);
+bool restore(std::string_view bytes, State& state) {
+    ByteReader reader(bytes);
     try {
-        archive(state);
+        reader(state);
     } catch (const cereal::Exception&) {
         return false;
     }
-    return stream.peek() == std::istringstream::traits_type::eof();
+    return reader.left() == 0;
 }
 
 }  // namespace pendular::dem
+
+/// What a `ByteReader` reads was written by this archive, as cereal wants to know.
+template <>
+struct cereal::traits::detail::get_output_from_input<pendular::dem::ByteReader> {
+    using type = cereal::BinaryOutputArchive;
+};

@@ -1,19 +1,17 @@
 #include "sim/dem/checkpoint.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
+#include <array>
 #include <boost/crc.hpp>
-#include <cerrno>
-#include <cstring>
+#include <charconv>
 #include <fstream>
-#include <iterator>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
-#include "data/files/text_file.h"
+#include "data/files/file_bytes.h"
+#include "data/files/write_whole.h"
 #include "data/input_error.h"
 
 namespace pendular::dem {
@@ -30,6 +28,25 @@ std::uint64_t checksum(std::string_view bytes) {
 
 std::string seal(std::string_view content) {
     return fmt::format("checksum {:016x} of {} bytes", checksum(content), content.size());
+}
+
+/// First two lines of a checkpoint file: its format and its seal; empty where a line is longer than
+/// any of them.
+std::pair<std::string, std::string> first_lines(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::array<char, 200> first{}, second{};
+    stream.getline(first.data(), first.size());
+    stream.getline(second.data(), second.size());
+    return {first.data(), second.data()};
+}
+
+/// Number of bytes that a seal states; 0 where it states none.
+std::uintmax_t sealed_size(const std::string& sealed) {
+    const auto at = sealed.find(" of ");
+    std::uintmax_t size = 0;
+    if (at != std::string::npos)
+        std::from_chars(sealed.data() + at + 4, sealed.data() + sealed.size(), size);
+    return size;
 }
 
 /// Value of the line "name = value" for this name; empty where there is no such line.
@@ -57,17 +74,11 @@ std::string difference(const std::string& run, const std::string& saved) {
     return "other parameters";
 }
 
-bool same_file(int descriptor, const std::filesystem::path& path) {
-    struct stat open = {}, named = {};
-    return fstat(descriptor, &open) == 0 && stat(path.c_str(), &named) == 0 &&
-           open.st_ino == named.st_ino && open.st_dev == named.st_dev;
-}
-
 }  // namespace
 
 Checkpoint::Checkpoint(const std::filesystem::path& file, std::chrono::duration<double> every)
     : file_(std::filesystem::weakly_canonical(std::filesystem::absolute(file))),
-      lock_file_(fmt::format("{}.lock", file_.string())),
+      lock_(fmt::format("{}.lock", file_.string())),
       every_(every) {
     std::error_code error;
     if (std::filesystem::exists(file_, error) && !std::filesystem::is_regular_file(file_, error)) {
@@ -79,31 +90,18 @@ Checkpoint::Checkpoint(const std::filesystem::path& file, std::chrono::duration<
 
 void Checkpoint::lock() {
     const auto give_up = [&](const std::string& why) {
-        close(lock_);
         throw InputError(fmt::format("checkpoint {}: {}", file_.string(), why));
     };
-    do {
-        if (lock_ >= 0) {
-            close(lock_);
-        }
-        lock_ = open(lock_file_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
-        if (lock_ < 0) {
-            give_up(fmt::format("its folder cannot be written: {}", std::strerror(errno)));
-        }
-        if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-            give_up(errno == EWOULDBLOCK
-                        ? std::string("another process is using it; wait for it to end or name "
-                                      "another file")
-                        : fmt::format("cannot be locked: {}", std::strerror(errno)));
-        }
-        // A process that held the lock before may have deleted the lock file in the meantime.
-    } while (!same_file(lock_, lock_file_));
-}
-
-Checkpoint::~Checkpoint() {
-    std::error_code ignored;
-    std::filesystem::remove(lock_file_, ignored);
-    close(lock_);
+    bool taken = false;
+    try {
+        taken = lock_.take();
+    } catch (const std::runtime_error& error) {
+        give_up(error.what());
+    }
+    if (!taken) {
+        give_up(
+            fmt::format("{} is using it; wait for it to end or name another file", lock_.holder()));
+    }
 }
 
 std::optional<std::string> Checkpoint::read(const std::string& run) const {
@@ -115,11 +113,7 @@ std::optional<std::string> Checkpoint::read(const std::string& run) const {
             fmt::format("checkpoint {} {}; remove it to start anew, or name another file",
                         file_.string(), why));
     };
-    std::ifstream stream(file_, std::ios::binary);
-    std::string first, sealed;
-    std::getline(stream, first);
-    std::getline(stream, sealed);
-    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    const auto [first, sealed] = first_lines(file_);
     if (!first.starts_with(signature)) {
         refuse("is no checkpoint of pendular");
     }
@@ -127,6 +121,11 @@ std::optional<std::string> Checkpoint::read(const std::string& run) const {
         refuse(fmt::format("was written by another version of pendular, in format {}, not {}",
                            first.substr(signature.size()), format));
     }
+    const std::uintmax_t before = first.size() + sealed.size() + 2;
+    if (std::filesystem::file_size(file_) != before + sealed_size(sealed)) {
+        refuse("is truncated or corrupt");
+    }
+    const std::string content = read_bytes(file_, std::filesystem::file_size(file_)).substr(before);
     const auto text_end = content.find("\n\n");
     if (sealed != seal(content) || text_end == std::string::npos) {
         refuse("is truncated or corrupt");

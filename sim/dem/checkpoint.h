@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "data/files/file_lock.h"
+
 namespace pendular::dem {
 
 /// Checkpoint file of a run, from which a later process resumes the run. `write` replaces the file
@@ -21,7 +23,6 @@ class Checkpoint {
     /// where its folder cannot be written
     explicit Checkpoint(const std::filesystem::path& file,
                         std::chrono::duration<double> every = std::chrono::minutes(10));
-    ~Checkpoint();
     Checkpoint(const Checkpoint&) = delete;
     Checkpoint& operator=(const Checkpoint&) = delete;
 
@@ -48,10 +49,10 @@ class Checkpoint {
   private:
     void lock();
 
-    std::filesystem::path file_, lock_file_;
+    std::filesystem::path file_;
+    FileLock lock_;
     std::chrono::duration<double> every_;
     std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
-    int lock_ = -1;
 };
 
 }  // namespace pendular::dem

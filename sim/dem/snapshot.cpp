@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "sim/dem/separations.h"
 #include "sim/dem/series.h"
 
@@ -257,8 +257,10 @@ void Snapshots::resume(std::uint64_t step, double strain) {
 }
 
 void Snapshots::write(const Snapshot& snapshot) {
-    write_whole(folder_ / fmt::format("vtk/beads_{:05}.vtp", next_), grains_vtp(snapshot));
-    write_whole(folder_ / fmt::format("vtk/pairs_{:05}.vtp", next_), pairs_vtp(snapshot));
+    write_whole(folder_ / fmt::format("vtk/beads_{:05}.vtp", next_), grains_vtp(snapshot),
+                Kept::by_system);
+    write_whole(folder_ / fmt::format("vtk/pairs_{:05}.vtp", next_), pairs_vtp(snapshot),
+                Kept::by_system);
     append(dump_frame(snapshot));
     frames_.push_back({next_, snapshot.strain});
     write_collection();
@@ -290,7 +292,7 @@ void Snapshots::write_collection() const {
                 frame.strain, part, name, frame.number);
         }
     }
-    write_whole(folder_ / "snapshots.pvd", text + "</Collection>\n</VTKFile>\n");
+    write_whole(folder_ / "snapshots.pvd", text + "</Collection>\n</VTKFile>\n", Kept::by_system);
 }
 
 }  // namespace pendular::dem

@@ -122,7 +122,7 @@ TEST(Simulate, RefusesACheckpointThatAnotherProcessUses) {
                     .c_str());
     const Outcome second = run_pendular(words);
     EXPECT_EQ(second.code, 2);
-    EXPECT_THAT(second.errors, HasSubstr("another process"));
+    EXPECT_THAT(second.errors, HasSubstr("is using it"));
     std::system(("kill -INT $(cat " + pid.string() + ")").c_str());
     while (!fs::exists(checkpoint) || fs::exists(folder.path() / "run.lock")) {
         std::system("sleep 0.1");  // until the first has put its run down

@@ -12,7 +12,7 @@
 #include <set>
 
 #include "calib/model/run_planner.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "reports/truth.h"
 #include "sim/lab/liquid_volume.h"
 #include "sim/runs/seeds.h"

@@ -1,6 +1,7 @@
 #include "data/files/csv.h"
 
 #include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "tests/support/data_support.h"
 
 namespace pendular::data_csv_test {

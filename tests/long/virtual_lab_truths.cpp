@@ -11,7 +11,7 @@
 #include "analysis/misfit/compare.h"
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/recordings/measurements.h"
 #include "sim/lab/virtual_lab.h"
 #include "sim/lab/virtual_study.h"

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 #include "data/formula_variant.h"
 #include "sim/dem/grain_effects.h"
@@ -19,7 +22,38 @@ double real(const RunCell& cell) {
     if (const auto* whole = std::get_if<std::int64_t>(&cell)) {
         return static_cast<double>(*whole);
     }
-    return std::get<double>(cell);
+    if (const auto* number = std::get_if<double>(&cell)) {
+        return *number;
+    }
+    throw std::invalid_argument("holds a text where a number is needed");
+}
+
+/// Whole number of a cell, for a number of type `Number`.
+/// @throws std::invalid_argument where the cell holds something else, or more than fits the type
+template <typename Number>
+Number whole(const RunCell& cell) {
+    const auto* number = std::get_if<std::int64_t>(&cell);
+    if (!number) {
+        throw std::invalid_argument("holds something else than the whole number that is needed");
+    }
+    if constexpr (std::is_same_v<Number, bool>) {
+        return *number != 0;
+    } else {
+        // A seed is kept as the signed number of the same bits.
+        if (sizeof(Number) < sizeof *number && !std::in_range<Number>(*number)) {
+            throw std::invalid_argument(fmt::format("{} is out of range", *number));
+        }
+        return static_cast<Number>(*number);
+    }
+}
+
+/// @throws std::invalid_argument where the cell holds a number
+const std::string& text_of(const RunCell& cell) {
+    const auto* text = std::get_if<std::string>(&cell);
+    if (!text) {
+        throw std::invalid_argument("holds a number where a text is needed");
+    }
+    return *text;
 }
 
 bool empty(const RunCell& cell) {
@@ -48,9 +82,7 @@ class Columns {
                 [at](const RunResult& r) {
                     return RunCell(static_cast<std::int64_t>(at(const_cast<RunResult&>(r))));
                 },
-                [at](RunResult& r, const RunCell& cell) {
-                    at(r) = static_cast<Number>(std::get<std::int64_t>(cell));
-                });
+                [at](RunResult& r, const RunCell& cell) { at(r) = whole<Number>(cell); });
         }
     }
     /// Adds a column of the liquid bridges; empty for a dry run.
@@ -107,8 +139,7 @@ void add_parameters(Columns& columns) {
         },
         [](RunResult& r, const RunCell& cell) {
             if (!empty(cell)) {
-                Columns::wetting_of(r).bridge_force =
-                    formula_variant_named(std::get<std::string>(cell));
+                Columns::wetting_of(r).bridge_force = formula_variant_named(text_of(cell));
             }
         });
     columns.number(
@@ -136,7 +167,7 @@ void add_parameters(Columns& columns) {
         },
         [](RunResult& r, const RunCell& cell) {
             if (!empty(cell)) {
-                r.parameters.effects = effects_from(std::get<std::string>(cell));
+                r.parameters.effects = effects_from(text_of(cell));
             }
         });
     columns.add(
@@ -147,7 +178,7 @@ void add_parameters(Columns& columns) {
         },
         [](RunResult& r, const RunCell& cell) {
             if (!empty(cell)) {
-                set_precision(r.parameters, std::get<std::string>(cell));
+                set_precision(r.parameters, text_of(cell));
             }
         });
 }
@@ -158,7 +189,7 @@ void add_outcome(Columns& columns) {
         [](const RunResult& r) { return r.failure.empty() ? RunCell() : RunCell(r.failure); },
         [](RunResult& r, const RunCell& cell) {
             if (!empty(cell)) {
-                r.failure = std::get<std::string>(cell);
+                r.failure = text_of(cell);
             }
         });
     columns.number(

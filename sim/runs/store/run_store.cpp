@@ -15,44 +15,18 @@
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/blob.h"
 #include "sim/runs/store/run_columns.h"
+#include "sim/runs/store/store_file.h"
 
 namespace pendular {
 namespace {
 
-/// Application id "pend" in the header of an SQLite file, which marks it as a store.
-constexpr int application_id = 0x70656e64;
-constexpr int patience_ms = 120'000;  ///< longest wait for other processes to finish writing [ms]
+constexpr int most_text = 100'000;  ///< largest size of a text of a run [bytes]
+/// Largest text or blob that a condition on runs may make [bytes].
+constexpr int most_in_condition = 10'000'000;
 
 std::string key_of(const dem::RunResult& run, int version) {
     return fmt::format("{}physics version = {}\n", run_description(run.parameters, run.threads),
                        version);
-}
-
-/// Throws the error for a user that an error of SQLite means: InputError where the file
-/// cannot be opened or is not a valid store, else std::runtime_error.
-[[noreturn]] void explain(const std::filesystem::path& file, const SQLite::Exception& error) {
-    const std::string name = fmt::format("store {}", file.string());
-    switch (error.getErrorCode()) {
-        case SQLITE_NOTADB:
-            throw InputError(fmt::format("{} is no store of runs; name another file", name));
-        case SQLITE_CORRUPT:
-            throw InputError(
-                fmt::format("{} is corrupt ({}); 'sqlite3 FILE .recover' may save its runs, or "
-                            "name another file",
-                            name, error.what()));
-        case SQLITE_CANTOPEN:
-            throw InputError(fmt::format("{} cannot be opened: {}", name, error.what()));
-        case SQLITE_FULL:
-            throw std::runtime_error(
-                fmt::format("{}: the disk is full; the runs it holds are safe, free some space and "
-                            "start the same command again",
-                            name));
-        default:
-            throw std::runtime_error(fmt::format(
-                "{}: {}; the runs it holds are safe, start the same command again once that is "
-                "put right",
-                name, error.what()));
-    }
 }
 
 template <typename Work>
@@ -62,61 +36,6 @@ auto explained(const std::filesystem::path& file, const Work& work) {
     } catch (const SQLite::Exception& error) {
         explain(file, error);
     }
-}
-
-std::string sql_type(RunColumn::Type type) {
-    return type == RunColumn::Type::integer ? "INTEGER"
-           : type == RunColumn::Type::real  ? "REAL"
-                                            : "TEXT";
-}
-
-int pragma(SQLite::Database& database, const std::string& name) {
-    return database.execAndGet("PRAGMA " + name).getInt();
-}
-
-std::vector<const RunColumn*> missing_columns(SQLite::Database& database) {
-    std::vector<std::string> there;
-    SQLite::Statement columns(database, "SELECT name FROM pragma_table_info('runs')");
-    while (columns.executeStep()) {
-        there.push_back(columns.getColumn(0).getString());
-    }
-    std::vector<const RunColumn*> missing;
-    for (const RunColumn& column : run_columns()) {
-        if (std::ranges::find(there, column.name) == there.end()) {
-            missing.push_back(&column);
-        }
-    }
-    return missing;
-}
-
-/// Creates the table of runs, or adds the columns that the file lacks. Another process may be doing
-/// the same, so that the file is inspected only after this process has locked it for writing.
-void make_table(SQLite::Database& database, const std::string& name) {
-    SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    const int id = pragma(database, "application_id"), version = pragma(database, "user_version");
-    const bool fresh = id == 0 && version == 0 &&
-                       database.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
-    if (!fresh && id != application_id) {
-        throw InputError(
-            fmt::format("{} is a database of another program; name another file", name));
-    }
-    if (version > RunStore::format) {
-        throw InputError(fmt::format(
-            "{} was written by a newer version of pendular (format {}, this one knows {}); update "
-            "pendular or name another file",
-            name, version, RunStore::format));
-    }
-    database.exec(
-        "CREATE TABLE IF NOT EXISTS runs (id INTEGER PRIMARY KEY AUTOINCREMENT, key TEXT NOT NULL "
-        "UNIQUE, physics_version INTEGER NOT NULL, added TEXT NOT NULL DEFAULT CURRENT_TIMESTAMP, "
-        "trace BLOB, final_state BLOB)");
-    for (const RunColumn* column : missing_columns(database)) {
-        database.exec(
-            fmt::format("ALTER TABLE runs ADD COLUMN {} {}", column->name, sql_type(column->type)));
-    }
-    database.exec(fmt::format("PRAGMA application_id = {}", application_id));
-    database.exec(fmt::format("PRAGMA user_version = {}", RunStore::format));
-    transaction.commit();
 }
 
 std::string column_list() {
@@ -144,20 +63,54 @@ RunCell cell_of(const SQLite::Column& column) {
     if (column.isFloat()) {
         return column.getDouble();
     }
+    if (column.size() > most_text) {
+        throw std::invalid_argument(fmt::format("holds {} bytes", column.size()));
+    }
     return column.isText() ? RunCell(column.getString()) : RunCell();
 }
 
+[[noreturn]] void refuse_run(const std::filesystem::path& file, std::int64_t id,
+                             const std::string& why) {
+    throw InputError(
+        fmt::format("store {}: run {} is corrupt: {}; to remove it: pendular runs prune "
+                    "--where \"id = {}\" --yes",
+                    file.string(), id, why, id));
+}
+
 /// Returns the run of a row of "id, physics_version, columns...".
-StoredRun run_of(SQLite::Statement& row) {
+/// @throws InputError where a cell holds what no run has
+StoredRun run_of(SQLite::Statement& row, const std::filesystem::path& file) {
     StoredRun stored{row.getColumn(0).getInt64(), row.getColumn(1).getInt(), {}};
     int at = 2;
     for (const RunColumn& column : run_columns()) {
-        const RunCell cell = cell_of(row.getColumn(at++));
-        if (!std::holds_alternative<std::monostate>(cell)) {
-            column.set(stored.run, cell);
+        try {
+            const RunCell cell = cell_of(row.getColumn(at++));
+            if (!std::holds_alternative<std::monostate>(cell)) {
+                column.set(stored.run, cell);
+            }
+        } catch (const std::invalid_argument& error) {
+            refuse_run(file, stored.id, fmt::format("column '{}' {}", column.name, error.what()));
         }
     }
+    try {
+        check_run(stored.run.parameters);
+    } catch (const std::invalid_argument& error) {
+        refuse_run(file, stored.id, error.what());
+    }
     return stored;
+}
+
+/// Whether a state can be that of a run: as many grains as the run has, or none, and finite
+/// numbers.
+bool is_state_of(const dem::StoredSample& state, const dem::RunParameters& parameters) {
+    if (state.grains.empty()) return true;
+    const dem::Cell& cell = state.cell;
+    return state.grains.size() == static_cast<std::size_t>(parameters.grains) &&
+           std::isfinite(cell.volume()) && std::isfinite(cell.offset) &&
+           std::min({cell.length, cell.height, cell.width}) > 0 &&
+           std::ranges::all_of(state.grains, [](const auto& grain) {
+               return std::ranges::all_of(grain, [](float x) { return std::isfinite(x); });
+           });
 }
 
 std::string selection() {
@@ -168,6 +121,38 @@ void bind_blob(SQLite::Statement& statement, int at, const std::string& bytes) {
     statement.bind(at, bytes.data(), static_cast<int>(bytes.size()));
 }
 
+/// Checks that a command of SQL is one, without another behind it.
+/// @throws InputError where the condition ends the command
+void refuse_more_commands(SQLite::Database& database, const std::string& command,
+                          const std::string& condition) {
+    sqlite3_stmt* statement = nullptr;
+    const char* rest = "";
+    const int status =
+        sqlite3_prepare_v2(database.getHandle(), command.c_str(), -1, &statement, &rest);
+    sqlite3_finalize(statement);
+    if (status == SQLITE_OK && rest && *rest != '\0') {
+        throw InputError(
+            fmt::format("condition '{}': has more than the condition; leave out ';' "
+                        "and what follows",
+                        condition));
+    }
+}
+
+/// Limits the size of texts and blobs that SQLite makes, during the life of the object.
+class SizeLimit {
+  public:
+    SizeLimit(SQLite::Database& database, int bytes)
+        : handle_(database.getHandle()),
+          before_(sqlite3_limit(handle_, SQLITE_LIMIT_LENGTH, bytes)) {}
+    SizeLimit(const SizeLimit&) = delete;
+    SizeLimit& operator=(const SizeLimit&) = delete;
+    ~SizeLimit() { sqlite3_limit(handle_, SQLITE_LIMIT_LENGTH, before_); }
+
+  private:
+    sqlite3* handle_;
+    int before_;
+};
+
 std::string blob_of(const SQLite::Column& column) {
     return {static_cast<const char*>(column.getBlob()), static_cast<std::size_t>(column.size())};
 }
@@ -176,35 +161,20 @@ std::string blob_of(const SQLite::Column& column) {
 
 RunStore::RunStore(const std::filesystem::path& file, bool must_exist)
     : file_(file == in_memory ? file : std::filesystem::absolute(file)) {
-    std::error_code error;
-    if (must_exist && !std::filesystem::exists(file_, error)) {
-        throw InputError(
-            fmt::format("store {}: no such file; 'pendular simulate', 'calibrate' and "
-                        "'campaign' make a store, --store FILE names another",
-                        file_.string()));
-    }
-    if (std::filesystem::is_directory(file_, error)) {
-        throw InputError(fmt::format("store {} is a folder; name a file", file_.string()));
-    }
-    if (file_ != in_memory) {
-        std::filesystem::create_directories(file_.parent_path(), error);
-    }
-    explained(file_, [&] {
-        database_ = std::make_unique<SQLite::Database>(
-            file_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, patience_ms);
-        const bool made = pragma(*database_, "application_id") == application_id &&
-                          pragma(*database_, "user_version") == format &&
-                          missing_columns(*database_).empty();
-        if (!made) {
-            make_table(*database_, fmt::format("store {}", file_.string()));
-        }
-        // Readers and one writer go side by side; a commit is on disk before it is reported.
-        database_->exec("PRAGMA journal_mode = WAL");
-        database_->exec("PRAGMA synchronous = FULL");
-    });
+    database_ = explained(file_, [&] { return open_store_file(file_, must_exist); });
+    identity_ = identity_of(file_);
 }
 
 RunStore::~RunStore() = default;
+
+void RunStore::demand_present() const {
+    if (identity_of(file_) != identity_) {
+        throw std::runtime_error(fmt::format(
+            "store {} was removed or replaced while this command used it; the runs that "
+            "it held are lost: put it back, or start the same command again",
+            file_.string()));
+    }
+}
 
 std::optional<dem::RunResult> RunStore::find(const dem::RunParameters& parameters,
                                              int threads) const {
@@ -215,7 +185,7 @@ std::optional<dem::RunResult> RunStore::find(const dem::RunParameters& parameter
         if (!query.executeStep()) {
             return std::nullopt;
         }
-        dem::RunResult run = run_of(query).run;
+        dem::RunResult run = run_of(query, file_).run;
         run.parameters = parameters;
         return run;
     });
@@ -252,7 +222,11 @@ bool insert(SQLite::Database& database, const dem::RunResult& run, int version) 
 
 bool RunStore::add(const dem::RunResult& run, int version) {
     const std::lock_guard lock(mutex_);
-    return explained(file_, [&] { return insert(*database_, run, version); });
+    return explained(file_, [&] {
+        const bool added = insert(*database_, run, version);
+        demand_present();
+        return added;
+    });
 }
 
 std::optional<StoredRun> RunStore::nearest(const dem::RunParameters& p) const {
@@ -292,14 +266,21 @@ std::vector<StoredRun> RunStore::select(const std::string& condition) const {
     const std::lock_guard lock(mutex_);
     return explained(file_, [&] {
         std::vector<StoredRun> runs;
-        const std::string where = condition.empty() ? "" : " WHERE (" + condition + ")";
+        // On a line of its own, so that a comment in the condition ends with it.
+        const std::string where = condition.empty() ? "" : " WHERE (" + condition + "\n)";
+        const std::string command = selection() + " FROM runs" + where + " ORDER BY id";
+        const SizeLimit limit(*database_, most_in_condition);
         SQLite::Statement query = [&] {
             try {
-                return SQLite::Statement(*database_,
-                                         selection() + " FROM runs" + where + " ORDER BY id");
+                refuse_more_commands(*database_, command, condition);
+                return SQLite::Statement(*database_, command);
             } catch (const SQLite::Exception& error) {
-                if (error.getErrorCode() != SQLITE_ERROR) {
+                if (error.getErrorCode() != SQLITE_ERROR && error.getErrorCode() != SQLITE_AUTH) {
                     throw;
+                }
+                if (condition.empty()) {
+                    throw InputError(fmt::format("store {}: {}; name another file", file_.string(),
+                                                 error.what()));
                 }
                 throw InputError(
                     fmt::format("condition '{}': {}; the header of "
@@ -308,7 +289,7 @@ std::vector<StoredRun> RunStore::select(const std::string& condition) const {
             }
         }();
         while (query.executeStep()) {
-            runs.push_back(run_of(query));
+            runs.push_back(run_of(query, file_));
         }
         return runs;
     });
@@ -325,16 +306,21 @@ StoredRun RunStore::get(std::int64_t id) const {
                 fmt::format("store {} has no run {}; 'pendular runs list' shows those there are",
                             file_.string(), id));
         }
-        StoredRun stored = run_of(query);
+        StoredRun stored = run_of(query, file_);
         const int at = 2 + static_cast<int>(run_columns().size());
         const auto expand = [&](int column, auto& into) {
-            if (query.getColumn(column).isBlob() &&
-                !dem::restore(expanded(blob_of(query.getColumn(column))), into)) {
-                throw InputError(fmt::format("store {}: run {} is corrupt", file_.string(), id));
+            if (!query.getColumn(column).isBlob()) return;
+            try {
+                if (dem::restore(expanded(blob_of(query.getColumn(column))), into)) return;
+            } catch (const std::runtime_error&) {  // corrupt, too
             }
+            refuse_run(file_, id, "its trace or final state cannot be read");
         };
         expand(at, stored.run.trace);
         expand(at + 1, stored.run.final_state);
+        if (!is_state_of(stored.run.final_state, stored.run.parameters)) {
+            refuse_run(file_, id, "its final state is none of such a run");
+        }
         return stored;
     });
 }

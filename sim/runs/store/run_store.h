@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -36,6 +37,7 @@ struct StoredRun {
 class RunStore {
   public:
     /// Opens the SQLite file of runs, and creates the file and its folder if missing.
+    /// Where `must_exist` is true, a file that cannot be written is opened for reading only.
     /// @throws InputError where the file is missing and `must_exist` is true
     explicit RunStore(const std::filesystem::path& file, bool must_exist = false);
     ~RunStore();
@@ -83,8 +85,13 @@ class RunStore {
     /// Name to pass to the constructor for a store that is kept in memory only, without a file.
     static constexpr const char* in_memory = ":memory:";
 
+    /// Checks that the store's file is the one that was opened.
+    /// @throws std::runtime_error where the file was removed or replaced
+    void demand_present() const;
+
   private:
     std::filesystem::path file_;
+    std::array<std::uint64_t, 2> identity_{};  ///< device and number of the file that was opened
     std::unique_ptr<SQLite::Database> database_;
     mutable std::mutex mutex_;  ///< serialises access by the threads of this process
 };

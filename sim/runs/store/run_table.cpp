@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "data/files/csv.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/quantities/nearest.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_columns.h"

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace pendular {
+
+/// When a file counts as written: once the operating system has it, or once it is on the disk and
+/// survives a loss of power.
+enum class Kept { by_system, on_disk };
+
+/// Writes a file as a whole or not at all: a temporary file beside it is written, brought to the
+/// disk and renamed. A file that is there keeps its mode and, where the system allows it, its
+/// owner. Devices and pipes are written directly. Missing folders of the path are created.
+/// @throws InputError if the path is a link to a place outside of its folder, which would be
+///         overwritten
+/// @throws std::runtime_error if the file cannot be written, on a full disk for example, naming the
+///         file and the system's reason
+void write_whole(const std::filesystem::path& path, const std::string& content,
+                 Kept kept = Kept::on_disk);
+
+/// Writes a folder of files as a whole or not at all: a temporary folder beside it is written and
+/// then renamed. If the folder exists, the files are written to a temporary folder inside it and
+/// moved up once all are written.
+/// @param content_of_file text of each file, by file name
+/// @throws std::runtime_error if a file cannot be written, naming the file or folder and the
+///         system's reason
+void write_whole_folder(const std::filesystem::path& folder,
+                        const std::map<std::string, std::string>& content_of_file);
+
+/// New, empty folder in `folder`, for files that are moved or removed before a command ends.
+/// @throws std::runtime_error if it cannot be made
+std::filesystem::path new_temporary_folder(const std::filesystem::path& folder);
+
+/// Checks that writing to a path does not write to a place that a link of somebody else names.
+/// @throws InputError if the path is a link that leads out of the folder it is in
+void refuse_link_out(const std::filesystem::path& path);
+
+}  // namespace pendular

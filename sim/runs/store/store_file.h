@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace SQLite {
+class Database;
+class Exception;
+}  // namespace SQLite
+
+namespace pendular {
+
+/// Opens the SQLite file of a store, which somebody else may have made: no code in its schema is
+/// run, neither views nor triggers nor functions.
+/// @param file absolute path, or RunStore::in_memory
+/// @param must_exist whether a missing file is an error, and a file that cannot be written is
+/// opened
+///        for reading only; else a missing file is made, with its folder
+/// @throws InputError for a file that is no store, or of a newer version
+/// @throws SQLite::Exception
+std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& file,
+                                                  bool must_exist);
+
+/// Throws the error for a user that an error of SQLite means: InputError where the file
+/// cannot be opened or is not a valid store, else std::runtime_error.
+[[noreturn]] void explain(const std::filesystem::path& file, const SQLite::Exception& error);
+
+/// Device and number of a file, by which a file that replaced another is known; zeros where there
+/// is none.
+std::array<std::uint64_t, 2> identity_of(const std::filesystem::path& file);
+
+}  // namespace pendular

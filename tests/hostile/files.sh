@@ -1,0 +1,71 @@
+# Sizes and nesting of files.
+
+attack "sizes: 40,000 dotted keys in study.toml" 2 "s/study.toml" <<'E'
+study s; python3 -c 'print(".".join(["a"] * 40000) + " = 1")' >>s/study.toml; run import s
+E
+attack "sizes: 200,000 nested lists in study.toml" 2 "s/study.toml" <<'E'
+study s; python3 -c 'print("a = " + "[" * 200000 + "]" * 200000)' >>s/study.toml; run import s
+E
+attack "sizes: 100,000 nested tables in study.toml" 2 "s/study.toml" <<'E'
+study s; python3 -c 'print("a = " + "{a = " * 100000 + "1" + "}" * 100000)' >>s/study.toml; run import s
+E
+attack "sizes: a table's name of 40,000 parts in study.toml" 2 "s/study.toml" <<'E'
+study s; python3 -c 'print("[" + ".".join(["a"] * 40000) + "]")' >>s/study.toml; run import s
+E
+attack "sizes: 1,000 dotted keys, then 1,000 more" 2 "s/study.toml" <<'E'
+study s; python3 -c 'for i in range(1000): print(f"[a{i}." + ".".join(["a"] * 300) + "]")' >>s/study.toml; run import s
+E
+attack "sizes: a study.toml of 100 MB" 2 "s/study.toml" <<'E'
+study s; head -c 100000000 /dev/zero | tr '\0' '#' >>s/study.toml; run import s
+E
+attack "sizes: a sparse recording of 2 GB" 2 "s/dry_1.csv" <<'E'
+recordings s; truncate -s 2G s/dry_1.csv; run import s
+E
+attack "sizes: a sparse recording of 1 TB" 2 "s/dry_1.csv" <<'E'
+recordings s; truncate -s 1T s/dry_1.csv; run import s
+E
+attack "sizes: 60,000 columns" 2 "s/points.csv" <<'E'
+study s; python3 -c 'print(",".join(f"c{i}" for i in range(60000))); print(",".join(["1"] * 60000))' >s/points.csv; run import s
+E
+attack "sizes: a line of 100 MB" 2 "s/points.csv" <<'E'
+study s; head -c 100000000 /dev/zero | tr '\0' '1' >>s/points.csv; run import s
+E
+attack "sizes: a fit.json of 100,000 nested lists" 2 "calibrate" <<'E'
+study s; mkdir s/out; python3 -c 'print("[" * 100000)' >s/out/fit.json; run compare s
+E
+attack "sizes: a closed fit.json of 1,000,000 nested lists" 2 "calibrate" <<'E'
+study s; mkdir s/out; python3 -c 'print("[" * 1000000 + "]" * 1000000)' >s/out/fit.json; run compare s
+E
+attack "sizes: a sparse fit.json of 2 GB" 2 "fit.json" <<'E'
+study s; mkdir s/out; truncate -s 2G s/out/fit.json; run compare s
+E
+attack "sizes: a ladder.json of 1,000,000 nested lists" 2 "ladder.json" <<'E'
+recordings s; mkdir s/out; python3 -c 'print("[" * 1000000 + "]" * 1000000)' >s/out/ladder.json; run add s torque-offset --quiet
+E
+attack "sizes: a sparse campaign of 2 GB" 2 "c.toml" <<'E'
+truncate -s 2G c.toml; run campaign c.toml
+E
+attack "sizes: a sparse table of runs of 2 GB" 2 "t.csv" <<'E'
+truncate -s 2G t.csv; run runs import t.csv
+E
+attack "sizes: a sparse checkpoint of 1 TB" 2 "checkpoint" <<'E'
+printf 'pendular checkpoint, format 1\n' >x.ckpt; truncate -s 1T x.ckpt; run simulate --beads 200 --strain 1 --checkpoint x.ckpt
+E
+attack "sizes: a fit.json whose matrix has no rows" 2 "calibrate" <<'E'
+study s; run calibrate s --no-confirm --quiet; perl -0pi -e 's/"parameter_covariance": \[.*?\]\s*\]/"parameter_covariance": []/s' s/out/fit.json; run compare s
+E
+attack "sizes: a fit.json whose friction is 1e300" 2 "fit.json" <<'E'
+study s; run calibrate s --no-confirm --quiet; perl -0pi -e 's/("friction": \{\s*"value": )[^,]*/${1}1e300/' s/out/fit.json; run compare s
+E
+attack "sizes: a fit.json whose friction has another name" 2 "fit.json" <<'E'
+study s; run calibrate s --no-confirm --quiet; perl -0pi -e 's/"friction": \{/"evil": {/' s/out/fit.json; run compare s
+E
+attack "sizes: a fit.json with numbers in place of texts" 2 "calibrate" <<'E'
+study s; run calibrate s --no-confirm --quiet; perl -0pi -e 's/"unit": "1"/"unit": 1/' s/out/fit.json; run compare s
+E
+attack "sizes: an empty study.toml" 2 "s/study.toml" <<'E'
+mkdir s; : >s/study.toml; run import s
+E
+attack "sizes: a study.toml of zeros" 2 "s/study.toml" <<'E'
+mkdir s; head -c 1000 /dev/zero >s/study.toml; run import s
+E

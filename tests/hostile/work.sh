@@ -1,0 +1,27 @@
+# What happens to files while the program works, alone or beside another.
+
+attack "work: two effects added at once" 0 "" <<'E'
+recordings s; "$program" add s torque-offset --quiet >../first 2>&1 & run add s normal-force-offset --quiet; wait
+grep -q torque-offset s/study.toml && grep -q normal-force-offset s/study.toml || fail "an effect is lost: $(grep effects s/study.toml) $(cat ../first ../err)"
+E
+attack "work: the lock is held by another program" 1 "held by" <<'E'
+recordings s; exec 9<>s/.study.toml.lock; flock 9; PENDULAR_LOCK_SECONDS=1 run add s torque-offset --quiet
+E
+attack "work: no gnuplot for compare" 1 "gnuplot" <<'E'
+study s; run calibrate s --no-confirm --quiet; PATH=/nowhere run compare s --json j.json; [ -s j.json ] && [ -s s/out/compare.json ] || fail "no JSON"
+E
+attack "work: no gnuplot for add" 1 "gnuplot" <<'E'
+recordings s; PATH=/nowhere run add s torque-offset --quiet --json j.json; [ -s j.json ] || fail "no JSON"; grep -q torque-offset s/study.toml || fail "not added"
+E
+attack "work: a file name that is not UTF-8" 0 "" <<'E'
+study s; mv s/points.csv $'s/points\xff.csv'; edit points.csv 'points*.csv'; run calibrate s --no-confirm --quiet; [ -s s/out/fit.json ] || fail "no fit.json"
+E
+attack "work: standard output closed" "1" "standard output" <<'E'
+study s; ("$program" import s >&- 2>../err); echo $? >../code
+E
+attack "work: standard output a full device" "1" "standard output" <<'E'
+study s; ("$program" import s >/dev/full 2>../err); echo $? >../code
+E
+attack "work: reader of the output gone" "0|1|141" "" <<'E'
+study s; "$program" effects 2>../err | head -1 >../out; echo ${PIPESTATUS[0]} >../code
+E
