@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <ranges>
 
 #include "data/recordings/replicate_groups.h"
 
@@ -24,10 +23,10 @@ Steps steps_of(const std::filesystem::path& file, const std::vector<Reading>& re
 /// Whether the steps of a file are the first steps of a longer file.
 bool begins(const Steps& file, const Steps& longer) {
     return !file.empty() && file.size() < longer.size() &&
-           std::ranges::equal(file, longer | std::views::take(file.size()),
-                              [](const Reading* a, const Reading* b) {
-                                  return a->step == b->step && are_replicates(*a, *b);
-                              });
+           std::equal(file.begin(), file.end(), longer.begin(),
+                      [](const Reading* a, const Reading* b) {
+                          return a->step == b->step && are_replicates(*a, *b);
+                      });
 }
 
 /// Whether rows after the last step of a file were excluded, so that the file was not cut off

@@ -211,7 +211,10 @@ List read_list(const StudyText& study, const toml::array& node) {
 
 std::vector<Edit> add_to_empty(const StudyText& study, const List& list, const std::string& name) {
     const std::string element = fmt::format("\"{}\"", name);
-    if (study.line_end(list.open) > list.close) return {{list.open + 1, list.open + 1, element}};
+    if (study.line_end(list.open) > list.close) {
+        const bool tight = list.open + 1 == list.close;
+        return {{list.open + 1, list.open + 1, (tight ? "" : " ") + element}};
+    }
     const std::size_t last_line = study.line_begin(list.close);
     return {{last_line, last_line,
              study.indent(list.close) + "  " + element + "," + study.line_break()}};
@@ -245,7 +248,18 @@ std::optional<Edit> line_of(const StudyText& study, const Element& element) {
 /// Edits that remove an element with its comma from a list and keep all comments.
 std::vector<Edit> remove_from_list(const StudyText& study, const List& list, std::size_t index) {
     const Element& element = list.elements[index];
-    if (const auto line = line_of(study, element)) return {*line};
+    if (const auto line = line_of(study, element)) {
+        const bool last = index > 0 && index + 1 == list.elements.size();
+        if (!last || element.comma) return {*line};
+        // The list ended without a comma, and ends so again.
+        const std::size_t comma = *list.elements[index - 1].comma;
+        return {{comma, comma + 1, ""}, *line};
+    }
+    if (list.elements.size() == 1 && !element.comma) {
+        // One blank before the element goes with it, as `add_to_empty` writes one.
+        const bool blank_before = study.before_blanks(element.begin) < element.begin;
+        return {{element.begin - (blank_before ? 1 : 0), element.end, ""}};
+    }
     if (element.comma && !study.blank(element.end, *element.comma))
         return {{element.begin, element.end, ""}, {*element.comma, *element.comma + 1, ""}};
     if (element.comma) {

@@ -1,12 +1,10 @@
 #include "data/files/csv.h"
 
 #include "data/files/text_file.h"
-#include "data/files/write_whole.h"
 #include "tests/support/data_support.h"
 
 namespace pendular::data_csv_test {
 
-using testing::EndsWith;
 using testing::HasSubstr;
 
 class ReadTable : public testing::Test {
@@ -115,54 +113,6 @@ TEST_F(ReadTable, RefusesWhatIsNoText) {
     EXPECT_THAT(input_error([&] { read_table(folder_.path() / "none.csv"); }),
                 HasSubstr("none.csv: cannot be read"));
     EXPECT_THAT(input_error([&] { read_table(folder_.path()); }), HasSubstr("is a folder"));
-}
-
-TEST(WriteWhole, LeavesTheOldFileAndNoPartsWhenItFails) {
-    TemporaryFolder folder;
-    write_whole(folder.path() / "new" / "a.txt", "1");
-    EXPECT_EQ(read_lines(folder.path() / "new" / "a.txt"), std::vector<std::string>{"1"});
-    // A folder in the file's place cannot be replaced by it, whoever runs the test.
-    std::filesystem::create_directories(folder.path() / "b.txt" / "inside");
-    EXPECT_THROW(write_whole(folder.path() / "b.txt", "2"), std::runtime_error);
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
-        EXPECT_THAT(entry.path().string(), Not(EndsWith(".part")));
-}
-
-TEST(WriteWhole, SaysThatADiskIsFull) {
-    ASSERT_TRUE(std::filesystem::exists("/dev/full"));  // every Linux has it
-    TemporaryFolder folder;
-    const std::filesystem::path target = folder.path() / "a.txt";
-    const std::string temporary = target.string() + "." + std::to_string(getpid()) + ".part";
-    std::filesystem::create_symlink("/dev/full", temporary);
-    try {
-        write_whole(target, std::string(100000, 'x'));
-        ADD_FAILURE() << "nothing was said";
-    } catch (const std::runtime_error& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("a.txt"), HasSubstr("No space left")));
-    }
-    EXPECT_FALSE(std::filesystem::exists(target));
-}
-
-TEST(WriteWholeFolder, IsThereWholeOrNotAtAll) {
-    TemporaryFolder folder;
-    const auto names = [](const std::filesystem::path& path) {
-        std::vector<std::string> found;
-        for (const auto& entry : std::filesystem::directory_iterator(path))
-            found.push_back(entry.path().filename().string());
-        std::sort(found.begin(), found.end());
-        return found;
-    };
-    const std::map<std::string, std::string> files = {{"a.txt", "1"}, {"b.txt", "2"}};
-    std::filesystem::create_directory(folder.path() / "empty");
-    for (const std::string name : {"new", "deep/er", "empty", "slash/"}) {
-        write_whole_folder(folder.path() / name, files);
-        EXPECT_EQ(names(folder.path() / name), (std::vector<std::string>{"a.txt", "b.txt"}));
-        EXPECT_EQ(read_lines(folder.path() / name / "b.txt"), std::vector<std::string>{"2"});
-    }
-    // A file that cannot be written takes the others with it.
-    EXPECT_THROW(write_whole_folder(folder.path() / "bad", {{"a.txt", "1"}, {"no/b.txt", "2"}}),
-                 std::runtime_error);
-    EXPECT_EQ(names(folder.path()), (std::vector<std::string>{"deep", "empty", "new", "slash"}));
 }
 
 }  // namespace pendular::data_csv_test

@@ -100,13 +100,11 @@ StoredRun run_of(SQLite::Statement& row, const std::filesystem::path& file) {
     return stored;
 }
 
-/// Whether a state can be that of a run: as many grains as the run has, or none, and finite
-/// numbers.
-bool is_state_of(const dem::StoredSample& state, const dem::RunParameters& parameters) {
+/// Whether a state can be that of a run: its cell has a volume, and all numbers are finite.
+bool can_be_state(const dem::StoredSample& state) {
     if (state.grains.empty()) return true;
     const dem::Cell& cell = state.cell;
-    return state.grains.size() == static_cast<std::size_t>(parameters.grains) &&
-           std::isfinite(cell.volume()) && std::isfinite(cell.offset) &&
+    return std::isfinite(cell.volume()) && std::isfinite(cell.offset) &&
            std::min({cell.length, cell.height, cell.width}) > 0 &&
            std::ranges::all_of(state.grains, [](const auto& grain) {
                return std::ranges::all_of(grain, [](float x) { return std::isfinite(x); });
@@ -318,7 +316,7 @@ StoredRun RunStore::get(std::int64_t id) const {
         };
         expand(at, stored.run.trace);
         expand(at + 1, stored.run.final_state);
-        if (!is_state_of(stored.run.final_state, stored.run.parameters)) {
+        if (!can_be_state(stored.run.final_state)) {
             refuse_run(file_, id, "its final state is none of such a run");
         }
         return stored;

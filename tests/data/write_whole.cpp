@@ -1,0 +1,155 @@
+// Files that are written as a whole, locks, and files that are refused.
+#include "data/files/write_whole.h"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "data/files/file_lock.h"
+#include "data/files/printable.h"
+#include "data/files/text_file.h"
+#include "tests/support/data_support.h"
+
+namespace pendular::data_write_whole_test {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Limits the size of files that this process writes, during the life of the object [bytes].
+class FileSizeLimit {
+  public:
+    explicit FileSizeLimit(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, signal_);
+    }
+
+  private:
+    rlimit before_{};
+    void (*signal_)(int);
+};
+
+TEST(WriteWhole, LeavesTheOldFileAndNoPartsWhenItFails) {
+    TemporaryFolder folder;
+    write_whole(folder.path() / "new" / "a.txt", "1");
+    EXPECT_EQ(read_lines(folder.path() / "new" / "a.txt"), std::vector<std::string>{"1"});
+    // A folder in the file's place cannot be replaced by it, whoever runs the test.
+    std::filesystem::create_directories(folder.path() / "b.txt" / "inside");
+    EXPECT_THROW(write_whole(folder.path() / "b.txt", "2"), std::runtime_error);
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        EXPECT_THAT(entry.path().string(), Not(EndsWith(".part")));
+}
+
+TEST(WriteWhole, SaysWhyAFileCannotBeWritten) {
+    TemporaryFolder folder;
+    const std::filesystem::path target = folder.path() / "a.txt";
+    const FileSizeLimit limit(10000);  // as a full disk, which takes the first bytes
+    try {
+        write_whole(target, std::string(100000, 'x'));
+        ADD_FAILURE() << "nothing was said";
+    } catch (const std::runtime_error& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("a.txt"), HasSubstr("File too large")));
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(WriteWhole, KeepsModeAndOwner) {
+    TemporaryFolder folder;
+    const auto file = folder.write("a.txt", "1");
+    namespace fs = std::filesystem;
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+    struct stat before = {}, after = {};
+    if (getuid() == 0) ASSERT_EQ(chown(file.c_str(), 1234, 4321), 0);
+    ASSERT_EQ(stat(file.c_str(), &before), 0);
+    write_whole(file, "2");
+    ASSERT_EQ(stat(file.c_str(), &after), 0);
+    EXPECT_EQ(after.st_mode, before.st_mode);
+    EXPECT_EQ(after.st_uid, before.st_uid);
+    EXPECT_EQ(after.st_gid, before.st_gid);
+    EXPECT_EQ(read_lines(file), std::vector<std::string>{"2"});
+}
+
+TEST(WriteWhole, FollowsNoLinkOutOfTheFolder) {
+    TemporaryFolder folder, other;
+    const auto target = other.write("target", "untouched");
+    const auto link = folder.path() / "a.txt";
+    std::filesystem::create_symlink(target, link);
+    EXPECT_THAT(input_error([&] { write_whole(link, "2"); }), HasSubstr("remove the link"));
+    EXPECT_EQ(read_lines(target), std::vector<std::string>{"untouched"});
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink("b.txt", link);  // to nothing, which would be made
+    EXPECT_THAT(input_error([&] { write_whole(link, "2"); }), HasSubstr("remove the link"));
+    folder.write("b.txt", "1");
+    write_whole(link, "2");  // a link within the folder is the user's
+    EXPECT_EQ(read_lines(folder.path() / "b.txt"), std::vector<std::string>{"2"});
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+}
+
+TEST(ReadText, RefusesWhatIsNoRegularFileAndWhatIsTooLarge) {
+    TemporaryFolder folder;
+    EXPECT_THAT(input_error([] { read_text("/dev/zero"); }), HasSubstr("not a regular file"));
+    EXPECT_THAT(input_error([] { read_text("/proc/self/status"); }),
+                HasSubstr("not a regular file"));
+    const auto pipe = folder.path() / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THAT(input_error([&] { read_text(pipe); }), HasSubstr("not a regular file"));
+    const auto large = folder.write("large.csv", "a\n1\n");
+    EXPECT_THAT(input_error([&] { read_text(large, 3); }), HasSubstr("at most"));
+    std::filesystem::resize_file(large, std::uintmax_t{1} << 40);  // sparse
+    EXPECT_THAT(input_error([&] { read_text(large); }), HasSubstr("1099.5 GB"));
+}
+
+TEST(FileLock, IsHeldByOne) {
+    TemporaryFolder folder;
+    const auto file = folder.path() / "lock";
+    {
+        FileLock first(file), second(file);
+        EXPECT_TRUE(first.take());
+        EXPECT_FALSE(second.take());
+        EXPECT_THAT(second.holder(), HasSubstr("process " + std::to_string(getpid())));
+    }
+    EXPECT_FALSE(std::filesystem::exists(file));
+    std::filesystem::create_symlink(folder.path() / "elsewhere", file);
+    EXPECT_THROW(FileLock(file).take(), std::runtime_error);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "elsewhere"));
+}
+
+TEST(Printable, ShowsNoControls) {
+    EXPECT_EQ(printable("a\tµ\nb"), "a\tµ\nb");
+    EXPECT_EQ(printable("\x1b]0;x\x07"), "\\x1b]0;x\\x07");
+    EXPECT_EQ(printable("\xc2\x9b" "31m"), "\\xc2\\x9b31m");
+    EXPECT_EQ(printable("\u202e"), "\\u202e");
+    EXPECT_EQ(printable("\x9b\xff"), "\\x9b\\xff");
+}
+
+TEST(WriteWholeFolder, IsThereWholeOrNotAtAll) {
+    TemporaryFolder folder;
+    const auto names = [](const std::filesystem::path& path) {
+        std::vector<std::string> found;
+        for (const auto& entry : std::filesystem::directory_iterator(path))
+            found.push_back(entry.path().filename().string());
+        std::sort(found.begin(), found.end());
+        return found;
+    };
+    const std::map<std::string, std::string> files = {{"a.txt", "1"}, {"b.txt", "2"}};
+    std::filesystem::create_directory(folder.path() / "empty");
+    for (const std::string name : {"new", "deep/er", "empty", "slash/"}) {
+        write_whole_folder(folder.path() / name, files);
+        EXPECT_EQ(names(folder.path() / name), (std::vector<std::string>{"a.txt", "b.txt"}));
+        EXPECT_EQ(read_lines(folder.path() / name / "b.txt"), std::vector<std::string>{"2"});
+    }
+    // A file that cannot be written takes the others with it.
+    EXPECT_THROW(write_whole_folder(folder.path() / "bad", {{"a.txt", "1"}, {"no/b.txt", "2"}}),
+                 std::runtime_error);
+    EXPECT_EQ(names(folder.path()), (std::vector<std::string>{"deep", "empty", "new", "slash"}));
+}
+
+}  // namespace pendular::data_write_whole_test
