@@ -11,6 +11,9 @@
 namespace pendular::app {
 namespace {
 
+/// Longest time for work to end at a clean point.
+constexpr std::chrono::seconds patience{20};
+
 std::atomic<int> signals_seen{0};
 static_assert(std::atomic<int>::is_always_lock_free,
               "a signal handler may only touch lock-free atomics");
@@ -32,8 +35,15 @@ InterruptGuard::InterruptGuard() {
         while (!end.stop_requested() && signals_seen == 0) {
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         }
-        if (signals_seen > 0) {
-            stop_.request_stop();
+        if (signals_seen == 0) return;
+        stop_.request_stop();
+        // Work that looks at no token is ended too: files are written as a whole or not at all.
+        const auto last = std::chrono::steady_clock::now() + patience;
+        while (!end.stop_requested() && std::chrono::steady_clock::now() < last) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        }
+        if (!end.stop_requested()) {
+            _exit(interrupted);
         }
     });
 }

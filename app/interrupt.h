@@ -7,7 +7,7 @@ namespace pendular::app {
 
 /// Turns the signals SIGINT (Ctrl-C), SIGTERM and SIGHUP into a request to stop, so that simulation
 /// runs end at a clean point and no file is left half-written. A second signal ends the program at
-/// once.
+/// once, and the first one ends it after 20 s where the work heeds no token.
 class InterruptGuard {
   public:
     InterruptGuard();

@@ -14,7 +14,7 @@ packages=(
   gnuplot-nox fonts-dejavu-core
   # tests, benchmarks, style
   libgtest-dev libgmock-dev libvalijson-dev libbenchmark-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev libomp-14-dev doxygen codespell
-  sqlite3 python3
+  sqlite3 python3 locales
 )
 
 missing=()

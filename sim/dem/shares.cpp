@@ -67,8 +67,8 @@ std::vector<Share> shares_of(const PairList& pairs, std::size_t grains, int part
             add_ghosts(pairs.distant(), pairs.live_distant(), section.distant, share);
         }
         std::ranges::sort(share.ghosts);
-        const auto repeated = std::ranges::unique(share.ghosts);
-        share.ghosts.erase(repeated.begin(), repeated.end());
+        const auto repeated = std::unique(share.ghosts.begin(), share.ghosts.end());
+        share.ghosts.erase(repeated, share.ghosts.end());
     }
     return shares;
 }

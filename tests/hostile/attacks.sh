@@ -2,7 +2,7 @@
 # Sends hostile and broken studies to the program and checks what it answers.
 #   attacks.sh PROGRAM [--table FILE] [KIND]
 # KIND: text, numbers, paths, stores, files, work; all without it. --table: writes a row per attack
-# (name, exit code, seconds, answer), for docs/hostile-input.md. Exit code 1 if an answer is wrong.
+# (name, exit code, seconds, what was wrong or "ok", answer), for docs/hostile-input.md. Exit code 1 if an answer is wrong.
 #
 # The files of this folder hold the attacks, each one a call
 #   attack NAME CODE TEXT <<'E' ... E
@@ -38,7 +38,7 @@ attack() {
   [ -z "$text" ] || grep -qaF -- "$text" "$work/box/answer" || verdict="'$text' is not in the answer"
   ! grep -qP '[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]' "$work/box/answer" || verdict="control characters in the answer"
   [ ! -s "$work/box/failed" ] || verdict=$(head -1 "$work/box/failed")
-  printf '%s\t%s\t%s\t%s\n' "$name" "$got" "$seconds" \
+  printf '%s\t%s\t%s\t%s\t%s\n' "$name" "$got" "$seconds" "$verdict" \
     "$(grep -a -v '^[[:space:]]*$' "$work/box/answer" | head -1 | cut -c1-300 | tr -d '\000' | cat -v)" >>"$table"
   if [ "$verdict" != ok ]; then
     failed=$((failed + 1))

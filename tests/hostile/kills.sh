@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Kills the program at random instants while it changes a study, and looks at what is left.
 #   kills.sh PROGRAM [KILLS [SEED]]
-# The commands are add, drop, calibrate and compare, in turn. After every kill study.toml must be the
+# The commands are add, drop, calibrate and compare, in turn; every other kill comes while files are
+# written. After every kill study.toml must be the
 # text before the command or after it, to the byte; every JSON file, CSV file and figure must be whole.
 # At the end all commands must work again. Prints how many kills came while the program still ran, and
 # how many of these left study.toml as before.
@@ -27,6 +28,7 @@ cp s/study.toml with
 "$program" drop s torque-offset --quiet >/dev/null || exit 1
 cmp -s s/study.toml without || { echo "FAILED: add and drop do not restore study.toml"; exit 1; }
 
+milliseconds() { awk -v ms="$1" 'BEGIN {print ms / 1000}'; }
 failed=0
 wrong() { echo "FAILED after kill $kill of '$command': $*"; failed=$((failed + 1)); }
 
@@ -58,11 +60,17 @@ for kill in $(seq "$kills"); do
   # shellcheck disable=SC2086
   "$program" $command --quiet >/dev/null 2>&1 &
   pid=$!
-  sleep "$(awk -v ms=$((RANDOM % (longest + 50))) 'BEGIN {print ms / 1000}')"
+  if [ $((kill % 2)) -eq 0 ]; then
+    sleep "$(milliseconds $((RANDOM % (longest + 50))))"  # anywhere
+  else
+    while kill -0 $pid 2>/dev/null && ! compgen -G 's/*.part' >/dev/null &&
+      ! compgen -G 's/out/*.part' >/dev/null; do :; done
+    sleep "$(milliseconds $((RANDOM % 40)))"  # while files are written
+  fi
   if kill -KILL $pid 2>/dev/null; then hit=$((hit + 1)); cmp -s s/study.toml was && before=$((before + 1)); fi
-  wait $pid 2>/dev/null
+  wait $pid
   whole
-done
+done 2>/dev/null  # where the shell says what was killed
 
 kill=all
 for command in "calibrate s --no-confirm" "compare s"; do

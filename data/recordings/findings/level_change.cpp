@@ -84,7 +84,7 @@ std::size_t separate_sets(const std::vector<std::vector<std::size_t>>& groups,
         }
     }
     std::ranges::sort(set);
-    return static_cast<std::size_t>(std::ranges::unique(set).begin() - set.begin());
+    return static_cast<std::size_t>(std::unique(set.begin(), set.end()) - set.begin());
 }
 
 /// Readings at conditions that at least two files share.
