@@ -7,7 +7,7 @@ packages=(
   g++ cmake ninja-build ccache
   # libraries
   libceres-dev libeigen3-dev libboost-dev libboost-program-options-dev libboost-iostreams-dev
-  libboost-filesystem-dev libboost-system-dev libcsv-dev libicu-dev libudunits2-dev libtomlplusplus-dev
+  libboost-filesystem-dev libboost-system-dev libicu-dev libudunits2-dev libtomlplusplus-dev
   nlohmann-json3-dev libcereal-dev libfmt-dev libgnuplot-iostream-dev
   libsqlite3-dev libsqlitecpp-dev libopenmpi-dev openmpi-bin libmuparser-dev
   # figures

@@ -1,6 +1,5 @@
 #include "data/files/csv.h"
 
-#include <csv.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,63 +18,85 @@ int characters(std::string_view text) {
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Parser of CSV lines, based on libcsv. It parses line by line, so that an unclosed quote ends
-/// with its line, and byte by byte, to know the positions of cells, which libcsv does not report.
-class LineParser {
+/// Splits one line into cells, from left to right.
+class LineSplitter {
   public:
-    LineParser(std::string file, char delimiter) : file_(std::move(file)) {
-        csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI);
-        csv_set_delim(&parser_, static_cast<unsigned char>(delimiter));
-    }
-    LineParser(const LineParser&) = delete;
-    LineParser& operator=(const LineParser&) = delete;
-    ~LineParser() { csv_free(&parser_); }
+    LineSplitter(std::string_view line, char delimiter, const Position& at, InnerQuotes inner)
+        : line_(line), at_(at), delimiter_(delimiter), inner_(inner) {}
 
-    /// Parses a line of this number (from 1) into cells.
-    /// @throws InputError at a quote that does not close or is inside a cell
-    Row parse(const std::string& line, int number) {
-        texts_.clear();
-        Row row{number, {}};
-        std::size_t begin = 0;
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            if (csv_parse(&parser_, &line[i], 1, &LineParser::take, nullptr, this) != 1)
-                refuse_quote(line, number, i);
-            if (row.cells.size() == texts_.size()) continue;
-            add_cell(row, line, begin);
-            begin = i + 1;
+    Row split() {
+        Row row{at_.line, {}};
+        while (true) {
+            const std::size_t begin = std::min(after_blanks(next_), line_.size());
+            const bool quoted = begin < line_.size() && line_[begin] == '"';
+            row.cells.push_back({quoted ? quoted_cell(begin) : plain_cell(begin), column(begin)});
+            if (next_ == std::string_view::npos) return row;
         }
-        if (csv_fini(&parser_, &LineParser::take, nullptr, this) != 0)
-            refuse_quote(line, number, line.find('"', begin));
-        // libcsv takes an empty last cell for the end of the row.
-        if (row.cells.size() == texts_.size()) texts_.emplace_back();
-        add_cell(row, line, begin);
-        return row;
     }
 
   private:
-    static void take(void* text, std::size_t size, void* self) {
-        static_cast<LineParser*>(self)->texts_.emplace_back(static_cast<const char*>(text), size);
+    bool blank(char c) const { return c == ' ' || (c == '\t' && delimiter_ != '\t'); }
+
+    std::size_t after_blanks(std::size_t from) const {
+        while (from < line_.size() && blank(line_[from]))
+            ++from;
+        return from;
     }
 
-    void add_cell(Row& row, const std::string& line, std::size_t begin) const {
-        const std::size_t start = std::min(line.find_first_not_of(' ', begin), line.size());
-        row.cells.push_back({texts_.back(), characters(line.substr(0, start)) + 1});
+    /// Column of a byte, in characters from 1. Bytes must be asked for from left to right.
+    int column(std::size_t byte) {
+        column_ += characters(line_.substr(counted_, byte - counted_));
+        counted_ = byte;
+        return column_ + 1;
     }
 
-    [[noreturn]] void refuse_quote(const std::string& line, int number, std::size_t byte) {
-        const int column = characters(line.substr(0, std::min(byte, line.size()))) + 1;
-        throw InputError({file_, number, column},
+    /// Text from `begin` to the next delimiter, behind which `next_` is set.
+    std::string plain_cell(std::size_t begin) {
+        const std::size_t end = std::min(line_.find(delimiter_, begin), line_.size());
+        std::string_view text = line_.substr(begin, end - begin);
+        if (const std::size_t quote = text.find('"');
+            quote != std::string_view::npos && inner_ == InnerQuotes::refused)
+            refuse_quote(begin + quote);
+        while (!text.empty() && blank(text.back()))
+            text.remove_suffix(1);
+        next_ = end < line_.size() ? end + 1 : std::string_view::npos;
+        return std::string(text);
+    }
+
+    std::string quoted_cell(std::size_t begin) {
+        std::string text;
+        for (std::size_t i = begin + 1; i < line_.size(); ++i) {
+            if (line_[i] != '"') {
+                text += line_[i];
+            } else if (i + 1 < line_.size() && line_[i + 1] == '"') {
+                text += line_[i++];
+            } else {
+                const std::size_t end = after_blanks(i + 1);
+                if (end < line_.size() && line_[end] != delimiter_) refuse_quote(i);
+                next_ = end < line_.size() ? end + 1 : std::string_view::npos;
+                return text;
+            }
+        }
+        refuse_quote(begin);
+    }
+
+    [[noreturn]] void refuse_quote(std::size_t byte) {
+        throw InputError({at_.file, at_.line, characters(line_.substr(0, byte)) + 1},
                          "a quote that does not close, or stands within a cell; close it on this "
                          "line or take it out");
     }
 
-    std::string file_;
-    csv_parser parser_;
-    std::vector<std::string> texts_;
+    std::string_view line_;
+    const Position& at_;
+    char delimiter_;
+    InnerQuotes inner_;
+    std::size_t next_ = 0;  ///< byte at which the next cell begins; npos: no further cell
+    std::size_t counted_ = 0;
+    int column_ = 0;
 };
 
 /// Most frequent delimiter in a header, outside of quotes and brackets; a comma if there is none.
-char detect_delimiter(std::string_view header) {
+char header_delimiter(std::string_view header) {
     constexpr std::array<char, 3> candidates = {'\t', ';', ','};
     std::array<int, 3> counts = {};
     bool quoted = false;
@@ -140,22 +161,31 @@ void check_length(const Table& table, const Row& row, bool last) {
 
 }  // namespace
 
+Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner) {
+    return LineSplitter(line, delimiter, at, inner).split();
+}
+
 Table read_table(const std::filesystem::path& path) {
-    const std::vector<std::string> lines = read_lines(path);
-    Table table{.file = path.string(), .header = {}, .rows = {}};
+    const std::string text = read_text(path);
+    return table_of(path.string(), split_lines(text));
+}
+
+Table table_of(const std::string& file, const std::vector<std::string_view>& lines) {
+    Table table{.file = file, .header = {}, .rows = {}};
     std::size_t first = 0;
     while (first < lines.size() && passed_over(lines[first]))
         ++first;
     if (first == lines.size())
         throw InputError({table.file}, "is empty; a header and rows of numbers are needed");
 
-    table.delimiter = detect_delimiter(lines[first]);
-    LineParser parser(table.file, table.delimiter);
-    table.header = parser.parse(lines[first], static_cast<int>(first) + 1);
+    table.delimiter = header_delimiter(lines[first]);
+    Position at{table.file, static_cast<int>(first) + 1};
+    table.header = split_cells(lines[first], table.delimiter, at, InnerQuotes::kept);
     check_header(table);
     for (std::size_t i = first + 1; i < lines.size(); ++i) {
         if (passed_over(lines[i])) continue;
-        table.rows.push_back(parser.parse(lines[i], static_cast<int>(i) + 1));
+        at.line = static_cast<int>(i) + 1;
+        table.rows.push_back(split_cells(lines[i], table.delimiter, at, InnerQuotes::refused));
         check_length(table, table.rows.back(), i + 1 == lines.size());
     }
     if (table.rows.empty())

@@ -36,12 +36,28 @@ struct Table {
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 
+/// Where quotes are allowed besides around a whole cell: nowhere, or also as plain characters
+/// inside a cell, as in the header `G"`.
+enum class InnerQuotes { refused, kept };
+
+/// Splits a line of a table into cells. A quote at the start of a cell opens a quoted cell, in
+/// which two quotes are one; blanks around a cell are left out.
+/// @param at file and line
+/// @throws InputError at file:line:column if a quoted cell does not close, or if a quote is inside
+/// a
+///         cell and `inner` refuses it
+Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner);
+
 /// Reads a text file of delimited cells. The delimiter is the most frequent of comma, semicolon and
 /// tab in the header. Blank lines, lines of empty cells and lines that begin with '#' are skipped.
 /// @throws InputError at file:line:column if the file is empty or has no rows, a row differs in
 ///         length from the header, a quote is misplaced or does not close, a column name occurs
 ///         twice, or the header consists of numbers
 Table read_table(const std::filesystem::path& path);
+
+/// Reads a table from the lines of a file, as `read_table` does.
+/// @throws InputError as `read_table` does
+Table table_of(const std::string& file, const std::vector<std::string_view>& lines);
 
 /// Text as one cell of a CSV file: in quotes if it contains a delimiter, a quote or a line end
 /// (LF); in quotes, line ends become blanks.

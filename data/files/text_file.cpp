@@ -1,6 +1,8 @@
 #include "data/files/text_file.h"
 
+#include <fmt/format.h>
 #include <unicode/ucnv.h>
+#include <unicode/ucsdet.h>
 
 #include <algorithm>
 #include <string_view>
@@ -9,6 +11,20 @@
 
 namespace pendular {
 namespace {
+
+/// Whether the charset detection of ICU takes a text for Shift-JIS rather than for anything else.
+bool looks_japanese(std::string_view bytes) {
+    UErrorCode error = U_ZERO_ERROR;
+    UCharsetDetector* const detector = ucsdet_open(&error);
+    // The first pages decide; detection takes time in proportion to the length of the text.
+    const auto length = static_cast<int32_t>(std::min<std::size_t>(bytes.size(), 1 << 20));
+    ucsdet_setText(detector, bytes.data(), length, &error);
+    const UCharsetMatch* const match = ucsdet_detect(detector, &error);
+    const char* const name = match ? ucsdet_getName(match, &error) : nullptr;
+    const bool japanese = U_SUCCESS(error) && name && std::string_view(name) == "Shift_JIS";
+    ucsdet_close(detector);
+    return japanese;
+}
 
 /// Name of the encoding of a text, from its byte-order mark or from the zero bytes of ASCII
 /// characters in UTF-16; UTF-8 if neither is found.
@@ -26,6 +42,11 @@ bool convert(std::string_view bytes, const char* encoding, std::string& utf8) {
     UErrorCode error = U_ZERO_ERROR;
     UConverter* const from = ucnv_open(encoding, &error);
     UConverter* const to = ucnv_open("UTF-8", &error);
+    if (U_FAILURE(error)) {
+        ucnv_close(from);
+        ucnv_close(to);
+        return false;
+    }
     ucnv_setToUCallBack(from, UCNV_TO_U_CALLBACK_STOP, nullptr, nullptr, nullptr, &error);
     utf8.assign(3 * bytes.size() + 16, '\0');  // at most three times the length
     char* target = utf8.data();
@@ -38,34 +59,61 @@ bool convert(std::string_view bytes, const char* encoding, std::string& utf8) {
     return U_SUCCESS(error);
 }
 
-std::string decoded(const std::string& bytes, const std::filesystem::path& path) {
+DecodedText decoded(const std::string& bytes, const std::filesystem::path& path,
+                    const std::string& encoding) {
     if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0"))
         throw InputError({path.string()},
                          "is a spreadsheet, not text; save it as CSV and name that file");
-    std::string text;
-    const bool well_formed =
-        convert(bytes, encoding_of(bytes), text) || convert(bytes, "windows-1252", text);
-    if (!well_formed || text.find('\0') != std::string::npos)
+    DecodedText result;
+    std::vector<std::string> candidates = {encoding};
+    if (encoding.empty()) {
+        candidates = {encoding_of(bytes)};
+        candidates.emplace_back("Shift_JIS");
+        candidates.emplace_back("windows-1252");
+    }
+    for (const std::string& candidate : candidates) {
+        if (encoding.empty() && candidate == "Shift_JIS" && !looks_japanese(bytes)) continue;
+        if (!convert(bytes, candidate.c_str(), result.text)) continue;
+        result.encoding = candidate;
+        break;
+    }
+    if (result.encoding.empty() && !encoding.empty())
+        throw InputError({path.string()},
+                         fmt::format("is not text in the encoding \"{}\" that study.toml or the "
+                                     "command line states; correct it or leave it out",
+                                     encoding));
+    if (result.encoding.empty() || result.text.find('\0') != std::string::npos)
         throw InputError({path.string()}, "is not text; export it as CSV in UTF-8");
-    return text;
+    return result;
 }
 
 }  // namespace
 
+DecodedText decode_file(const std::filesystem::path& path, const std::string& encoding,
+                        std::uintmax_t largest) {
+    return decoded(read_bytes(path, largest), path, encoding);
+}
+
 std::string read_text(const std::filesystem::path& path, std::uintmax_t largest) {
-    return decoded(read_bytes(path, largest), path);
+    return decode_file(path, "", largest).text;
+}
+
+std::vector<std::string_view> split_lines(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+        lines.push_back(text.substr(0, end));
+        const bool both = text.substr(end, 2) == "\r\n";
+        text.remove_prefix(std::min(end + (both ? 2 : 1), text.size()));
+    }
+    return lines;
 }
 
 std::vector<std::string> read_lines(const std::filesystem::path& path, std::uintmax_t largest) {
     const std::string text = read_text(path, largest);
-    std::vector<std::string> lines;
-    for (std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
-        lines.push_back(text.substr(begin, end - begin));
-        const bool both = text.compare(end, 2, "\r\n") == 0;
-        begin = end + (both ? 2 : 1);
-    }
-    return lines;
+    const std::vector<std::string_view> lines = split_lines(text);
+    return {lines.begin(), lines.end()};
 }
 
 }  // namespace pendular

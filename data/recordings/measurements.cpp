@@ -46,8 +46,11 @@ Measurements read_file(const std::filesystem::path& file, const Source& source, 
     if (source.kind == Source::Kind::readings) return read_points(file, source, study);
     AnnularCell cell = *study.cell;
     cell.bead_volume = source.bead_volume.value_or(cell.bead_volume);
-    Recording recording = read_recording(file);
+    Recording recording = read_recording(file, source.format);
+    fill_from_stresses(recording, cell);
     Measurements result;
+    append(result.excluded, recording.left_out);
+    append(result.notes, recording.notes);
     before.rows.take_out_copies(recording, source, result);
     if (recording.size() == 0) return result;
     const Contradictions contradictions =

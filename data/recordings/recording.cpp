@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "data/files/columns.h"
+#include "data/files/formats/layouts.h"
 
 namespace pendular {
 namespace {
@@ -64,30 +66,176 @@ std::vector<double> repeated_column(const Table& table, const Columns& columns,
 
 }  // namespace
 
-Recording read_recording(const std::filesystem::path& path) {
-    const Table table = read_table(path);
-    const Columns columns(table);
-    for (const std::string_view name : needed_columns)
-        columns.require(name);
+namespace {
 
+/// Checks that a table has all columns that a recording needs; stresses may stand in for torque and
+/// normal force.
+/// @throws InputError at the header if a column is missing
+void require_columns(const Columns& columns) {
+    for (const std::string_view name : needed_columns) {
+        if (columns.has(name)) continue;
+        if (name == "torque" && columns.has("shear_stress")) continue;
+        if (name == "normal_force" && columns.has("normal_stress")) continue;
+        columns.require(name);
+    }
+}
+
+/// Reads the recording from a table that has all columns, every row of which must be valid.
+Recording recording_of_table(const Table& table) {
+    const Columns columns(table);
+    require_columns(columns);
     Recording recording;
     recording.file = table.file;
     recording.unused_columns = columns.others(recording_columns);
+    const bool interval = columns.has("interval"), torque = columns.has("torque"),
+               force = columns.has("normal_force");
     for (const Row& row : table.rows) {
         check_row(row, columns);
         recording.line.push_back(row.line);
         recording.time.push_back(columns.value(row, "time"));
-        recording.torque.push_back(columns.value(row, "torque"));
-        recording.normal_force.push_back(columns.value(row, "normal_force"));
+        if (torque) recording.torque.push_back(columns.value(row, "torque"));
+        if (force) recording.normal_force.push_back(columns.value(row, "normal_force"));
         recording.height.push_back(columns.value(row, "height"));
         recording.angular_velocity.push_back(columns.value(row, "angular_velocity"));
-        if (columns.has("interval")) recording.interval.push_back(columns.value(row, "interval"));
+        if (interval) recording.interval.push_back(columns.value(row, "interval"));
     }
     recording.shear_stress = repeated_column(table, columns, "shear_stress");
     recording.normal_stress = repeated_column(table, columns, "normal_stress");
     recording.shear_rate = repeated_column(table, columns, "shear_rate");
     check_time(recording, table, columns);
     return recording;
+}
+
+/// Text that names an interval in messages.
+std::string name_of(const Block& block) {
+    std::string name = block.number > 0 ? fmt::format("interval {}", block.number) : "a table";
+    if (!block.name.empty()) name += fmt::format(" ({})", block.name);
+    if (!block.test.empty()) name += fmt::format(" of {}", block.test);
+    return name;
+}
+
+/// Lists rows of a file as left out, in one range with the rows before them if the reason is equal.
+void leave_out(std::vector<Excluded>& left_out, const std::string& file, int first, int last,
+               const std::string& reason) {
+    const bool follows = !left_out.empty() && left_out.back().reason == reason &&
+                         left_out.back().last_line + 1 == first;
+    if (!follows) {
+        Excluded& rows = left_out.emplace_back();
+        rows.origin.file = file;
+        rows.origin.line = first;
+        rows.reason = reason;
+    }
+    left_out.back().last_line = last;
+}
+
+/// Removes rows without a value in a needed column, and lists them.
+Table with_all_values(const Block& block, std::vector<Excluded>& left_out) {
+    const Columns columns(block.table);
+    std::vector<std::string_view> needed;
+    for (const std::string_view name : needed_columns)
+        if (columns.has(name)) needed.push_back(name);
+    Table table = block.table;
+    table.rows.clear();
+    for (const Row& row : block.table.rows) {
+        const auto missing = std::ranges::find_if(
+            needed, [&](std::string_view name) { return !columns.value_if_any(row, name); });
+        if (missing == needed.end()) {
+            table.rows.push_back(row);
+            continue;
+        }
+        leave_out(left_out, table.file, row.line, row.line,
+                  fmt::format("{}: no value of {}", name_of(block), *missing));
+    }
+    return table;
+}
+
+template <typename T>
+void append_column(std::vector<T>& to, const std::vector<T>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+/// Appends the rows of an interval, whose number becomes `number`. Redundant columns that one of
+/// the two lacks are dropped.
+void append_interval(Recording& whole, const Recording& part, double number) {
+    for (const auto column :
+         {&Recording::shear_stress, &Recording::normal_stress, &Recording::shear_rate,
+          &Recording::torque, &Recording::normal_force}) {
+        const bool first = whole.size() == 0;
+        if (!first && (whole.*column).size() != whole.size())
+            (whole.*column).clear();
+        else if (!first && (part.*column).empty())
+            (whole.*column).clear();
+        else
+            append_column(whole.*column, part.*column);
+    }
+    append_column(whole.line, part.line);
+    append_column(whole.height, part.height);
+    append_column(whole.angular_velocity, part.angular_velocity);
+    append_column(whole.time, part.time);
+    whole.interval.resize(whole.time.size(), number);
+}
+
+/// Whether the intervals' own numbers tell them apart: they increase within a single test.
+bool numbers_tell_apart(const std::vector<Block>& blocks) {
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        if (blocks[i].number == 0 || (i > 0 && (blocks[i].number <= blocks[i - 1].number ||
+                                                blocks[i].test != blocks[i - 1].test)))
+            return false;
+    return true;
+}
+
+}  // namespace
+
+Recording recording_of(const BlockFile& file) {
+    if (file.layout == "plain") return recording_of_table(file.blocks.front().table);
+    Recording whole;
+    whole.file = file.file;
+    const bool own_numbers = numbers_tell_apart(file.blocks);
+    std::string first_error;
+    int count = 0;
+    for (const Block& block : file.blocks) {
+        ++count;
+        if (block.table.rows.empty()) continue;
+        try {
+            require_columns(Columns(block.table));
+        } catch (const InputError& error) {
+            if (first_error.empty()) first_error = error.what();
+            leave_out(whole.left_out, file.file, block.table.rows.front().line,
+                      block.table.rows.back().line,
+                      name_of(block) + ": lacks a column that steady shear needs");
+            continue;
+        }
+        const Table table = with_all_values(block, whole.left_out);
+        if (table.rows.empty()) continue;
+        append_interval(whole, recording_of_table(table), own_numbers ? block.number : count);
+    }
+    if (whole.size() == 0 && !first_error.empty())
+        throw InputError(first_error +
+                         "; steady shear needs time, torque or shear stress, normal force or "
+                         "normal stress, gap, and the lid's speed in one interval. 'pendular "
+                         "import FILE' shows what the file has");
+    if ((whole.torque.empty() && whole.shear_stress.empty()) ||
+        (whole.normal_force.empty() && whole.normal_stress.empty()))
+        throw InputError({file.file},
+                         "some intervals have torque or normal force and others only stresses; "
+                         "export all intervals with the same columns");
+    for (const SkippedRows& rows : file.skipped)
+        leave_out(whole.left_out, file.file, rows.first_line, rows.last_line, rows.reason);
+    whole.notes = file.notes;
+    return whole;
+}
+
+Recording read_recording(const std::filesystem::path& path, const FileFormat& format) {
+    return recording_of(read_blocks(path, format));
+}
+
+void fill_from_stresses(Recording& recording, const AnnularCell& cell) {
+    if (recording.torque.empty())
+        for (const double stress : recording.shear_stress)
+            recording.torque.push_back(torque(stress, cell));
+    if (recording.normal_force.empty())
+        for (const double stress : recording.normal_stress)
+            recording.normal_force.push_back(normal_force(stress, cell));
 }
 
 void erase_rows(Recording& recording, const std::vector<bool>& marked) {

@@ -4,7 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "data/annular_cell.h"
+#include "data/files/formats/block_file.h"
+#include "data/files/formats/file_format.h"
 #include "data/input_error.h"
+#include "data/reading.h"
 
 namespace pendular {
 
@@ -26,6 +30,8 @@ struct Recording {
     /// lacks the column.
     std::vector<double> interval;
     std::vector<std::string> unused_columns;  ///< header cells of columns that were not read
+    std::vector<Excluded> left_out = {};      ///< rows and intervals that could not be read
+    std::vector<std::string> notes = {};      ///< sentences on how the file was read
 
     std::size_t size() const { return time.size(); }
 };
@@ -39,10 +45,22 @@ struct Step {
 /// Reads a recording from a table with the columns time, torque, normal force, gap and angular
 /// velocity in any common spelling, order and unit. Optional columns are the interval (number of
 /// the step) and the shear stress, normal stress and shear rate that the instrument computed.
+/// Where the file has no torque but a shear stress, or no normal force but a normal stress, the
+/// column stays empty for `fill_from_stresses`. Files of rheometers may be in any layout that
+/// `read_blocks` knows: intervals that lack a column, and rows that lack a value, are left out and
+/// listed.
 /// @throws InputError at file:line:column if a required column is missing, a unit or number is
 ///         invalid, a gap is not positive, an interval is not a whole number, time goes back within
-///         an interval, or `read_table` fails
-Recording read_recording(const std::filesystem::path& path);
+///         an interval, or `read_blocks` fails
+Recording read_recording(const std::filesystem::path& path, const FileFormat& format = {});
+
+/// Reads a recording from the blocks of a file, as `read_recording` does.
+/// @throws InputError as `read_recording` does
+Recording recording_of(const BlockFile& file);
+
+/// Computes torque [N m] and normal force [N] of a recording that has only the stresses, with the
+/// formulas by which the program converts them to stresses.
+void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 
 /// Splits a recording into steps of constant set points. Steps begin where the column interval
 /// changes; without this column, where the angular velocity or the normal force reaches a new

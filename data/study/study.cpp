@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "data/files/file_bytes.h"
+#include "data/files/text_file.h"
+#include "data/study/file_format_table.h"
 #include "data/study/files.h"
 #include "data/study/study_table.h"
 
@@ -21,7 +23,8 @@ const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_rati
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
 const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
                         "torque_formula"};
-const Keys source_keys = {"file", "liquid_content", "bead_mass", "bead_volume"};
+const Keys source_keys = {"file",     "liquid_content", "bead_mass", "bead_volume", "layout",
+                          "encoding", "decimal",        "columns",   "intervals",   "repair"};
 const Keys import_keys = {"keep_implausible", "least_strain"};
 const Keys model_keys = {"base", "calibrate", "fit_to", "effects", "bridge_force", "discrepancy"};
 
@@ -139,6 +142,7 @@ Source read_source(const StudyTable& table, Source::Kind kind, const Study& stud
                   .files = {},
                   .liquid_content = {},
                   .bead_volume = {},
+                  .format = read_file_format(table),
                   .position = table.position()};
     const auto pattern = table.text("file");
     if (!pattern) throw InputError(table.position(), "lacks 'file'; add file = \"....csv\"");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "data/annular_cell.h"
+#include "data/files/formats/file_format.h"
 #include "data/grains.h"
 #include "data/input_error.h"
 #include "data/reading.h"
@@ -28,7 +29,8 @@ struct Source {
     std::optional<double> liquid_content;
     /// Solid volume of the grains in the cell [m^3], if the entry overrides that of [cell].
     std::optional<double> bead_volume;
-    Position position;  ///< position of the entry in study.toml
+    FileFormat format = {};  ///< how the files are to be read, where the entry states it
+    Position position;       ///< position of the entry in study.toml
 };
 
 /// An effect in the list `effects` of [model] in study.toml: it is part of the study's model.

@@ -1,0 +1,122 @@
+#include "data/files/formats/block_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "data/files/formats/column_names.h"
+#include "data/quantities/number.h"
+
+namespace pendular {
+namespace {
+
+bool same_word(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+        return std::tolower(x) == std::tolower(y);
+    });
+}
+
+/// Whether a cell is a mark for a value that the instrument did not measure, such as "******".
+bool marks_no_value(std::string_view text) {
+    return text.size() >= 2 && text.find_first_not_of("*-") == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string BlockFile::fact(std::string_view key) const {
+    for (const auto& [name, value] : facts)
+        if (same_word(name, key)) return value;
+    return "";
+}
+
+Row SourceLines::row(std::size_t line, char delimiter) const {
+    return split_cells(lines[line], delimiter, {file, static_cast<int>(line) + 1},
+                       InnerQuotes::kept);
+}
+
+bool is_blank(const Row& row) {
+    return std::all_of(row.cells.begin(), row.cells.end(),
+                       [](const Cell& cell) { return trimmed(cell.text).empty(); });
+}
+
+char consistent_delimiter(const SourceLines& source, std::size_t begin, std::size_t end) {
+    char best = '\t';
+    std::size_t most = 0;
+    end = std::min({end, source.lines.size(), begin + 1000});
+    for (const char delimiter : {'\t', ';', ','}) {
+        std::size_t consistent = 0;
+        std::ptrdiff_t before = -1;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::string_view line = source.lines[i];
+            const auto count = std::count(line.begin(), line.end(), delimiter);
+            consistent += count > 0 && count == before;
+            before = count;
+        }
+        if (consistent > most) best = delimiter, most = consistent;
+    }
+    return best;
+}
+
+std::string bare_unit(std::string_view cell) {
+    cell = trimmed(cell);
+    const bool brackets = cell.size() >= 2 && ((cell.front() == '[' && cell.back() == ']') ||
+                                               (cell.front() == '(' && cell.back() == ')'));
+    return std::string(brackets ? trimmed(cell.substr(1, cell.size() - 2)) : cell);
+}
+
+void set_columns(Block& block, Row header, const std::vector<std::string>& names,
+                 const std::vector<std::string>& units, const std::vector<std::string>& details) {
+    struct Best {
+        std::size_t column = 0;
+        int rank = 0;
+    };
+    std::vector<std::pair<std::string_view, Best>> best;
+    std::vector<ColumnMeaning> meanings;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        meanings.push_back(meaning_of_column(names[i], i < units.size() ? units[i] : ""));
+        const ColumnMeaning& meaning = meanings.back();
+        if (meaning.quantity.empty()) continue;
+        const auto known =
+            std::ranges::find(best, meaning.quantity, &std::pair<std::string_view, Best>::first);
+        if (known == best.end())
+            best.push_back({meaning.quantity, {i, meaning.rank}});
+        else if (meaning.rank < known->second.rank)
+            known->second = {i, meaning.rank};
+    }
+    header.cells.resize(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string unit = i < units.size() ? units[i] : "";
+        const bool used = std::ranges::any_of(best, [&](const auto& each) {
+            return each.first == meanings[i].quantity && each.second.column == i;
+        });
+        BlockColumn column{names[i], unit, used ? std::string(meanings[i].quantity) : ""};
+        // A text that names no quantity, so that the column is not read.
+        const std::string other =
+            names[i].empty() ? "" : fmt::format("{}, column {}", names[i], i + 1);
+        header.cells[i].text = used ? fmt::format("{} [{}]", column.quantity, unit) : other;
+        if (used && unit.empty()) header.cells[i].text = column.quantity;
+        if (i < details.size() && !details[i].empty())
+            column.name += fmt::format(" ({})", details[i]);
+        block.columns.push_back(std::move(column));
+    }
+    block.table.header = std::move(header);
+}
+
+void add_row(Block& block, Row row) {
+    const std::size_t columns = block.columns.size();
+    for (std::size_t i = columns; i < row.cells.size(); ++i) {
+        if (row.cells[i].text.empty()) continue;
+        throw InputError({block.table.file, row.line, row.cells[i].column},
+                         fmt::format("{} cells where the header of line {} has {}; correct or "
+                                     "remove this line",
+                                     row.cells.size(), block.table.header.line, columns));
+    }
+    row.cells.resize(columns);
+    for (Cell& cell : row.cells)
+        if (marks_no_value(cell.text)) cell.text.clear();
+    block.table.rows.push_back(std::move(row));
+}
+
+}  // namespace pendular

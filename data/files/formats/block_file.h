@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "data/files/csv.h"
+#include "data/files/formats/number_style.h"
+
+namespace pendular {
+
+/// Column of a block, as the file calls it.
+struct BlockColumn {
+    std::string name;      ///< "Contrainte de Cisaillement"
+    std::string unit;      ///< "Pa"; empty if the file states none
+    std::string quantity;  ///< name of the quantity that it is read as; empty: not used
+};
+
+/// Stretch of a file under one header, such as an interval of a rheometer's test.
+struct Block {
+    std::string test;  ///< test or result that the block belongs to; empty if the file names none
+    std::string name;  ///< "Peak hold - 1"; empty if the file names none
+    int number = 0;    ///< number of the interval in its test, from 1; 0: the file gives none
+    /// Number of rows that the file declares for the block, if it does.
+    std::optional<std::size_t> declared_rows;
+    std::vector<BlockColumn> columns;
+    /// The rows. Header cells read `quantity [unit]`, or the file's text for columns that are not
+    /// used; numbers have a decimal point.
+    Table table;
+};
+
+/// Rows of a file that hold no measured values, with the reason why they were left out.
+struct SkippedRows {
+    int first_line = 0, last_line = 0;
+    std::string reason;
+};
+
+/// Content of a file of measurements, whatever its layout.
+struct BlockFile {
+    std::string file;      ///< path
+    std::string layout;    ///< name of the layout
+    std::string encoding;  ///< name of the character encoding
+    char delimiter = ',';
+    NumberStyle numbers;
+    /// Keys and values before the rows, such as {"Stress constant", "79577.5 Pa/N.m"}.
+    std::vector<std::pair<std::string, std::string>> facts;
+    std::vector<Block> blocks;
+    std::vector<SkippedRows> skipped;
+    std::vector<std::string> notes;  ///< sentences on how the file was read
+
+    /// Value of the first fact whose key is `key`, upper and lower case being equal; empty if there
+    /// is none.
+    std::string fact(std::string_view key) const;
+};
+
+/// Lines of a file that a layout reads. The lines refer to a text that the caller keeps.
+struct SourceLines {
+    std::string file;
+    std::vector<std::string_view> lines;
+
+    /// Cells of a line, which counts from 0.
+    /// @throws InputError at a quoted cell that does not close
+    Row row(std::size_t line, char delimiter) const;
+};
+
+/// Whether all cells of a row are empty.
+bool is_blank(const Row& row);
+
+/// Most consistent delimiter of a range of lines: tab, semicolon or comma, the one that splits most
+/// lines into as many cells as the line before; the earlier in this list if several do.
+char consistent_delimiter(const SourceLines& source, std::size_t begin, std::size_t end);
+
+/// Text of a unit cell without brackets: "mN·m" of "[mN·m]" or "(mN·m)".
+std::string bare_unit(std::string_view cell);
+
+/// Sets columns and header of a block from the names and units of its columns. Of several columns
+/// with one quantity, that with the most specific name is used ("Time" rather than "Run time"), or
+/// else the first.
+/// @param header row whose cells have the positions of the columns
+/// @param details further words on each column, such as "Constant component"; may be shorter
+void set_columns(Block& block, Row header, const std::vector<std::string>& names,
+                 const std::vector<std::string>& units,
+                 const std::vector<std::string>& details = {});
+
+/// Adds a row to a block. Cells that are missing at its end are empty; "---" and "***" are empty.
+/// @throws InputError if the row has more cells than the block has columns, and they are not empty
+void add_row(Block& block, Row row);
+
+}  // namespace pendular

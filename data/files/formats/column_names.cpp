@@ -1,0 +1,91 @@
+#include "data/files/formats/column_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "data/quantities/quantity.h"
+#include "data/quantities/units.h"
+
+namespace pendular {
+namespace {
+
+struct VendorName {
+    std::string_view quantity;
+    /// Names in the order of preference where a file has several.
+    std::vector<std::string_view> names;
+};
+
+/// Names in rheometers' exports that a header of the program's own layout does not use. Those that
+/// are shared with other quantities there ("Stress", "Velocity") are read only in these files.
+const std::vector<VendorName>& vendor_names() {
+    static const std::vector<VendorName> all = {
+        {"time",
+         {"Time", "t", "Temps", "Zeit", "Step time", "t_seg", "Time (action)", "Interval Time",
+          "Intervalle Temps", "Abschnittszeit", "Run time", "Time (sequence)"}},
+        {"torque", {"Torque", "M", "Couple", "Moment de torsion", "Drehmoment"}},
+        {"normal_force", {"Normal Force", "Fn", "Axial force", "Force Normale", "Normalkraft"}},
+        {"height", {"Gap", "h", "Entrefer", "Position", "Spalt", "Spaltweite", "Messspalt"}},
+        {"rotational_speed",
+         {"Rotational Speed", "Speed", "n", "Vitesse de rotation", "Vitesse", "Drehzahl"}},
+        {"angular_velocity",
+         {"Angular velocity", "Velocity", "Ω", "Vitesse angulaire", "Winkelgeschwindigkeit"}},
+        {"shear_stress",
+         {"Shear Stress", "Stress", "τ", "Contrainte de Cisaillement", "Schubspannung"}},
+        {"normal_stress", {"Normal Stress", "Contrainte Normale", "Normalspannung"}},
+        {"shear_rate",
+         {"Shear Rate", "ɣ̇", "γ̇", "Gradient de Cisaillement", "Vitesse de Cisaillement",
+          "Scherrate"}},
+    };
+    return all;
+}
+
+/// Name in lower case with single blanks, for comparison. Names of one letter keep their case.
+std::string compared(std::string_view name) {
+    if (name.size() <= 2) return std::string(name);
+    std::string result;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == ' ' && (result.empty() || result.back() == ' ')) continue;
+        result += static_cast<char>(std::tolower(byte));
+    }
+    return result;
+}
+
+/// Whether a unit can be that of a quantity; a missing unit can.
+bool unit_fits(std::string_view unit, std::string_view name) {
+    if (unit.empty()) return true;
+    const bool angular = name == "rotational_speed" || name == "angular_velocity";
+    try {
+        const Unit stated(unit);
+        return stated.same_dimension(Unit(quantity(name).unit)) ||
+               (angular && stated.same_dimension(Unit("1/s")));
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
+    const std::string wanted = compared(name);
+    if (wanted.empty()) return {};
+    for (const VendorName& each : vendor_names())
+        for (std::size_t i = 0; i < each.names.size(); ++i)
+            if (compared(each.names[i]) == wanted && unit_fits(unit, each.quantity))
+                return {each.quantity, static_cast<int>(i)};
+    const Quantity* const known = find_quantity(name);
+    if (!known || known->unit.empty() || !unit_fits(unit, known->name)) return {};
+    return {known->name, 100};
+}
+
+bool counts_points(std::string_view name) {
+    static const std::vector<std::string> names = {
+        "point no.",  "point no,", "point no",  "meas. pts.", "meas. point",      "messpunkt",
+        "messpunkte", "punkt nr.", "punkt-nr.", "point n°",   "points de mesure", "datapoint"};
+    return std::ranges::find(names, compared(name)) != names.end();
+}
+
+}  // namespace pendular

@@ -1,0 +1,68 @@
+#include "data/files/formats/layouts.h"
+
+#include <algorithm>
+
+#include "data/files/text_file.h"
+
+namespace pendular {
+namespace {
+
+const Layout& layout_of(const SourceLines& source, const FileFormat& format) {
+    const auto& all = layouts();
+    const auto found = std::ranges::find_if(all, [&](const Layout& layout) {
+        return format.layout.empty() ? layout.recognise(source) : layout.name == format.layout;
+    });
+    return found == all.end() ? all.back() : *found;
+}
+
+/// Rewrites all numbers of a file with a decimal point.
+void unify_numbers(BlockFile& file, const FileFormat& format) {
+    NumberStyleFinder finder;
+    for (const Block& block : file.blocks)
+        finder.look_at(block.table);
+    file.numbers = finder.style(format.decimal);
+    for (Block& block : file.blocks)
+        rewrite_numbers(block.table, file.numbers);
+}
+
+}  // namespace
+
+const std::vector<Layout>& layouts() {
+    static const std::vector<Layout> all = {rheocompass_layout(), rheoplus_layout(),
+                                            trios_layout(),       rspace_layout(),
+                                            rheowin_layout(),     yield_locus_report_layout(),
+                                            transposed_layout(),  unit_row_layout(),
+                                            headerless_layout(),  plain_layout()};
+    return all;
+}
+
+std::vector<std::string> layout_names() {
+    std::vector<std::string> names;
+    for (const Layout& layout : layouts())
+        names.push_back(layout.name);
+    return names;
+}
+
+const std::vector<std::string>& interval_roles() {
+    static const std::vector<std::string> roles = {"filling",   "preshear", "unloading", "failure",
+                                                   "reloading", "steady",   "other"};
+    return roles;
+}
+
+BlockFile read_blocks(const std::filesystem::path& path, const FileFormat& format) {
+    const DecodedText decoded = decode_file(path, format.encoding);
+    const SourceLines source{path.string(), split_lines(decoded.text)};
+    BlockFile file;
+    file.file = source.file;
+    file.encoding = decoded.encoding;
+    const Layout& layout = layout_of(source, format);
+    file.layout = layout.name;
+    layout.read(source, format, file);
+    if (std::ranges::all_of(file.blocks, [](const Block& b) { return b.table.rows.empty(); }))
+        throw InputError({file.file},
+                         "no rows of numbers were found; is this the export of the raw data?");
+    unify_numbers(file, format);
+    return file;
+}
+
+}  // namespace pendular

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "data/files/formats/layouts.h"
+#include "data/files/header_cell.h"
+#include "data/quantities/number.h"
+#include "data/quantities/quantity.h"
+
+namespace pendular {
+namespace {
+
+/// Number of numbers in a cell that lists several, as in "990.5;1800.25"; 0 for other cells.
+std::size_t listed_numbers(std::string_view text, char delimiter) {
+    std::size_t count = 0;
+    for (std::size_t begin = 0; begin <= text.size(); ++count) {
+        const std::size_t end = std::min(text.find(delimiter, begin), text.size());
+        if (!parse_number(text.substr(begin, end - begin))) return 0;
+        begin = end + 1;
+    }
+    return count > 1 ? count : 0;
+}
+
+/// @throws InputError at the first cell that lists several numbers
+void refuse_lists(const Table& table) {
+    for (const Row& row : table.rows)
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            const std::string& text = row.cells[i].text;
+            if (text.find(table.delimiter) == std::string::npos) continue;
+            if (const std::size_t count = listed_numbers(text, table.delimiter))
+                throw InputError(
+                    table.at(row, i),
+                    fmt::format("the cell holds a list of {} numbers, so this is a table of "
+                                "results, not a recording; write one row for each number and "
+                                "name the file in [[readings]]",
+                                count));
+        }
+}
+
+}  // namespace
+
+/// The program's own layout: one header of cells `name [unit]`, one row per sample.
+Layout plain_layout() {
+    return {"plain", "table with one header", [](const SourceLines&) { return true; },
+            [](const SourceLines& source, const FileFormat&, BlockFile& file) {
+                Block block;
+                block.table = table_of(source.file, source.lines);
+                refuse_lists(block.table);
+                for (const Cell& cell : block.table.header.cells) {
+                    const HeaderCell parts = parse_header_cell(cell.text);
+                    const Quantity* const quantity = find_quantity(parts.name);
+                    block.columns.push_back(
+                        {parts.name, parts.unit, quantity ? std::string(quantity->name) : ""});
+                }
+                file.delimiter = block.table.delimiter;
+                file.blocks.push_back(std::move(block));
+            }};
+}
+
+}  // namespace pendular

@@ -1,0 +1,313 @@
+#include "data/recordings/file_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "data/quantities/number.h"
+#include "data/quantities/units.h"
+#include "data/recordings/interval_roles.h"
+#include "data/recordings/robust.h"
+
+namespace pendular {
+namespace {
+
+constexpr double ratio_tolerance = 0.05;
+
+/// Cups of powder shear cells that are sold, with their radii [m].
+struct Cup {
+    double inner_radius, outer_radius;
+};
+constexpr std::array<Cup, 2> common_cups = {{{0.0105, 0.0215}, {0.0105, 0.016}}};
+
+/// Row of an interval, by the indices of both.
+struct RowOfFile {
+    std::size_t interval, row;
+    double ratio;
+};
+
+/// Smallest magnitude of a column's values [SI unit] that is resolved well enough for a ratio: 20
+/// of the smallest differences between values, but no more than a fifth of the largest value, since
+/// few distinct values lie far apart.
+double least_resolved(const std::vector<IntervalSeries>& series, std::string_view name) {
+    std::vector<double> known;
+    double largest = 0;
+    for (const IntervalSeries& each : series)
+        for (const double value : each.column(name)) {
+            if (!std::isfinite(value)) continue;
+            known.push_back(value);
+            largest = std::max(largest, std::abs(value));
+        }
+    return known.empty() ? 0 : std::min(20 * least_step(std::move(known)), 0.2 * largest);
+}
+
+/// Ratios of two columns in all rows in which both are known to 5 %.
+std::vector<RowOfFile> ratios(const std::vector<IntervalSeries>& series, std::string_view above,
+                              std::string_view below) {
+    const double least_above = least_resolved(series, above);
+    const double least_below = least_resolved(series, below);
+    std::vector<RowOfFile> result;
+    for (std::size_t k = 0; k < series.size(); ++k) {
+        const auto &a = series[k].column(above), &b = series[k].column(below);
+        if (a.empty() || b.empty()) continue;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (std::abs(a[i]) > least_above && std::abs(b[i]) > least_below)
+                result.push_back({k, i, a[i] / b[i]});
+    }
+    return result;
+}
+
+bool close(double a, double b) {
+    return std::abs(a / b - 1) < ratio_tolerance;
+}
+
+/// Most frequent ratio: the one with most others within 5 %.
+double most_frequent(const std::vector<RowOfFile>& rows) {
+    std::vector<double> sorted;
+    for (const RowOfFile& row : rows)
+        sorted.push_back(row.ratio);
+    std::ranges::sort(sorted);
+    double best = 0;
+    std::size_t most = 0, end = 0;
+    for (std::size_t begin = 0; begin < sorted.size(); ++begin) {
+        while (end < sorted.size() &&
+               sorted[end] <= sorted[begin] + ratio_tolerance * std::abs(sorted[begin]))
+            ++end;
+        if (end - begin > most) {
+            most = end - begin;
+            best = sorted[begin + (end - begin) / 2];
+        }
+    }
+    return best;
+}
+
+void add_line(std::vector<std::pair<int, int>>& lines, int line) {
+    if (!lines.empty() && lines.back().second + 1 == line)
+        lines.back().second = line;
+    else
+        lines.emplace_back(line, line);
+}
+
+std::size_t rows_in(const std::vector<std::pair<int, int>>& lines) {
+    std::size_t count = 0;
+    for (const auto& [first, last] : lines)
+        count += static_cast<std::size_t>(last - first + 1);
+    return count;
+}
+
+/// Finding on rows in which a ratio of two columns differs from the constant of the cell.
+std::optional<FileFinding> ratio_finding(const std::vector<IntervalSeries>& series,
+                                         std::string_view stress, std::string_view force,
+                                         const char* stress_text, const char* force_text,
+                                         double constant) {
+    const std::vector<RowOfFile> rows = ratios(series, stress, force);
+    if (rows.empty() || constant == 0) return std::nullopt;
+    FileFinding finding;
+    std::vector<double> factors;
+    for (const RowOfFile& row : rows) {
+        if (close(row.ratio, constant)) continue;
+        add_line(finding.lines, series[row.interval].line[row.row]);
+        factors.push_back(constant / row.ratio);
+    }
+    if (factors.empty()) return std::nullopt;
+    const double factor = median(factors);
+    const double power = std::round(std::log10(std::abs(factor)));
+    const bool decimal = power != 0 && close(factor, std::pow(10, power));
+    finding.kind = fmt::format("{}-{}", force, stress);
+    finding.what = fmt::format(
+        "{} and {} contradict each other in {} of {} rows: the {} is {} times what the {} gives{}.",
+        force_text, stress_text, factors.size(), rows.size(), force_text, short_text(factor),
+        stress_text,
+        decimal ? ", as if a decimal or thousands mark was lost when the table was converted" : "");
+    finding.done =
+        fmt::format("The {} of these rows is used, the {} is not.", stress_text, force_text);
+    return finding;
+}
+
+/// Finding on a column that is proportional to a quantity it should not be proportional to, while
+/// the column that should be is not: both columns are in each other's place.
+void check_swapped(const std::vector<IntervalSeries>& series, std::vector<FileFinding>& findings) {
+    const auto constant = [&](std::string_view above, std::string_view below) {
+        const std::vector<RowOfFile> rows = ratios(series, above, below);
+        const double usual = most_frequent(rows);
+        const auto agree = std::ranges::count_if(
+            rows, [&](const RowOfFile& row) { return close(row.ratio, usual); });
+        return rows.size() >= 20 && agree > 0.9 * static_cast<double>(rows.size());
+    };
+    const std::array<std::array<const char*, 3>, 2> triples = {
+        {{"torque", "shear_stress", "angular_velocity"},
+         {"normal_force", "normal_stress", "height"}}};
+    for (const auto& [measured, derived, other] : triples) {
+        const bool wrong =
+            !ratios(series, derived, measured).empty() && !constant(derived, measured);
+        if (!wrong || !constant(other, measured)) continue;
+        FileFinding finding;
+        finding.kind = "swapped-columns";
+        finding.what = fmt::format(
+            "the column of {} is proportional to the {}, the column of {} is not: the two columns "
+            "are in each other's place.",
+            other, measured, derived);
+        finding.done = "Correct the header or state 'columns' in study.toml; nothing was changed.";
+        findings.push_back(std::move(finding));
+    }
+}
+
+void check_declared(const BlockFile& file, std::vector<FileFinding>& findings) {
+    for (const Block& block : file.blocks) {
+        std::size_t rows = block.table.rows.size();
+        if (block.table.rows.empty() || !block.declared_rows) continue;
+        const int first = block.table.header.line, last = block.table.rows.back().line;
+        for (const SkippedRows& skipped : file.skipped)
+            if (skipped.first_line > first && skipped.last_line <= last)
+                rows += static_cast<std::size_t>(skipped.last_line - skipped.first_line + 1);
+        if (rows == *block.declared_rows) continue;
+        FileFinding finding;
+        finding.lines = {{block.table.rows.front().line, last}};
+        finding.kind = "declared-rows";
+        finding.what =
+            fmt::format("interval {}{} declares {} points and has {}.", block.number,
+                        block.test.empty() ? "" : " of " + block.test, *block.declared_rows, rows);
+        finding.done = rows < *block.declared_rows
+                           ? "The rows are used; if the file was cut off, export it again."
+                           : "All rows are used.";
+        findings.push_back(std::move(finding));
+    }
+}
+
+void check_times(const std::vector<IntervalSeries>& series, std::vector<FileFinding>& findings) {
+    FileFinding finding;
+    for (const IntervalSeries& each : series)
+        for (std::size_t i = 1; i < each.time.size(); ++i)
+            if (each.time[i] < each.time[i - 1]) add_line(finding.lines, each.line[i]);
+    if (finding.lines.empty()) return;
+    finding.kind = "time";
+    finding.what = "time goes back within an interval: two measurements may have been joined.";
+    finding.done = "Split the interval there; as a recording, the file is refused.";
+    findings.push_back(std::move(finding));
+}
+
+void check_repeated(const BlockFile& file, std::vector<FileFinding>& findings) {
+    FileFinding finding;
+    for (const Block& block : file.blocks) {
+        const auto& rows = block.table.rows;
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            const bool same =
+                std::ranges::equal(rows[i].cells, rows[i - 1].cells,
+                                   [](const Cell& a, const Cell& b) { return a.text == b.text; });
+            if (same) add_line(finding.lines, rows[i].line);
+        }
+    }
+    if (finding.lines.empty()) return;
+    finding.kind = "repeated-rows";
+    finding.what =
+        fmt::format("{} rows repeat the row before them in all columns.", rows_in(finding.lines));
+    finding.done = "They are kept; check the export.";
+    findings.push_back(std::move(finding));
+}
+
+void check_tests(const BlockFile& file, std::vector<FileFinding>& findings) {
+    std::vector<std::string> tests;
+    for (const Block& block : file.blocks)
+        if (tests.empty() || tests.back() != block.test) tests.push_back(block.test);
+    if (tests.size() < 2) return;
+    FileFinding finding;
+    finding.kind = "several-tests";
+    finding.what = fmt::format(
+        "the file holds {} tests, whose intervals are numbered anew: {}{}.", tests.size(),
+        fmt::join(
+            tests.begin(),
+            tests.begin() + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(tests.size()), 3),
+            "; "),
+        tests.size() > 3 ? "; ..." : "");
+    finding.done = "Intervals of different tests are never joined.";
+    findings.push_back(std::move(finding));
+}
+
+/// Constant of the cell that a header states, in SI units; 0 if it states none.
+double header_constant(const BlockFile& file, const char* key, const char* unit) {
+    try {
+        const double value = quantity_in_si(file.fact(key), Unit(unit));
+        return value;
+    } catch (const std::invalid_argument&) {
+        return 0;
+    }
+}
+
+void check_header_constants(const BlockFile& file, const CellFromColumns& cell,
+                            std::vector<FileFinding>& findings) {
+    const std::array<std::tuple<const char*, const char*, double>, 2> constants = {
+        {{"Stress constant", "Pa/(N m)", cell.stress_per_torque},
+         {"Normal Stress Constant", "Pa/N", cell.stress_per_force}}};
+    for (const auto& [key, unit, found] : constants) {
+        const double stated = header_constant(file, key, unit);
+        if (stated == 0 || found == 0 || close(found, stated)) continue;
+        FileFinding finding;
+        finding.kind = "header-constant";
+        finding.what = fmt::format("the header states a {} of {} {}, the columns give {}.", key,
+                                   short_text(stated), unit, short_text(found));
+        finding.done = "The columns are used.";
+        findings.push_back(std::move(finding));
+    }
+}
+
+}  // namespace
+
+std::string text_of_lines(const std::vector<std::pair<int, int>>& lines, std::size_t most) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) {
+        const auto& [first, last] = lines[i];
+        text +=
+            fmt::format("{}{}", text.empty() ? "" : ", ",
+                        first == last ? std::to_string(first) : fmt::format("{}-{}", first, last));
+    }
+    if (lines.size() > most) text += fmt::format(" and {} more ranges", lines.size() - most);
+    return text;
+}
+
+CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series) {
+    CellFromColumns cell;
+    cell.stress_per_force = most_frequent(ratios(series, "normal_stress", "normal_force"));
+    const std::vector<RowOfFile> rows = ratios(series, "shear_stress", "torque");
+    cell.stress_per_torque = most_frequent(rows);
+    for (const Cup& cup : common_cups) {
+        const AnnularCell annulus{.inner_radius = cup.inner_radius,
+                                  .outer_radius = cup.outer_radius};
+        const double expected = shear_stress(1, annulus);
+        const bool force_fits =
+            cell.stress_per_force != 0 &&
+            std::abs(cell.stress_per_force / normal_stress(1, annulus) - 1) < 0.01;
+        const bool torque_fits = std::abs(std::abs(cell.stress_per_torque) / expected - 1) < 0.01;
+        const bool unknown_force = cell.stress_per_force == 0;
+        if (!force_fits && !(unknown_force && torque_fits)) continue;
+        const auto fitting = std::ranges::find_if(
+            rows, [&](const RowOfFile& row) { return close(row.ratio, expected); });
+        if (!rows.empty() && fitting == rows.end()) continue;
+        cell.inner_radius = cup.inner_radius;
+        cell.outer_radius = cup.outer_radius;
+        if (!rows.empty()) cell.stress_per_torque = expected;
+    }
+    return cell;
+}
+
+std::vector<FileFinding> check_file(const BlockFile& file,
+                                    const std::vector<IntervalSeries>& series,
+                                    const CellFromColumns& cell) {
+    std::vector<FileFinding> findings;
+    if (auto finding = ratio_finding(series, "shear_stress", "torque", "shear stress", "torque",
+                                     cell.stress_per_torque))
+        findings.push_back(std::move(*finding));
+    if (auto finding = ratio_finding(series, "normal_stress", "normal_force", "normal stress",
+                                     "normal force", cell.stress_per_force))
+        findings.push_back(std::move(*finding));
+    check_swapped(series, findings);
+    check_declared(file, findings);
+    check_times(series, findings);
+    check_repeated(file, findings);
+    check_tests(file, findings);
+    check_header_constants(file, cell, findings);
+    return findings;
+}
+
+}  // namespace pendular

@@ -1,0 +1,39 @@
+#include "data/recordings/file_view.h"
+
+#include <algorithm>
+
+namespace pendular {
+namespace {
+
+/// Quantities of steady shear that no interval of a file has.
+std::vector<std::string> missing_quantities(const std::vector<IntervalSeries>& series) {
+    const auto has = [&](const char* name) {
+        return std::ranges::any_of(
+            series, [&](const IntervalSeries& each) { return !each.column(name).empty(); });
+    };
+    std::vector<std::string> missing;
+    if (!has("time")) missing.emplace_back("time");
+    if (!has("torque") && !has("shear_stress")) missing.emplace_back("torque or shear stress");
+    if (!has("normal_force") && !has("normal_stress"))
+        missing.emplace_back("normal force or normal stress");
+    if (!has("height")) missing.emplace_back("gap");
+    if (!has("angular_velocity")) missing.emplace_back("speed of the lid");
+    return missing;
+}
+
+}  // namespace
+
+FileView view_of_file(const std::filesystem::path& path, const FileFormat& format) {
+    FileView view;
+    view.file = read_blocks(path, format);
+    for (const Block& block : view.file.blocks)
+        view.series.push_back(series_of(block));
+    view.roles = roles_of(view.file, view.series, format);
+    view.cell = cell_from_columns(view.series);
+    view.findings = check_file(view.file, view.series, view.cell);
+    view.loci = yield_loci(view.file, view.series, view.roles);
+    view.missing = missing_quantities(view.series);
+    return view;
+}
+
+}  // namespace pendular

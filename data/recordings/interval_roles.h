@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "data/files/formats/block_file.h"
+#include "data/files/formats/file_format.h"
+#include "data/recordings/interval_series.h"
+
+namespace pendular {
+
+/// Role of an interval in a test, with the reason why it was given this role.
+struct IntervalRole {
+    std::string role;     ///< one of `interval_roles`
+    std::string reason;   ///< "normal stress 0.40 of that of interval 2 before it"
+    bool stated = false;  ///< whether the user stated the role
+};
+
+/// Roles of all intervals of a file: filling, preshear, unloading, failure, reloading, steady or
+/// other. Stated roles come first, then the roles that a yield-locus test shows: an interval is
+/// sheared to failure if it follows a sheared interval with a normal stress at least 5 % higher,
+/// which is its preshear; if only intervals 4, 8, 12, ... of a powder cell were exported; or if the
+/// lid turns by less than 0.3 rad, which is no strain for steady shear. Other sheared intervals are
+/// called steady. Intervals without shear are filling, unloading or reloading by their place.
+std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
+                                   const FileFormat& format);
+
+/// Median of the finite values of a column, in its unit; NaN if there are none.
+double median_of_known(const std::vector<double>& values);
+
+}  // namespace pendular

@@ -1,0 +1,174 @@
+#include "data/recordings/yield_locus.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace pendular {
+namespace {
+
+double mean_of(const std::vector<double>& values, std::size_t begin, std::size_t end) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (!std::isfinite(values[i])) continue;
+        sum += values[i];
+        ++count;
+    }
+    return count == 0 ? std::nan("") : sum / static_cast<double>(count);
+}
+
+/// Index of the row with the largest magnitude of shear stress; rows without a stress do not count.
+std::size_t row_of_peak(const IntervalSeries& series) {
+    std::optional<std::size_t> peak;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        if (!std::isfinite(series.shear_stress[i]) || !std::isfinite(series.normal_stress[i]))
+            continue;
+        if (!peak || std::abs(series.shear_stress[i]) > std::abs(series.shear_stress[*peak]))
+            peak = i;
+    }
+    if (!peak) throw std::invalid_argument("an interval without shear and normal stress");
+    return *peak;
+}
+
+const char* flow_class_of(double flowability) {
+    if (flowability < 1) return "not flowing";
+    if (flowability < 2) return "very cohesive";
+    if (flowability < 4) return "cohesive";
+    return flowability < 10 ? "easy-flowing" : "free-flowing";
+}
+
+/// Sets what follows from the Mohr circle of the preshear.
+void add_preshear(LinearYieldLocus& locus, const PreshearPoint& preshear) {
+    const double s = preshear.normal_stress, t = std::abs(preshear.shear_stress);
+    const double sine = std::sin(locus.slope_angle);
+    const double shift = locus.cohesion * std::cos(locus.slope_angle);
+    const double a = 1 - sine * sine;
+    const double half_b = s + sine * shift;
+    const double c = s * s + t * t - shift * shift;
+    // If the preshear is above the line, no circle through it is tangent; the circle that touches the
+    // line at the normal stress of the preshear is used, as the instrument does.
+    const double root = std::max(half_b * half_b - a * c, 0.0);
+    const double centre = (half_b - std::sqrt(root)) / a;
+    const double radius = centre * sine + shift;
+    locus.major_principal_stress = centre + radius;
+    locus.effective_angle = std::asin(std::min(radius / centre, 1.0));
+    locus.flowability = locus.unconfined_strength > 0
+                            ? *locus.major_principal_stress / locus.unconfined_strength
+                            : INFINITY;
+    locus.flow_class = flow_class_of(*locus.flowability);
+}
+
+PreshearPoint preshear_point(const IntervalSeries& series) {
+    const std::size_t begin = series.size() - std::max<std::size_t>(series.size() / 10, 1);
+    return {mean_of(series.normal_stress, begin, series.size()),
+            std::abs(mean_of(series.shear_stress, begin, series.size()))};
+}
+
+/// Preshear of the same test before an interval; empty if none was recorded.
+std::optional<PreshearPoint> preshear_before(const BlockFile& file,
+                                             const std::vector<IntervalSeries>& series,
+                                             const std::vector<IntervalRole>& roles,
+                                             std::size_t i) {
+    while (i-- > 0 && file.blocks[i].test == file.blocks[i + 1].test)
+        if (roles[i].role == "preshear" && !series[i].shear_stress.empty() &&
+            !series[i].normal_stress.empty())
+            return preshear_point(series[i]);
+    return std::nullopt;
+}
+
+/// Locus with the test and preshear of a point; a new locus if there is none.
+YieldLocus& locus_for(std::vector<YieldLocus>& loci, const std::string& test,
+                      const std::optional<PreshearPoint>& preshear) {
+    for (YieldLocus& locus : loci) {
+        const bool both = locus.preshear && preshear;
+        const bool same =
+            both ? std::abs(locus.preshear->normal_stress / preshear->normal_stress - 1) < 0.05
+                 : !locus.preshear && !preshear;
+        if (locus.test == test && same) return locus;
+    }
+    loci.push_back({.test = test, .preshear = preshear});
+    return loci.back();
+}
+
+std::optional<LinearYieldLocus> fitted(const YieldLocus& locus, double FailurePoint::*normal,
+                                       double FailurePoint::*shear) {
+    std::vector<double> x, y;
+    for (const FailurePoint& point : locus.points) {
+        x.push_back(point.*normal);
+        y.push_back(point.*shear);
+    }
+    try {
+        return linear_yield_locus(x, y, locus.preshear);
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
+                                    const std::vector<double>& shear_stress,
+                                    const std::optional<PreshearPoint>& preshear) {
+    const double n = static_cast<double>(normal_stress.size());
+    const double x = std::accumulate(normal_stress.begin(), normal_stress.end(), 0.0) / n;
+    const double y = std::accumulate(shear_stress.begin(), shear_stress.end(), 0.0) / n;
+    double squares = 0, products = 0;
+    for (std::size_t i = 0; i < normal_stress.size(); ++i) {
+        squares += (normal_stress[i] - x) * (normal_stress[i] - x);
+        products += (normal_stress[i] - x) * (shear_stress[i] - y);
+    }
+    if (!(squares > 0)) throw std::invalid_argument("a line needs two different normal stresses");
+    const double slope = products / squares;
+    LinearYieldLocus locus;
+    locus.intercept = y - slope * x;
+    locus.cohesion = std::max(locus.intercept, 0.0);
+    locus.slope_angle = std::atan(slope);
+    locus.tensile_strength = locus.cohesion > 0 ? -locus.cohesion / slope : 0;
+    locus.unconfined_strength =
+        2 * locus.cohesion * std::cos(locus.slope_angle) / (1 - std::sin(locus.slope_angle));
+    if (preshear) add_preshear(locus, *preshear);
+    return locus;
+}
+
+FailurePoint failure_point(const Block& block, const IntervalSeries& series) {
+    const std::size_t peak = row_of_peak(series), rows = series.size();
+    FailurePoint point;
+    point.interval = block.number;
+    point.line = series.line[peak];
+    point.normal_stress = series.normal_stress[peak];
+    point.shear_stress = std::abs(series.shear_stress[peak]);
+    point.at_end = peak + 1 + rows / 20 >= rows;
+    if (!series.height.empty() && std::isfinite(series.height[peak]))
+        point.height = series.height[peak];
+    const std::size_t window = std::min(std::max<std::size_t>(rows / 30, 5), rows);
+    for (std::size_t begin = 0; begin + window <= rows; ++begin) {
+        const double mean = std::abs(mean_of(series.shear_stress, begin, begin + window));
+        if (!(mean > point.smoothed_shear_stress)) continue;
+        point.smoothed_shear_stress = mean;
+        point.smoothed_normal_stress = mean_of(series.normal_stress, begin, begin + window);
+    }
+    return point;
+}
+
+std::vector<YieldLocus> yield_loci(const BlockFile& file, const std::vector<IntervalSeries>& series,
+                                   const std::vector<IntervalRole>& roles) {
+    std::vector<YieldLocus> loci;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        if (roles[i].role != "failure" || series[i].shear_stress.empty() ||
+            series[i].normal_stress.empty())
+            continue;
+        const auto preshear = preshear_before(file, series, roles, i);
+        locus_for(loci, file.blocks[i].test, preshear)
+            .points.push_back(failure_point(file.blocks[i], series[i]));
+    }
+    for (YieldLocus& locus : loci) {
+        locus.line = fitted(locus, &FailurePoint::normal_stress, &FailurePoint::shear_stress);
+        locus.smoothed = fitted(locus, &FailurePoint::smoothed_normal_stress,
+                                &FailurePoint::smoothed_shear_stress);
+    }
+    return loci;
+}
+
+}  // namespace pendular

@@ -1,0 +1,326 @@
+#include <cmath>
+
+#include "data/files/formats/layouts.h"
+#include "data/files/text_file.h"
+#include "data/recordings/file_view.h"
+#include "data/recordings/recording.h"
+#include "tests/support/data_support.h"
+
+namespace pendular::data_formats_test {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::filesystem::path look_alike(const std::string& name) {
+    return std::filesystem::path(PENDULAR_SOURCE_DIR) / "tests/data/formats" / name;
+}
+
+/// Name and unit of each column that is read as a quantity: "torque [mN·m]".
+std::vector<std::string> used_columns(const Block& block) {
+    std::vector<std::string> result;
+    for (const BlockColumn& column : block.columns)
+        if (!column.quantity.empty()) result.push_back(column.quantity + " [" + column.unit + "]");
+    return result;
+}
+
+std::vector<std::size_t> row_counts(const BlockFile& file) {
+    std::vector<std::size_t> result;
+    for (const Block& block : file.blocks)
+        result.push_back(block.table.rows.size());
+    return result;
+}
+
+class ReadBlocks : public testing::Test {
+  protected:
+    BlockFile read(const std::string& content, const FileFormat& format = {}) {
+        return read_blocks(folder_.write("t.csv", content), format);
+    }
+    std::string error(const std::string& content, const FileFormat& format = {}) {
+        return input_error([&] { read(content, format); });
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(ReadBlocks, RecogniseRheoCompassInAnyLanguageAndEncoding) {
+    const std::string text = read_text(look_alike("rheocompass_fr.txt"));
+    std::u16string wide;
+    std::string little = "\xFF\xFE", latin;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        // Letters of the look-alike are ASCII or take two bytes in UTF-8.
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const int code = byte < 0x80 ? byte : ((byte & 0x1F) << 6) | (text[++i] & 0x3F);
+        little += {static_cast<char>(code), '\0'};
+        latin += static_cast<char>(code);
+    }
+    for (const std::string& content : {text, little, latin}) {
+        const BlockFile file = read(content);
+        EXPECT_EQ(file.layout, "rheocompass");
+        EXPECT_EQ(file.delimiter, '\t');
+        EXPECT_EQ(file.numbers.decimal, ',');
+        ASSERT_THAT(row_counts(file), ElementsAre(3, 2, 3));
+        EXPECT_THAT(used_columns(file.blocks[0]),
+                    ElementsAre("time [s]", "torque [mN·m]", "normal_force [N]", "height [mm]",
+                                "rotational_speed [1/min]"));
+        EXPECT_EQ(file.blocks[0].test, "essai 1, Courbe 1");
+        EXPECT_EQ(file.blocks[2].test, "essai 1, Courbe 2");
+        ASSERT_THAT(file.skipped, SizeIs(1));
+        EXPECT_THAT(file.skipped[0].reason, HasSubstr("invalid"));
+    }
+    EXPECT_EQ(read(text).encoding, "UTF-8");
+    EXPECT_EQ(read(little).encoding, "UTF-16LE");
+    EXPECT_EQ(read(latin).encoding, "windows-1252");
+}
+
+TEST_F(ReadBlocks, KeepTestsOfOneFileApart) {
+    const Recording recording = read_recording(look_alike("rheocompass_fr.txt"));
+    EXPECT_THAT(recording.interval, ElementsAre(1, 1, 1, 2, 2, 3, 3, 3));
+    EXPECT_THAT(recording.torque[0], DoubleNear(0.0301, 1e-12));
+    EXPECT_THAT(recording.height[0], DoubleNear(0.012345, 1e-12));
+    EXPECT_THAT(recording.normal_force[0], DoubleNear(1.25, 1e-12));
+    EXPECT_THAT(recording.angular_velocity[0], DoubleNear(2 * M_PI / 120, 1e-12));
+    EXPECT_THAT(recording.left_out, SizeIs(1));
+}
+
+TEST_F(ReadBlocks, ReadRheoplusSeries) {
+    const BlockFile file = read_blocks(look_alike("rheoplus.txt"));
+    EXPECT_EQ(file.layout, "rheoplus");
+    EXPECT_THAT(row_counts(file), ElementsAre(3, 2));
+    EXPECT_EQ(file.blocks[1].test, "series 2");
+    EXPECT_THAT(used_columns(file.blocks[0]),
+                ElementsAre("shear_stress [Pa]", "torque [µNm]", "time [s]", "normal_force [N]"));
+    const IntervalSeries series = series_of(file.blocks[0]);
+    EXPECT_THAT(series.torque[0], DoubleNear(1214.5e-6, 1e-12));  // "1,214.5": thousands
+    EXPECT_THAT(series.shear_stress, ElementsAre(15, 25, 35));    // the first of two columns
+    EXPECT_EQ(file.fact("- Norm. Css [Pa/mNm]"), "9,945.692");
+}
+
+TEST_F(ReadBlocks, ReadTriosSteps) {
+    for (const char* const name : {"trios.csv", "trios.txt"}) {
+        const BlockFile file = read_blocks(look_alike(name));
+        EXPECT_EQ(file.layout, "trios");
+        EXPECT_THAT(row_counts(file), ElementsAre(3, 2));
+        EXPECT_EQ(file.blocks[0].name, "Peak hold - 1");
+        EXPECT_EQ(file.fact("stress constant"), "79577.5 Pa/N.m");
+        const IntervalSeries series = series_of(file.blocks[0]);
+        EXPECT_THAT(series.time[0], DoubleNear(90, 1e-9));
+        EXPECT_THAT(series.height[0], DoubleNear(1e-3, 1e-12));
+        EXPECT_THAT(series.torque[0], DoubleNear(101.5e-6, 1e-12));
+        EXPECT_THAT(series.normal_force[0], DoubleNear(2.5, 1e-12));
+        EXPECT_THAT(used_columns(file.blocks[1]),
+                    ElementsAre("shear_stress [Pa]", "shear_rate [1/s]", "time [min]"));
+    }
+    // The step without torque, force, gap and speed is left out of the recording and listed.
+    const Recording recording = read_recording(look_alike("trios.csv"));
+    EXPECT_EQ(recording.size(), 3u);
+    EXPECT_THAT(recording.left_out,
+                ElementsAre(testing::Field(&Excluded::reason, HasSubstr("lacks a column"))));
+}
+
+TEST_F(ReadBlocks, ReadRSpaceActions) {
+    const BlockFile file = read_blocks(look_alike("rspace.csv"));
+    EXPECT_EQ(file.layout, "rspace");
+    EXPECT_EQ(file.numbers.decimal, ',');
+    EXPECT_THAT(row_counts(file), ElementsAre(3, 3));
+    EXPECT_EQ(file.blocks[1].name, "Flow Up");
+    const IntervalSeries series = series_of(file.blocks[0]);
+    EXPECT_THAT(series.time, ElementsAre(1, 2, 3));  // of the action, not of the sequence
+    EXPECT_THAT(series.torque[0], DoubleNear(1.284e-3, 1e-12));
+    EXPECT_THAT(series.shear_rate[0], DoubleNear(47.57, 1e-9));
+}
+
+TEST_F(ReadBlocks, ReadRheoWinTablesSideBySide) {
+    const BlockFile file = read_blocks(look_alike("rheowin.csv"));
+    EXPECT_EQ(file.layout, "rheowin");
+    EXPECT_THAT(row_counts(file), ElementsAre(2, 2, 2, 2));
+    EXPECT_EQ(file.blocks[2].test, "table 2");
+    EXPECT_THAT(used_columns(file.blocks[0]),
+                ElementsAre("time [s]", "torque [mNm]", "normal_force [N]", "height [mm]"));
+    EXPECT_THAT(series_of(file.blocks[2]).torque[0], DoubleNear(4.25e-3, 1e-12));
+    EXPECT_EQ(file.blocks[2].columns[5].name, "G\"");  // a quote inside a header cell
+}
+
+TEST_F(ReadBlocks, ReadARowOfUnitsAndSplitWherePointsRestart) {
+    const BlockFile file = read_blocks(look_alike("unit_row.csv"));
+    EXPECT_EQ(file.layout, "unit-row");
+    EXPECT_THAT(row_counts(file), ElementsAre(25, 25));
+    const Recording recording = read_recording(look_alike("unit_row.csv"));
+    EXPECT_EQ(recording.interval.front(), 1);
+    EXPECT_EQ(recording.interval.back(), 2);
+    EXPECT_THAT(recording.angular_velocity[0], DoubleNear(0.005 * 2 * M_PI / 60, 1e-12));
+}
+
+TEST_F(ReadBlocks, RefuseMissingUnitsUnlessStated) {
+    const auto path = look_alike("no_units_damaged_torque.csv");
+    const std::string message = input_error([&] { read_blocks(path); });
+    EXPECT_THAT(message, AllOf(HasSubstr("no units"), HasSubstr("columns = [\"Point No. [1]\""),
+                               HasSubstr("\"Torque [mN m]\"")));
+    FileFormat format;
+    format.columns = {"Point No. [1]",     "Time [s]",           "Gap [mm]",
+                      "Normal Force [N]",  "Normal Stress [Pa]", "Torque [mN m]",
+                      "Shear Stress [Pa]", "Speed [1/min]"};
+    const BlockFile file = read_blocks(path, format);
+    EXPECT_THAT(row_counts(file), ElementsAre(25, 25));
+    EXPECT_EQ(file.blocks[1].number, 2);  // of the row "2,25"
+    EXPECT_EQ(file.blocks[1].declared_rows, 25u);
+}
+
+TEST_F(ReadBlocks, ReadNumbersWithoutHeaderAsTheUserStates) {
+    FileFormat format;
+    EXPECT_THAT(input_error([&] { read_blocks(look_alike("headerless.csv")); }),
+                HasSubstr("columns = ["));
+    EXPECT_THAT(input_error([&] { read_blocks(look_alike("transposed.csv")); }),
+                HasSubstr("layout = \"transposed\""));
+    format.columns = {"Time [s]", "Torque [N m]"};
+    for (const char* const name : {"headerless.csv", "transposed.csv"}) {
+        const BlockFile file = read_blocks(look_alike(name), format);
+        ASSERT_THAT(row_counts(file), ElementsAre(30)) << name;
+        const IntervalSeries series = series_of(file.blocks[0]);
+        EXPECT_THAT(series.time[29], DoubleNear(3, 1e-12));
+        EXPECT_THAT(series.torque[29], DoubleNear(0.03, 1e-12));
+    }
+}
+
+TEST_F(ReadBlocks, RefuseWhatIsNoRecording) {
+    EXPECT_THAT(input_error([] { read_blocks(look_alike("yield_locus_report.txt")); }),
+                HasSubstr("report on a yield locus"));
+    EXPECT_THAT(input_error([] { read_blocks(look_alike("nested_lists.csv")); }),
+                HasSubstr("holds a list of 2 numbers"));
+}
+
+TEST_F(ReadBlocks, DecideTheDecimalMarkOfTheFile) {
+    const auto value = [&](const std::string& rows, const FileFormat& format = {}) {
+        return read("Torque [N m];x\n" + rows, format).blocks[0].table.rows[0].cells[0].text;
+    };
+    EXPECT_EQ(value("1,25;1\n"), "1.25");
+    EXPECT_EQ(value("1.25;1\n"), "1.25");
+    EXPECT_EQ(value("1.234,5;1\n"), "1234.5");
+    EXPECT_EQ(value("1,234.5;1\n"), "1234.5");
+    EXPECT_EQ(value("1,234;2.5\n"), "1234");   // the other number has a decimal point
+    EXPECT_EQ(value("1,234;2,5\n"), "1.234");  // the other number has a decimal comma
+    EXPECT_EQ(value("0,123;1\n"), "0.123");
+    EXPECT_EQ(value("1234,567;1\n"), "1234.567");
+    EXPECT_EQ(value("1 234,5;1\n"), "1234.5");
+    EXPECT_EQ(value("4,75275E+003;1\n"), "4.75275E+003");
+    FileFormat comma;
+    comma.decimal = ",";
+    EXPECT_EQ(value("1,234;1\n", comma), "1.234");
+}
+
+TEST_F(ReadBlocks, RefuseADecimalMarkThatNothingDecides) {
+    EXPECT_THAT(error("Torque [N m];x\n2,800;1\n3,100;2\n"),
+                AllOf(HasSubstr(":2:1:"), HasSubstr("2.800"), HasSubstr("2800"),
+                      HasSubstr("decimal = \",\"")));
+    EXPECT_THAT(error("Torque [N m];x\n2,85;1\n3.15;2\n"),
+                AllOf(HasSubstr(":2:1:"), HasSubstr("2,85"), HasSubstr("3.15")));
+}
+
+TEST_F(ReadBlocks, DetectShiftJis) {
+    // Japanese header words for torque, normal force and time, in Shift-JIS.
+    const std::string words =
+        "\x83\x67\x83\x8b\x83\x4e,\x96\x40\x90\xfc\x97\xcd,\x8e\x9e\x8a\xd4,"
+        "\x89\xf1\x93\x5d\x91\xac\x93\x78,\x91\xaa\x92\xe8\x93\x5f\x94\xd4\x8d\x86";
+    const BlockFile file = read("a,b,c,d," + words + "\n1,2,3,4,5,6,7,8,9\n");
+    EXPECT_EQ(file.encoding, "Shift_JIS");
+    EXPECT_EQ(file.blocks[0].columns[4].name, "トルク");
+    FileFormat format;
+    format.encoding = "no-such-encoding";
+    EXPECT_THAT(error("a,b\n1,2\n", format), HasSubstr("no-such-encoding"));
+}
+
+TEST(FileViewTest, FindsDamagedTorques) {
+    FileFormat format;
+    format.columns = {"Point No. [1]",     "Time [s]",           "Gap [mm]",
+                      "Normal Force [N]",  "Normal Stress [Pa]", "Torque [mN m]",
+                      "Shear Stress [Pa]", "Speed [1/min]"};
+    const FileView view = view_of_file(look_alike("no_units_damaged_torque.csv"), format);
+    // Rows 1 to 20 of interval 1 (lines 2 to 21) and 3 to 8 of interval 2 (lines 30 to 35): more
+    // than half of all rows, but the ratio of normal stress to force gives the cup away.
+    ASSERT_THAT(view.findings, SizeIs(1));
+    EXPECT_THAT(view.findings[0].lines, ElementsAre(std::pair(2, 21), std::pair(30, 35)));
+    EXPECT_THAT(view.findings[0].what, AllOf(HasSubstr("10 times"), HasSubstr("26 of 50 rows")));
+    EXPECT_NEAR(*view.cell.outer_radius, 0.0215, 1e-9);
+    EXPECT_THAT(view_of_file(look_alike("unit_row.csv")).findings, IsEmpty());
+}
+
+TEST(FileViewTest, FindsIntervalsThatDeclareAnotherNumberOfPoints) {
+    const FileView view = view_of_file(look_alike("rheocompass_fr.txt"));
+    std::vector<std::string> kinds;
+    for (const FileFinding& finding : view.findings)
+        kinds.push_back(finding.kind);
+    EXPECT_THAT(kinds, ElementsAre("declared-rows", "several-tests"));
+    EXPECT_THAT(view.findings[0].what, HasSubstr("declares 2 points and has 3"));
+}
+
+std::vector<std::string> role_names(const FileView& view) {
+    std::vector<std::string> names;
+    for (const IntervalRole& role : view.roles)
+        names.push_back(role.role);
+    return names;
+}
+
+TEST(FileViewTest, FindsTheRolesOfAYieldLocusTest) {
+    const FileView view = view_of_file(look_alike("powder_cell_all.txt"));
+    EXPECT_THAT(role_names(view), ElementsAre("filling", "preshear", "unloading", "failure",
+                                              "reloading", "preshear", "unloading", "failure",
+                                              "reloading", "preshear", "unloading", "failure"));
+    EXPECT_THAT(role_names(view_of_file(look_alike("powder_cell.txt"))),
+                ElementsAre("failure", "failure", "failure"));
+    FileFormat format;
+    format.roles = {{"steady", {"8"}}};
+    EXPECT_THAT(role_names(view_of_file(look_alike("powder_cell.txt"), format)),
+                ElementsAre("failure", "steady", "failure"));
+}
+
+TEST(YieldLocusTest, IsTheLineThroughTheLargestStresses) {
+    const FileView view = view_of_file(look_alike("powder_cell_all.txt"));
+    ASSERT_THAT(view.loci, SizeIs(1));
+    const YieldLocus& locus = view.loci[0];
+    // The look-alike fails at 100 Pa + 0.3 of the normal stress.
+    ASSERT_TRUE(locus.line);
+    EXPECT_NEAR(locus.line->cohesion, 100, 1e-9);
+    EXPECT_NEAR(std::tan(locus.line->slope_angle), 0.3, 1e-12);
+    EXPECT_NEAR(locus.preshear->normal_stress, 3000, 1e-9);
+    EXPECT_NEAR(locus.preshear->shear_stress, 975, 1e-9);  // mean of the last two rows
+    EXPECT_FALSE(locus.points[0].at_end);
+    // The window of five rows begins at the peak or ends with it.
+    EXPECT_LT(locus.points[0].smoothed_shear_stress, locus.points[0].shear_stress);
+}
+
+TEST(YieldLocusTest, SaysWhereFailureMayNotHaveBeenReached) {
+    TemporaryFolder folder;
+    std::string text = "Point No.,Normal Stress,Shear Stress\n,[Pa],[Pa]\n";
+    for (int i = 1; i <= 40; ++i)
+        text += std::to_string(i) + ",1000," + std::to_string(10 * i) + "\n";
+    FileFormat format;
+    format.roles = {{"failure", {"1"}}};
+    const FileView view = view_of_file(folder.write("t.csv", text), format);
+    ASSERT_THAT(view.loci, SizeIs(1));
+    EXPECT_TRUE(view.loci[0].points[0].at_end);
+    EXPECT_FALSE(view.loci[0].line);  // one point makes no line
+}
+
+/// The report of an instrument: preshear 2027/1336 Pa, cohesion 106.5 Pa and slope 43.54 deg give
+/// an unconfined strength of 496.4 Pa, a major principal stress of 3193 Pa, a flowability of 6.43
+/// and an effective angle of 46.95 deg. Two points on the line stand for its five.
+TEST(YieldLocusTest, ConvertsALineToStrengthAndFlowability) {
+    const double slope = std::tan(43.54 * M_PI / 180);
+    const LinearYieldLocus locus = linear_yield_locus(
+        {1000, 1500}, {106.5 + 1000 * slope, 106.5 + 1500 * slope}, PreshearPoint{2027, 1336});
+    // The printed cohesion is rounded to 0.05 %.
+    EXPECT_NEAR(locus.unconfined_strength, 496.4, 0.25);
+    EXPECT_NEAR(locus.tensile_strength, -112.1, 0.05);
+    EXPECT_NEAR(*locus.major_principal_stress, 3193, 1);
+    EXPECT_NEAR(*locus.flowability, 6.43, 0.01);
+    EXPECT_NEAR(*locus.effective_angle * 180 / M_PI, 46.95, 0.01);
+    EXPECT_EQ(locus.flow_class, "easy-flowing");
+    const LinearYieldLocus negative = linear_yield_locus({1000, 2000}, {900, 2000}, {});
+    EXPECT_EQ(negative.cohesion, 0);
+    EXPECT_EQ(negative.unconfined_strength, 0);
+}
+
+}  // namespace pendular::data_formats_test
