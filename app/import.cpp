@@ -5,6 +5,7 @@
 #include "analysis/misfit/believable.h"
 #include "app/command.h"
 #include "app/console.h"
+#include "app/import_file.h"
 #include "app/open_session.h"
 #include "app/options.h"
 #include "data/files/write_tables.h"
@@ -42,23 +43,32 @@ std::vector<std::string> findings_lines(std::vector<RecordingFinding> findings, 
 }  // namespace
 
 int import(const std::vector<std::string>& arguments) {
+    ImportFileOptions file;
     Options options(
-        "import STUDY [options]",
+        "import STUDY | FILE [options]",
         "Turns the recordings of a study into readings: shear stress and solid "
         "fraction of each steady\n"
         "step, with standard errors. Writes readings.csv and excluded.csv to the "
         "results folder;\n"
         "excluded.csv lists each range of rows that was left out, with the reason. Says "
         "what the rows show\n"
-        "besides their means, such as a saturated torque or a lid that wobbles.",
+        "besides their means, such as a saturated torque or a lid that wobbles.\n"
+        "\n"
+        "Of a single FILE, which an instrument exported, says what it is understood as: layout, "
+        "encoding,\n"
+        "columns with units, intervals with roles, checks, points of failure.",
         "  pendular import examples/dry-recordings\n"
-        "  pendular import my-study --json -\n",
+        "  pendular import my-study --json -\n"
+        "  pendular import export.csv --study my-study\n",
         true);
+    file.declare(options);
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
     }
     Console console(*common);
+    if (is_bare_file(common->study)) return import_file(common->study, file, console);
+    file.refuse_for_studies(options);
     const Measurements measurements =
         read_input(common->study, places_of(*common, {"readings.csv", "excluded.csv"}))
             .measurements;

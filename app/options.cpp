@@ -188,7 +188,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
     po::options_description all, hidden;
     std::vector<std::string> words;
     if (takes_study_) {
-        hidden.add_options()("study", po::value(&study));
+        hidden.add_options()("named-study", po::value(&study));
     }
     hidden.add_options()("words", po::value(&words));
     po::options_description visible;
@@ -198,7 +198,7 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
     visible.add(common);
     all.add(visible).add(hidden);
     po::positional_options_description positional;
-    positional.add("study", takes_study_ ? 1 : 0);
+    positional.add("named-study", takes_study_ ? 1 : 0);
     if (words_) {
         positional.add("words", -1);
     }

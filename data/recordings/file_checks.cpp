@@ -155,12 +155,15 @@ void check_swapped(const std::vector<IntervalSeries>& series, std::vector<FileFi
 }
 
 void check_declared(const BlockFile& file, std::vector<FileFinding>& findings) {
+    int end = 0;  // last line of the interval before
     for (const Block& block : file.blocks) {
         std::size_t rows = block.table.rows.size();
-        if (block.table.rows.empty() || !block.declared_rows) continue;
-        const int first = block.table.header.line, last = block.table.rows.back().line;
+        if (block.table.rows.empty()) continue;
+        const int first = std::max(block.table.header.line, end);
+        const int last = end = block.table.rows.back().line;
+        if (!block.declared_rows) continue;
         for (const SkippedRows& skipped : file.skipped)
-            if (skipped.first_line > first && skipped.last_line <= last)
+            if (skipped.points && skipped.first_line > first && skipped.last_line <= last)
                 rows += static_cast<std::size_t>(skipped.last_line - skipped.first_line + 1);
         if (rows == *block.declared_rows) continue;
         FileFinding finding;
@@ -207,20 +210,23 @@ void check_repeated(const BlockFile& file, std::vector<FileFinding>& findings) {
     findings.push_back(std::move(finding));
 }
 
-void check_tests(const BlockFile& file, std::vector<FileFinding>& findings) {
+/// Names of the tests of a file, each once.
+std::vector<std::string> tests_of(const BlockFile& file) {
     std::vector<std::string> tests;
     for (const Block& block : file.blocks)
-        if (tests.empty() || tests.back() != block.test) tests.push_back(block.test);
+        if (std::ranges::find(tests, block.test) == tests.end()) tests.push_back(block.test);
+    return tests;
+}
+
+void check_tests(const BlockFile& file, std::vector<FileFinding>& findings) {
+    std::vector<std::string> tests = tests_of(file);
     if (tests.size() < 2) return;
     FileFinding finding;
     finding.kind = "several-tests";
-    finding.what = fmt::format(
-        "the file holds {} tests, whose intervals are numbered anew: {}{}.", tests.size(),
-        fmt::join(
-            tests.begin(),
-            tests.begin() + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(tests.size()), 3),
-            "; "),
-        tests.size() > 3 ? "; ..." : "");
+    const std::size_t count = tests.size();
+    if (count > 3) tests.resize(3);
+    finding.what = fmt::format("the file holds {} tests, whose intervals are numbered anew: {}{}.",
+                               count, fmt::join(tests, "; "), count > 3 ? "; ..." : "");
     finding.done = "Intervals of different tests are never joined.";
     findings.push_back(std::move(finding));
 }
@@ -291,10 +297,21 @@ CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series) {
     return cell;
 }
 
-std::vector<FileFinding> check_file(const BlockFile& file,
-                                    const std::vector<IntervalSeries>& series,
-                                    const CellFromColumns& cell) {
-    std::vector<FileFinding> findings;
+namespace {
+
+/// Intervals of one test.
+std::vector<IntervalSeries> series_of_test(const BlockFile& file,
+                                           const std::vector<IntervalSeries>& series,
+                                           const std::string& test) {
+    std::vector<IntervalSeries> result;
+    for (std::size_t i = 0; i < series.size(); ++i)
+        if (file.blocks[i].test == test) result.push_back(series[i]);
+    return result;
+}
+
+/// Checks of one test whose cell has constants of its own.
+void check_ratios(const std::vector<IntervalSeries>& series, const CellFromColumns& cell,
+                  std::vector<FileFinding>& findings) {
     if (auto finding = ratio_finding(series, "shear_stress", "torque", "shear stress", "torque",
                                      cell.stress_per_torque))
         findings.push_back(std::move(*finding));
@@ -302,11 +319,27 @@ std::vector<FileFinding> check_file(const BlockFile& file,
                                      "normal force", cell.stress_per_force))
         findings.push_back(std::move(*finding));
     check_swapped(series, findings);
+}
+
+}  // namespace
+
+std::vector<FileFinding> check_file(const BlockFile& file,
+                                    const std::vector<IntervalSeries>& series,
+                                    const CellFromColumns& cell) {
+    std::vector<FileFinding> findings;
+    const std::vector<std::string> tests = tests_of(file);
+    if (tests.size() == 1) check_ratios(series, cell, findings);
+    for (const std::string& test : tests) {
+        if (tests.size() == 1) break;
+        // Each test of a file may have been made with another cell.
+        const std::vector<IntervalSeries> part = series_of_test(file, series, test);
+        check_ratios(part, cell_from_columns(part), findings);
+    }
     check_declared(file, findings);
     check_times(series, findings);
     check_repeated(file, findings);
     check_tests(file, findings);
-    check_header_constants(file, cell, findings);
+    if (tests.size() == 1) check_header_constants(file, cell, findings);
     return findings;
 }
 

@@ -15,6 +15,9 @@ namespace {
 /// What the roles of an interval depend on.
 struct Loading {
     bool sheared = false;
+    /// Whether a normal stress presses the sample, as in a test of grains: the shear stress is
+    /// below three times the normal stress.
+    bool pressed = false;
     double normal = 0;            ///< median normal stress or force
     std::optional<double> angle;  ///< angle by which the lid turned [rad], if known
 };
@@ -24,6 +27,10 @@ double largest_known(const std::vector<double>& values) {
     for (const double value : values)
         if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
     return largest;
+}
+
+bool any_known(const std::vector<double>& values) {
+    return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
 }
 
 /// Angle by which the lid turned during an interval [rad]; empty without time and speed.
@@ -39,15 +46,27 @@ std::optional<double> angle_turned(const IntervalSeries& series) {
     return angle;
 }
 
-std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
-    double most_shear = 0;
-    for (const IntervalSeries& each : series)
-        most_shear = std::max(most_shear, largest_known(each.shear()));
+/// Largest shear of any interval of the same test.
+double most_shear_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
+                     const std::string& test) {
+    double most = 0;
+    for (std::size_t i = 0; i < series.size(); ++i)
+        if (file.blocks[i].test == test) most = std::max(most, largest_known(series[i].shear()));
+    return most;
+}
+
+std::vector<Loading> loadings(const BlockFile& file, const std::vector<IntervalSeries>& series) {
+    constexpr double most_ratio = 3;
     std::vector<Loading> result;
-    for (const IntervalSeries& each : series) {
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const IntervalSeries& each = series[i];
         Loading loading;
-        loading.sheared = largest_known(each.shear()) > 0.05 * most_shear;
+        loading.sheared =
+            largest_known(each.shear()) > 0.05 * most_shear_of(file, series, file.blocks[i].test);
         loading.normal = median_of_known(each.normal());
+        const bool stresses = !each.shear_stress.empty() && !each.normal_stress.empty();
+        loading.pressed = loading.normal > 0 &&
+                          (!stresses || largest_known(each.shear()) < most_ratio * loading.normal);
         loading.angle = angle_turned(each);
         result.push_back(loading);
     }
@@ -77,29 +96,43 @@ std::optional<std::size_t> sheared_neighbour(const BlockFile& file,
     for (std::size_t k = i + static_cast<std::size_t>(step); k < loading.size();
          k += static_cast<std::size_t>(step)) {
         if (file.blocks[k].test != file.blocks[i].test) return std::nullopt;
-        if (loading[k].sheared) return k;
+        if (loading[k].sheared && loading[k].pressed) return k;
     }
     return std::nullopt;
 }
 
+/// Next sheared interval of the test whose normal stress differs from that of interval `i` by more
+/// than 5 %; empty if there is none.
+std::optional<std::size_t> next_level(const BlockFile& file, const std::vector<Loading>& loading,
+                                      std::size_t i) {
+    auto next = sheared_neighbour(file, loading, i, +1);
+    while (next && std::abs(loading[*next].normal / loading[i].normal - 1) < 0.05)
+        next = sheared_neighbour(file, loading, *next, +1);
+    return next;
+}
+
 IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& loading,
                              std::size_t i) {
-    constexpr double higher = 1.05;
-    const double own = loading[i].normal;
+    constexpr double higher = 1.05, long_turn = 1, short_turn = 0.3;
+    const Loading& own = loading[i];
+    if (!own.pressed) return {"steady", "sheared, but not under a normal stress as grains are"};
+    if (own.angle && *own.angle > long_turn)
+        return {"steady", fmt::format("the lid turned by {:.2g} rad", *own.angle)};
     const auto before = sheared_neighbour(file, loading, i, -1);
-    const auto after = sheared_neighbour(file, loading, i, +1);
+    const auto after = next_level(file, loading, i);
     if (only_every_fourth(file.blocks))
         return {"failure", "only intervals 4, 8, 12 ... of a powder cell's test were exported"};
-    if (before && loading[*before].normal > higher * own)
-        return {"failure", fmt::format("normal stress {:.2f} times that of interval {} before it",
-                                       own / loading[*before].normal, file.blocks[*before].number)};
-    if (after && own > higher * loading[*after].normal)
-        return {"preshear", fmt::format("normal stress {:.2f} times that of interval {} after it",
-                                        own / loading[*after].normal, file.blocks[*after].number)};
-    constexpr double short_turn = 0.3;
-    if (loading[i].angle && *loading[i].angle < short_turn)
+    if (before && loading[*before].normal > higher * own.normal)
+        return {"failure",
+                fmt::format("normal stress {:.2f} times that of interval {} before it",
+                            own.normal / loading[*before].normal, file.blocks[*before].number)};
+    if (after && own.normal > higher * loading[*after].normal)
+        return {"preshear",
+                fmt::format("normal stress {:.2f} times that of interval {} after it",
+                            own.normal / loading[*after].normal, file.blocks[*after].number)};
+    if (own.angle && *own.angle < short_turn)
         return {"failure", fmt::format("the lid turned by {:.2g} rad, too little for steady shear",
-                                       *loading[i].angle)};
+                                       *own.angle)};
     return {"steady", "sheared at constant set points"};
 }
 
@@ -122,13 +155,13 @@ double median_of_known(const std::vector<double>& values) {
 
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const FileFormat& format) {
-    const std::vector<Loading> loading = loadings(series);
+    const std::vector<Loading> loading = loadings(file, series);
     std::vector<IntervalRole> roles;
     for (std::size_t i = 0; i < series.size(); ++i) {
         if (const auto stated = stated_role(file.blocks[i], format))
             roles.push_back(*stated);
-        else if (series[i].shear().empty() || series[i].normal().empty())
-            roles.push_back({"other", "no column of shear stress or no column of normal stress"});
+        else if (largest_known(series[i].normal()) == 0 || !any_known(series[i].shear()))
+            roles.push_back({"other", "no values of shear stress or of normal stress"});
         else if (!loading[i].sheared)
             roles.push_back(role_of_resting(file, loading, i));
         else

@@ -17,11 +17,12 @@ struct IntervalRole {
 };
 
 /// Roles of all intervals of a file: filling, preshear, unloading, failure, reloading, steady or
-/// other. Stated roles come first, then the roles that a yield-locus test shows: an interval is
-/// sheared to failure if it follows a sheared interval with a normal stress at least 5 % higher,
-/// which is its preshear; if only intervals 4, 8, 12, ... of a powder cell were exported; or if the
-/// lid turns by less than 0.3 rad, which is no strain for steady shear. Other sheared intervals are
-/// called steady. Intervals without shear are filling, unloading or reloading by their place.
+/// other. Stated roles come first. An interval in which the lid turns by more than 1 rad is steady.
+/// Others have the roles that a yield-locus test shows: an interval is sheared to failure if it
+/// follows a sheared interval with a normal stress at least 5 % higher, which is its preshear; if
+/// only intervals 4, 8, 12, ... of a powder cell were exported; or if the lid turns by less than 0.3
+/// rad, which is no strain for steady shear. Other sheared intervals are called steady. Intervals
+/// without shear are filling, unloading or reloading by their place.
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const FileFormat& format);
 

@@ -14,6 +14,7 @@
 #include "data/recordings/plausibility.h"
 #include "data/recordings/readings.h"
 #include "data/recordings/recording.h"
+#include "data/recordings/repair.h"
 #include "data/recordings/replicates.h"
 #include "data/recordings/steady_state.h"
 #include "data/study/study.h"
@@ -51,6 +52,7 @@ Measurements read_file(const std::filesystem::path& file, const Source& source, 
     Measurements result;
     append(result.excluded, recording.left_out);
     append(result.notes, recording.notes);
+    if (source.format.repair) repair_torques(recording, cell, result);
     before.rows.take_out_copies(recording, source, result);
     if (recording.size() == 0) return result;
     const Contradictions contradictions =

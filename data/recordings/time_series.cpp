@@ -48,6 +48,14 @@ bool constant(double variance, double mean) {
     return variance <= rounding * rounding;
 }
 
+/// Whether all samples are equal but for rounding errors of the arithmetic. The variance about the
+/// mean does not show it for many samples, since the mean of many samples has a rounding error.
+bool all_equal(std::span<const double> samples) {
+    const auto [least, most] = std::ranges::minmax(samples);
+    const double range = most - least;
+    return constant(range * range, most);
+}
+
 /// Whether the halves of a series differ by more than 4 standard errors. The errors are computed
 /// from the scatter about the best line, since a drift would otherwise count as noise of long
 /// correlation.
@@ -85,6 +93,7 @@ Mean mean_of_correlated(std::span<const double> samples) {
     const double count = static_cast<double>(n);
     const double mean = plain_mean(samples);
     if (n == 1) return {mean, std::numeric_limits<double>::infinity(), 1};
+    if (all_equal(samples)) return {mean, 0, 1};
     LaggedCovariances covariance(samples, samples);
     if (constant(covariance(0), mean)) return {mean, 0, 1};
 
@@ -117,6 +126,31 @@ double covariance_of_means(std::span<const double> first, std::span<const double
     return std::clamp(correlation, -0.99, 0.99) * a.standard_error * b.standard_error;
 }
 
+namespace {
+
+/// Number d <= `most` of leading values to leave out that gives the smallest squared marginal
+/// standard error s^2(d)/(n - d) of the others. The mean and the sum of squares about it are
+/// updated from the last value to the first (Welford 1962), so that the time is linear.
+std::size_t least_marginal_error(std::span<const double> values, std::size_t most) {
+    double mean = 0, squares = 0;
+    double lowest = std::numeric_limits<double>::infinity();
+    std::size_t best = 0;
+    for (std::size_t d = values.size(); d-- > 0;) {
+        const double left = static_cast<double>(values.size() - d);
+        const double change = values[d] - mean;
+        mean += change / left;
+        squares += change * (values[d] - mean);
+        if (d > most) continue;
+        const double marginal = constant(squares / left, mean) ? 0 : squares / (left * left);
+        if (marginal > lowest) continue;
+        lowest = marginal;
+        best = d;
+    }
+    return best;
+}
+
+}  // namespace
+
 std::optional<std::size_t> end_of_transient(std::span<const double> samples) {
     // Batches of five samples, fewer in short series: with fewer than about 40 batches the minimum
     // is too often at the border by chance.
@@ -127,22 +161,7 @@ std::optional<std::size_t> end_of_transient(std::span<const double> samples) {
     const std::size_t half = means.size() / 2;
     if (half < 2) return std::nullopt;
 
-    std::size_t best = 0;
-    double lowest = std::numeric_limits<double>::infinity();
-    for (std::size_t d = 0; d <= half; ++d) {
-        const std::span<const double> rest = std::span<const double>(means).subspan(d);
-        const double left = static_cast<double>(rest.size());
-        const double mean = plain_mean(rest);
-        double squares = 0;
-        for (double value : rest)
-            squares += (value - mean) * (value - mean);
-        if (constant(squares / left, mean)) squares = 0;
-        const double marginal = squares / (left * left);
-        if (marginal < lowest) {
-            lowest = marginal;
-            best = d;
-        }
-    }
+    const std::size_t best = least_marginal_error(means, half);
     if (best == half) return std::nullopt;
 
     if (still_drifts(samples.subspan(best * batch))) return std::nullopt;

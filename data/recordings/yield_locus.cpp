@@ -47,8 +47,8 @@ void add_preshear(LinearYieldLocus& locus, const PreshearPoint& preshear) {
     const double a = 1 - sine * sine;
     const double half_b = s + sine * shift;
     const double c = s * s + t * t - shift * shift;
-    // If the preshear is above the line, no circle through it is tangent; the circle that touches the
-    // line at the normal stress of the preshear is used, as the instrument does.
+    // If the preshear is above the line, no circle through it is tangent; the circle that touches
+    // the line at the normal stress of the preshear is used, as the instrument does.
     const double root = std::max(half_b * half_b - a * c, 0.0);
     const double centre = (half_b - std::sqrt(root)) / a;
     const double radius = centre * sine + shift;
@@ -58,12 +58,6 @@ void add_preshear(LinearYieldLocus& locus, const PreshearPoint& preshear) {
                             ? *locus.major_principal_stress / locus.unconfined_strength
                             : INFINITY;
     locus.flow_class = flow_class_of(*locus.flowability);
-}
-
-PreshearPoint preshear_point(const IntervalSeries& series) {
-    const std::size_t begin = series.size() - std::max<std::size_t>(series.size() / 10, 1);
-    return {mean_of(series.normal_stress, begin, series.size()),
-            std::abs(mean_of(series.shear_stress, begin, series.size()))};
 }
 
 /// Preshear of the same test before an interval; empty if none was recorded.
@@ -130,6 +124,20 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
         2 * locus.cohesion * std::cos(locus.slope_angle) / (1 - std::sin(locus.slope_angle));
     if (preshear) add_preshear(locus, *preshear);
     return locus;
+}
+
+PreshearPoint preshear_point(const IntervalSeries& series) {
+    const std::size_t rows = std::max<std::size_t>(series.size() / 10, 1);
+    const std::size_t begin = series.size() - rows;
+    PreshearPoint point{mean_of(series.normal_stress, begin, series.size()),
+                        mean_of(series.shear_stress, begin, series.size())};
+    double squares = 0;
+    for (std::size_t i = begin; i < series.size(); ++i)
+        if (std::isfinite(series.shear_stress[i]))
+            squares += std::pow(series.shear_stress[i] - point.shear_stress, 2);
+    point.shear_stress_deviation = std::sqrt(squares / static_cast<double>(rows));
+    point.shear_stress = std::abs(point.shear_stress);
+    return point;
 }
 
 FailurePoint failure_point(const Block& block, const IntervalSeries& series) {

@@ -26,6 +26,8 @@ struct FailurePoint {
 struct PreshearPoint {
     double normal_stress = 0;  ///< mean over the last tenth of the preshear's rows [Pa]
     double shear_stress = 0;   ///< mean over the last tenth of the preshear's rows [Pa]
+    /// Standard deviation of the shear stress over these rows [Pa].
+    double shear_stress_deviation = 0;
 };
 
 /// Straight line through points of failure, with what follows from it.
@@ -65,6 +67,9 @@ struct YieldLocus {
     std::optional<LinearYieldLocus> line;      ///< through the samples of largest shear stress
     std::optional<LinearYieldLocus> smoothed;  ///< through the smoothed peaks
 };
+
+/// State at the end of a preshear, which has shear and normal stress.
+PreshearPoint preshear_point(const IntervalSeries& series);
 
 /// Point of failure of an interval with shear and normal stress. The smoothed peak is that of the
 /// mean over a window of 1/30 of the rows, at least five.

@@ -36,6 +36,7 @@ struct Block {
 struct SkippedRows {
     int first_line = 0, last_line = 0;
     std::string reason;
+    bool points = true;  ///< whether the rows are among the points that the interval declares
 };
 
 /// Content of a file of measurements, whatever its layout.

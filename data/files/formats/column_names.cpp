@@ -83,8 +83,9 @@ ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
 
 bool counts_points(std::string_view name) {
     static const std::vector<std::string> names = {
-        "point no.",  "point no,", "point no",  "meas. pts.", "meas. point",      "messpunkt",
-        "messpunkte", "punkt nr.", "punkt-nr.", "point n°",   "points de mesure", "datapoint"};
+        "point",       "point no.",        "point no,",  "point no",  "meas. pts.",
+        "meas. point", "messpunkt",        "messpunkte", "punkt nr.", "punkt-nr.",
+        "point n°",    "points de mesure", "datapoint"};
     return std::ranges::find(names, compared(name)) != names.end();
 }
 

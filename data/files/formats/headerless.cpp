@@ -20,7 +20,8 @@ Layout headerless_layout() {
                 throw InputError(
                     {source.file, first.line, 1},
                     fmt::format("has {} columns of numbers and no header; state names and units of "
-                                "all columns in [[recording]], like columns = [\"Time [s]\", "
+                                "all columns in [[recording]], or of one file by --columns, like "
+                                "columns = [\"Time [s]\", "
                                 "\"Torque [mN m]\"]{}",
                                 first.cells.size(),
                                 format.columns.empty()

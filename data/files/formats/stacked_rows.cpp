@@ -68,6 +68,10 @@ class StackedReader {
             if (is_blank(row)) continue;
             if (names.size() > 2 && states_interval(row)) continue;
             const auto number = parse_number(row.cells[0].text);
+            if (counter && row.cells[0].text.empty()) {
+                file_.skipped.push_back({row.line, row.line, "without a point number", false});
+                continue;
+            }
             const bool restarts = counter && number && *number <= point;
             if (file_.blocks.empty() || announced_ || restarts) begin_block(header, names, units);
             if (number) point = *number;

@@ -76,7 +76,8 @@ void read_unit_row_table(const SourceLines& source, const FileFormat& format, Bl
     }
     if (units.empty())
         throw InputError({source.file, header.line},
-                         fmt::format("has names but no units; state them in [[recording]], "
+                         fmt::format("has names but no units; state them in [[recording]], or for "
+                                     "one file by --columns, "
                                      "corrected where these guesses are wrong: {}",
                                      suggested_columns(names)));
     read_stacked_rows(source, next, header, {names, units}, file);

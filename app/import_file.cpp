@@ -1,0 +1,104 @@
+#include "app/import_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "data/files/text_file.h"
+#include "data/quantities/nearest.h"
+#include "data/quantities/number.h"
+#include "data/recordings/file_view.h"
+#include "reports/file_report.h"
+#include "workflow/begin_study.h"
+#include "workflow/file_json.h"
+
+namespace pendular::app {
+namespace {
+
+/// Checks a word that the user gave for an option.
+/// @throws InputError if it is not one of `words`
+void check_choice(const char* option, const std::string& word,
+                  const std::vector<std::string>& words) {
+    if (word.empty() || std::ranges::find(words, word) != words.end()) return;
+    throw InputError(
+        fmt::format("--{}: unknown \"{}\"; {}", option, word, did_you_mean(word, words)));
+}
+
+FileFormat format_of(const ImportFileOptions& options) {
+    check_choice("layout", options.layout, layout_names());
+    check_choice("decimal", options.decimal, {".", ","});
+    FileFormat format;
+    format.layout = options.layout;
+    format.encoding = options.encoding;
+    format.decimal = options.decimal;
+    for (std::string_view rest = options.columns; !rest.empty();) {
+        const std::size_t end = std::min(rest.find(';'), rest.size());
+        format.columns.emplace_back(trimmed(rest.substr(0, end)));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return format;
+}
+
+/// Writes the files of a new study.
+/// @throws InputError if the folder has a study.toml
+void write_new_study(const std::filesystem::path& folder, const FileView& view,
+                     const FileFormat& format) {
+    if (std::filesystem::exists(folder / "study.toml"))
+        throw InputError({(folder / "study.toml").string()},
+                         "is there already and was left as it is; name another folder in --study");
+    for (const auto& [name, content] : begin_study(view, format))
+        write_whole(folder / name, content);
+}
+
+}  // namespace
+
+void ImportFileOptions::declare(Options& options) {
+    options.begin_section("Options for a single file");
+    options.add("study", &study, "folder in which a study is begun: study.toml, guesses marked");
+    options.add("layout", &layout, "layout of the file (default: recognised by its content)");
+    options.add("encoding", &encoding, "character encoding of the file (default: detected)");
+    options.add("decimal", &decimal, "decimal mark of the file, '.' or ',' (default: detected)");
+    options.add(
+        "columns", &columns,
+        "names and units of all columns where the file has none: 'Time [s]; Torque [mN m]'");
+}
+
+void ImportFileOptions::refuse_for_studies(const Options& options) const {
+    for (const char* const name : {"study", "layout", "encoding", "decimal", "columns"})
+        if (options.given(name))
+            throw InputError(
+                fmt::format("--{} belongs to a single file; for a study, write it in "
+                            "[[recording]] of study.toml",
+                            name));
+}
+
+bool is_bare_file(const std::filesystem::path& path) {
+    return std::filesystem::is_regular_file(path) && path.extension() != ".toml";
+}
+
+int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
+                Console& console) {
+    const FileFormat format = format_of(options);
+    const FileView view = view_of_file(path, format);
+    if (!options.study.empty()) write_new_study(options.study, view, format);
+    console.answer(file_sentence(view));
+    console.line(encoding_sentence(view));
+    console.table(columns_table(view), 20);
+    console.table(intervals_table(view), 10);
+    console.table(checks_lines(view, console.all()), 10);
+    for (const std::string& line : yield_locus_lines(view))
+        console.line(line);
+    if (const std::string missing = missing_sentence(view); !missing.empty()) console.note(missing);
+    for (const std::string& note : view.file.notes)
+        console.note(note);
+    if (options.study.empty())
+        console.next(fmt::format("pendular import {} --study my-study", path.string()));
+    else
+        console.next(fmt::format("pendular calibrate {}", options.study));
+    console.json(to_json(view));
+    return done;
+}
+
+}  // namespace pendular::app

@@ -1,0 +1,240 @@
+#include "reports/file_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "data/quantities/number.h"
+#include "data/quantities/quantity.h"
+
+namespace pendular {
+namespace {
+
+std::size_t rows_of_file(const FileView& view) {
+    std::size_t rows = 0;
+    for (const IntervalSeries& series : view.series)
+        rows += series.size();
+    return rows;
+}
+
+const char* counted(std::size_t count, const char* one, const char* several) {
+    return count == 1 ? one : several;
+}
+
+/// Number without a value as "-".
+std::string known_text(double value) {
+    return std::isfinite(value) ? short_text(value) : "-";
+}
+
+double largest_magnitude(const std::vector<double>& values) {
+    double largest = std::nan("");
+    for (const double value : values)
+        if (std::isfinite(value) && !(std::abs(value) <= largest)) largest = std::abs(value);
+    return largest;
+}
+
+const char* line_word(const std::vector<std::pair<int, int>>& lines) {
+    return lines.size() == 1 && lines[0].first == lines[0].second ? "Line" : "Lines";
+}
+
+double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+
+/// A column with the number of intervals that have it.
+struct CountedColumn {
+    const BlockColumn* column;
+    std::size_t occurrence;  ///< of the column's name in an interval, from 0
+    std::size_t intervals;
+};
+
+/// Columns of a file that differ in name, unit or use, or that an interval has twice.
+std::vector<CountedColumn> distinct_columns(const BlockFile& file) {
+    std::vector<CountedColumn> result;
+    for (const Block& block : file.blocks) {
+        std::vector<const BlockColumn*> before;
+        for (const BlockColumn& column : block.columns) {
+            if (column.name.empty()) continue;
+            const auto same = [&](const BlockColumn* other) {
+                return other->name == column.name && other->unit == column.unit &&
+                       other->quantity == column.quantity;
+            };
+            const auto occurrence = static_cast<std::size_t>(std::ranges::count_if(before, same));
+            before.push_back(&column);
+            const auto known = std::ranges::find_if(result, [&](const CountedColumn& each) {
+                return same(each.column) && each.occurrence == occurrence;
+            });
+            if (known == result.end())
+                result.push_back({&column, occurrence, 1});
+            else
+                ++known->intervals;
+        }
+    }
+    return result;
+}
+
+/// Whether the intervals of a file belong to several tests.
+bool several_tests(const BlockFile& file) {
+    return std::ranges::any_of(
+        file.blocks, [&](const Block& block) { return block.test != file.blocks[0].test; });
+}
+
+/// Sentences on the rows that were left out, one for each reason.
+std::vector<std::string> skipped_lines(const BlockFile& file, bool all) {
+    std::vector<std::pair<std::string, std::vector<std::pair<int, int>>>> by_reason;
+    for (const SkippedRows& rows : file.skipped) {
+        auto known = std::ranges::find_if(
+            by_reason, [&](const auto& each) { return each.first == rows.reason; });
+        if (known == by_reason.end()) known = by_reason.insert(by_reason.end(), {rows.reason, {}});
+        known->second.emplace_back(rows.first_line, rows.last_line);
+    }
+    std::vector<std::string> lines;
+    for (const auto& [reason, ranges] : by_reason)
+        lines.push_back(fmt::format("  {} {}: {}. Left out.", line_word(ranges),
+                                    text_of_lines(ranges, all ? ranges.size() : 8), reason));
+    return lines;
+}
+
+std::string strength_line(const char* rule, const LinearYieldLocus& line) {
+    std::string text = fmt::format(
+        "  {:<22} cohesion {:.4g} Pa, slope {:.4g} deg, tensile strength {:.4g} Pa, unconfined "
+        "strength {:.4g} Pa",
+        rule, line.cohesion, degrees(line.slope_angle), line.tensile_strength,
+        line.unconfined_strength);
+    if (line.intercept < 0) text += fmt::format(" (the intercept is {:.4g} Pa)", line.intercept);
+    if (line.flowability)
+        text += fmt::format(
+            ", major principal stress {:.4g} Pa, flowability {}, {}", *line.major_principal_stress,
+            std::isinf(*line.flowability) ? "infinite" : fmt::format("{:.3g}", *line.flowability),
+            line.flow_class);
+    return text + ".";
+}
+
+}  // namespace
+
+std::string file_sentence(const FileView& view) {
+    const auto& all = layouts();
+    const auto layout = std::ranges::find(all, view.file.layout, &Layout::name);
+    const std::size_t intervals = view.file.blocks.size(), rows = rows_of_file(view);
+    return fmt::format("{} is read as layout \"{}\" ({}): {} {}, {} {}.",
+                       std::filesystem::path(view.file.file).filename().string(), view.file.layout,
+                       layout->meaning, intervals, counted(intervals, "interval", "intervals"),
+                       rows, counted(rows, "row", "rows"));
+}
+
+std::string encoding_sentence(const FileView& view) {
+    const char delimiter = view.file.delimiter;
+    const std::string separated = delimiter == '\t' ? "tabs" : fmt::format("'{}'", delimiter);
+    return fmt::format("Encoding {}, cells separated by {}, decimal mark '{}'.", view.file.encoding,
+                       separated, view.file.numbers.decimal);
+}
+
+std::vector<std::string> columns_table(const FileView& view) {
+    std::vector<std::string> lines = {
+        fmt::format("  {:<40} {:<10} {}", "column", "unit", "read as")};
+    for (const auto& [column, occurrence, intervals] : distinct_columns(view.file)) {
+        const std::string part =
+            intervals == view.file.blocks.size()
+                ? ""
+                : fmt::format(" (in {} of {} intervals)", intervals, view.file.blocks.size());
+        const std::string read_as =
+            column->quantity.empty()
+                ? "not used"
+                : fmt::format("{} [{}]", column->quantity, quantity(column->quantity).unit);
+        lines.push_back(fmt::format("  {:<40} {:<10} {}{}", column->name,
+                                    column->unit.empty() ? "-" : column->unit, read_as, part));
+    }
+    return lines;
+}
+
+std::vector<std::string> intervals_table(const FileView& view) {
+    std::vector<std::string> lines = {fmt::format("  {:>8} {:<10} {:>6} {:>13} {:>10} {:>12}  {}",
+                                                  "interval", "role", "rows", "lines", "s22 [Pa]",
+                                                  "max s12 [Pa]", "why")};
+    bool forces = false;
+    const bool several = several_tests(view.file);
+    for (std::size_t i = 0; i < view.series.size(); ++i) {
+        const Block& block = view.file.blocks[i];
+        const IntervalSeries& series = view.series[i];
+        forces = forces || (series.shear_stress.empty() && !series.torque.empty()) ||
+                 (series.normal_stress.empty() && !series.normal_force.empty());
+        std::string why = view.roles[i].reason;
+        if (!block.name.empty()) why = fmt::format("{}: {}", block.name, why);
+        if (several && !block.test.empty()) why = fmt::format("{}: {}", block.test, why);
+        const std::string rows_lines =
+            series.line.empty() ? "-"
+                                : fmt::format("{}-{}", series.line.front(), series.line.back());
+        lines.push_back(fmt::format("  {:>8} {:<10} {:>6} {:>13} {:>10} {:>12}  {}", block.number,
+                                    view.roles[i].role, series.size(), rows_lines,
+                                    known_text(median_of_known(series.normal())),
+                                    known_text(largest_magnitude(series.shear())), why));
+    }
+    if (forces)
+        lines.emplace_back(
+            "  (Where the file has no stresses: normal force [N] and torque [N m].)");
+    return lines;
+}
+
+std::vector<std::string> checks_lines(const FileView& view, bool all) {
+    std::vector<std::string> lines;
+    for (const FileFinding& finding : view.findings) {
+        const std::string where =
+            finding.lines.empty()
+                ? ""
+                : fmt::format("{} {}: ", line_word(finding.lines),
+                              text_of_lines(finding.lines, all ? finding.lines.size() : 8));
+        std::string what = finding.what;
+        if (where.empty()) what[0] = static_cast<char>(std::toupper(what[0]));
+        lines.push_back(fmt::format("  {}{} {}", where, what, finding.done));
+    }
+    for (const std::string& line : skipped_lines(view.file, all))
+        lines.push_back(line);
+    if (lines.empty()) lines.emplace_back("  Nothing was found.");
+    lines.insert(lines.begin(), "Checks of the file by itself:");
+    return lines;
+}
+
+std::vector<std::string> yield_locus_lines(const FileView& view) {
+    std::vector<std::string> lines;
+    for (const YieldLocus& locus : view.loci) {
+        std::string heading = "Yield locus";
+        if (!locus.test.empty()) heading += " of " + locus.test;
+        if (locus.preshear)
+            heading += fmt::format(", preshear at {:.4g} Pa with {:.4g} Pa",
+                                   locus.preshear->normal_stress, locus.preshear->shear_stress);
+        lines.push_back(heading + ":");
+        lines.push_back(fmt::format("  {:>8} {:>8} {:>10} {:>10} {:>16} {:>16}", "interval", "line",
+                                    "s22 [Pa]", "s12 [Pa]", "smoothed s22", "smoothed s12"));
+        for (const FailurePoint& point : locus.points)
+            lines.push_back(fmt::format(
+                "  {:>8} {:>8} {:>10.4g} {:>10.4g} {:>16.4g} {:>16.4g}{}", point.interval,
+                point.line, point.normal_stress, point.shear_stress, point.smoothed_normal_stress,
+                point.smoothed_shear_stress,
+                point.at_end ? "  at the last rows: failure may not have been reached" : ""));
+        if (locus.line) lines.push_back(strength_line("Largest sample:", *locus.line));
+        if (locus.smoothed) lines.push_back(strength_line("Smoothed peak:", *locus.smoothed));
+        if (locus.line && !locus.preshear)
+            lines.emplace_back(
+                "  (No preshear was recorded: major principal stress and flowability are "
+                "unknown.)");
+    }
+    return lines;
+}
+
+std::string missing_sentence(const FileView& view) {
+    if (view.missing.empty()) return "";
+    std::string text = fmt::format(
+        "The file has no {}: steady shear with a solid fraction cannot be read from it.",
+        fmt::join(view.missing, ", no "));
+    if (!view.loci.empty())
+        text += " Its points of failure need only the stresses.";
+    else
+        text += " Export these columns too.";
+    return text;
+}
+
+}  // namespace pendular

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "data/recordings/file_view.h"
+
+namespace pendular {
+
+/// Files of a study to begin with, by file name: study.toml and, for a yield locus, tables of its
+/// states of preshear (steady.csv) and of its points of failure (failure.csv). What the file does
+/// not state, such as the density of the grains, is guessed and marked with "GUESS" in a comment.
+///
+/// A recording of steady shear is named by its path. A state of preshear is the mean over the last
+/// tenth of the rows of an interval with role preshear; the point of failure is the smoothed peak,
+/// its standard deviation the difference to the largest sample. Both are tables of readings at
+/// inertial number 0 with a solid fraction of 0.60 +- 0.1, which carries no information.
+/// @param format how the user stated the file to be read
+std::map<std::string, std::string> begin_study(const FileView& view, const FileFormat& format);
+
+}  // namespace pendular
