@@ -39,11 +39,12 @@ if [ "$(wc -l < README.md)" -gt 120 ]; then
   broken=1
 fi
 
-# Misspelt names that tests give on purpose, and the typedef of valijson, are no mistakes.
+# Misspelt names that tests give on purpose, the typedef of valijson, and words of French exports are
+# no mistakes.
 if command -v codespell >/dev/null; then
   find data sim calib analysis workflow reports app include bench tests docs examples scripts cmake \
        -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.md' -o -name '*.sh' -o -name '*.cmake' -o -name '*.toml' \) \
-       -print0 | xargs -0 codespell -q 3 -L doesnot,gird,lits,frition,coeficient,desnity,commun,nin \
+       -print0 | xargs -0 codespell -q 3 -L doesnot,gird,lits,frition,coeficient,desnity,commun,nin,normale,mesure,projet \
        README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md || broken=1
 fi
 exit $broken

@@ -47,7 +47,7 @@ Json line_json(const std::optional<LinearYieldLocus>& line) {
     return {{"cohesion", line->cohesion},
             {"intercept", line->intercept},
             {"slope_angle", line->slope_angle},
-            {"tensile_strength", line->tensile_strength},
+            {"tensile_strength", number_or_null(line->tensile_strength)},
             {"unconfined_strength", line->unconfined_strength},
             {"major_principal_stress", number_or_null(line->major_principal_stress)},
             {"effective_angle", number_or_null(line->effective_angle)},

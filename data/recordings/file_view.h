@@ -11,7 +11,7 @@
 
 namespace pendular {
 
-/// What the program understands of a file of measurements by itself, without a study.
+/// File of measurements as the program understands it by itself, without a study.
 struct FileView {
     BlockFile file;
     std::vector<IntervalSeries> series;  ///< one for each block of the file

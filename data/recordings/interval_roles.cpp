@@ -12,7 +12,7 @@
 namespace pendular {
 namespace {
 
-/// What the roles of an interval depend on.
+/// Loading of an interval, on which its role depends.
 struct Loading {
     bool sheared = false;
     /// Whether a normal stress presses the sample, as in a test of grains: the shear stress is

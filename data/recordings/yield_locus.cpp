@@ -119,7 +119,8 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
     locus.intercept = y - slope * x;
     locus.cohesion = std::max(locus.intercept, 0.0);
     locus.slope_angle = std::atan(slope);
-    locus.tensile_strength = locus.cohesion > 0 ? -locus.cohesion / slope : 0;
+    if (locus.cohesion > 0)  // a line that does not rise meets the axis nowhere on this side
+        locus.tensile_strength = slope > 0 ? -locus.cohesion / slope : -INFINITY;
     locus.unconfined_strength =
         2 * locus.cohesion * std::cos(locus.slope_angle) / (1 - std::sin(locus.slope_angle));
     if (preshear) add_preshear(locus, *preshear);

@@ -35,7 +35,7 @@ struct LinearYieldLocus {
     double cohesion = 0;             ///< intercept [Pa]; 0 where it is negative
     double intercept = 0;            ///< intercept of the fitted line [Pa]
     double slope_angle = 0;          ///< angle of the fitted line [rad]
-    double tensile_strength = 0;     ///< -cohesion/slope [Pa]
+    double tensile_strength = 0;     ///< -cohesion/slope [Pa]; -infinity for a slope <= 0
     double unconfined_strength = 0;  ///< unconfined yield strength [Pa]
     /// Major principal stress of the preshear [Pa]; empty without a preshear.
     std::optional<double> major_principal_stress;

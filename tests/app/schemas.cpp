@@ -222,6 +222,13 @@ TEST_F(JsonOutput, OfADiagnosisAndItsChangesIsAsTheSchemasSay) {
     }
 }
 
+TEST_F(JsonOutput, OfASingleFileIsAsTheSchemaSays) {
+    for (const char* const name : {"powder_cell_all.txt", "powder_cell.txt", "trios.csv",
+                                   "rheocompass_fr.txt", "rheoplus.txt", "unit_row.csv"})
+        expect_output(std::string("import " PENDULAR_SOURCE_DIR "/tests/data/formats/") + name,
+                      "import-file");
+}
+
 /// A study that was calibrated, and what becomes of it when its files change.
 class CalibratedStudy : public JsonOutput {
   protected:

@@ -1,0 +1,76 @@
+// What the program says of a single file of measurements, and the study that it begins.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/app_support.h"
+
+namespace app_import_file_test {
+
+using pendular::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::string look_alikes = PENDULAR_SOURCE_DIR "/tests/data/formats/";
+
+TEST(ImportFile, SaysWhatTheFileIsUnderstoodAs) {
+    const Outcome run = run_pendular("import " + look_alikes + "powder_cell_all.txt --all");
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output,
+                AllOf(HasSubstr("layout \"rheocompass\""), HasSubstr("12 intervals, 240 rows"),
+                      HasSubstr("Encoding UTF-8"), HasSubstr("normal_stress [Pa]"),
+                      HasSubstr("unloading"), HasSubstr("cohesion 100 Pa, slope 16.7 deg")));
+}
+
+TEST(ImportFile, RefusesAFileWithWhatToWrite) {
+    const Outcome units = run_pendular("import " + look_alikes + "no_units_damaged_torque.csv");
+    EXPECT_EQ(units.code, 2);
+    EXPECT_THAT(units.errors, HasSubstr("columns = [\"Point No. [1]\", \"Time [s]\""));
+    const Outcome stated = run_pendular(
+        "import " + look_alikes +
+        "no_units_damaged_torque.csv --columns 'Point [1]; Time [s]; Gap [mm]; Normal Force [N]; "
+        "Normal Stress [Pa]; Torque [mN m]; Shear Stress [Pa]; Speed [1/min]'");
+    EXPECT_EQ(stated.code, 0) << stated.errors;
+    EXPECT_THAT(stated.output, AllOf(HasSubstr("Lines 2-21, 30-35: torque and shear stress"),
+                                     HasSubstr("the torque is 10 times")));
+    const Outcome layout = run_pendular("import " + look_alikes + "trios.csv --layout trois");
+    EXPECT_EQ(layout.code, 2);
+    EXPECT_THAT(layout.errors, HasSubstr("trios"));
+    EXPECT_EQ(run_pendular("import " PENDULAR_SOURCE_DIR "/examples/wet --layout trios").code, 2);
+}
+
+/// The look-alike of a yield-locus test has three points of failure and three states of preshear,
+/// which are equal in all digits and therefore count once.
+TEST(ImportFile, BeginsAStudyThatIsReadAtOnce) {
+    const TemporaryFolder folder;
+    const std::string study = (folder.path() / "begun").string();
+    const std::string command = "import " + look_alikes + "powder_cell_all.txt --study " + study;
+    ASSERT_EQ(run_pendular(command).code, 0);
+    EXPECT_THAT(content_of(study + "/study.toml"),
+                AllOf(HasSubstr("# GUESS: glass"), HasSubstr("file = \"steady.csv\""),
+                      HasSubstr("file = \"failure.csv\"")));
+    const Outcome read = run_pendular("import " + study);
+    EXPECT_EQ(read.code, 0) << read.errors;
+    EXPECT_THAT(read.output, HasSubstr("4 readings are in"));
+    const Outcome again = run_pendular(command);
+    EXPECT_EQ(again.code, 2);
+    EXPECT_THAT(again.errors, HasSubstr("is there already"));
+}
+
+TEST(ImportFile, BeginsAStudyOfSteadyShearWithItsRecording) {
+    const TemporaryFolder folder;
+    std::string rows =
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    for (int i = 0; i < 400; ++i)
+        rows +=
+            std::to_string(0.1 * i) + "," + std::to_string(30 + (i * i) % 7 * 0.01) + ",5,14.2,1\n";
+    const auto file = folder.write("wet_500um.csv", rows);
+    const std::string study = (folder.path() / "begun").string();
+    ASSERT_EQ(run_pendular("import " + file.string() + " --study " + study).code, 0);
+    EXPECT_THAT(content_of(study + "/study.toml"),
+                AllOf(HasSubstr("[[recording]]"), HasSubstr("wet_500um.csv"),
+                      HasSubstr("diameter = \"500 um\""), HasSubstr("[liquid]"),
+                      HasSubstr("fit_to = \"all\""), HasSubstr("bead_mass")));
+    EXPECT_EQ(run_pendular("import " + study).code, 0);
+}
+
+}  // namespace app_import_file_test
