@@ -30,7 +30,7 @@ std::string known_text(double value) {
     return std::isfinite(value) ? short_text(value) : "-";
 }
 
-double largest_magnitude(const std::vector<double>& values) {
+double greatest_size(const std::vector<double>& values) {
     double largest = std::nan("");
     for (const double value : values)
         if (std::isfinite(value) && !(std::abs(value) <= largest)) largest = std::abs(value);
@@ -171,7 +171,7 @@ std::vector<std::string> intervals_table(const FileView& view) {
         lines.push_back(fmt::format("  {:>8} {:<10} {:>6} {:>13} {:>10} {:>12}  {}", block.number,
                                     view.roles[i].role, series.size(), rows_lines,
                                     known_text(median_of_known(series.normal())),
-                                    known_text(largest_magnitude(series.shear())), why));
+                                    known_text(greatest_size(series.shear())), why));
     }
     if (forces)
         lines.emplace_back(

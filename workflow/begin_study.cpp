@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 
 #include "data/quantities/number.h"
+#include "data/study/files.h"
 
 namespace pendular {
 namespace {
@@ -69,9 +71,21 @@ std::optional<double> guessed_liquid(const std::string& texts) {
     return stated_percent(texts).value_or(1) / 100 * glass_density / water_density;
 }
 
+/// Text as a string of TOML, whose escapes are those of JSON.
+std::string toml_string(const std::string& text) {
+    return nlohmann::json(text).dump();
+}
+
+/// Text for a comment, without the control characters that TOML does not allow there.
+std::string comment_text(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+    return text;
+}
+
 std::string entry(const std::string& key, const Guess& guess) {
-    const std::string setting = fmt::format("{} = \"{}\"", key, guess.value);
-    return fmt::format("{:<32} # {}\n", setting, guess.from);
+    const std::string setting = fmt::format("{} = {}", key, toml_string(guess.value));
+    return fmt::format("{:<32} # {}\n", setting, comment_text(guess.from));
 }
 
 std::string cell_text(const FileView& view) {
@@ -134,9 +148,11 @@ std::string format_text(const FileFormat& format) {
     for (const auto& [key, value] :
          {std::pair{"layout", format.layout}, std::pair{"encoding", format.encoding},
           std::pair{"decimal", format.decimal}})
-        if (!value.empty()) text += fmt::format("{} = \"{}\"\n", key, value);
-    if (!format.columns.empty())
-        text += fmt::format("columns = [\"{}\"]\n", fmt::join(format.columns, "\", \""));
+        if (!value.empty()) text += fmt::format("{} = {}\n", key, toml_string(value));
+    std::vector<std::string> columns;
+    for (const std::string& column : format.columns)
+        columns.push_back(toml_string(column));
+    if (!columns.empty()) text += fmt::format("columns = [{}]\n", fmt::join(columns, ", "));
     return text;
 }
 
@@ -145,10 +161,9 @@ std::string entries_text(const FileView& view, const FileFormat& format,
     std::string text;
     if (has_role(view, "steady") && view.missing.empty())
         text += fmt::format(
-            "[[recording]]                    # intervals of steady shear\nfile = "
-            "\"{}\"\n{}{}\n",
-            std::filesystem::absolute(view.file.file).string(), format_text(format),
-            liquid_content);
+            "[[recording]]                    # intervals of steady shear\nfile = {}\n{}{}\n",
+            toml_string(as_pattern(std::filesystem::absolute(view.file.file).string())),
+            format_text(format), liquid_content);
     if (has_role(view, "preshear"))
         text += fmt::format(
             "[[readings]]                     # ends of the preshears, in steady "
@@ -170,7 +185,7 @@ std::map<std::string, std::string> begin_study(const FileView& view, const FileF
     std::string text = fmt::format(
         "# Begun by pendular import from {}.\n# Check every line marked GUESS: the file does not "
         "state it.\n\n[grains]\n",
-        std::filesystem::path(view.file.file).filename().string());
+        comment_text(std::filesystem::path(view.file.file).filename().string()));
     text += entry("diameter", guessed_diameter(texts));
     text += entry("density", {"2500 kg/m^3", "GUESS: glass"}) + "\n";
     std::string content;

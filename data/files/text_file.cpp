@@ -101,11 +101,17 @@ std::string read_text(const std::filesystem::path& path, std::uintmax_t largest)
 std::vector<std::string_view> split_lines(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-        lines.push_back(text.substr(0, end));
-        const bool both = text.substr(end, 2) == "\r\n";
-        text.remove_prefix(std::min(end + (both ? 2 : 1), text.size()));
+    // Searching for one character at a time is several times as fast as for either of two.
+    const auto next = [&](char c, std::size_t from) {
+        return std::min(text.find(c, from), text.size());
+    };
+    std::size_t feed = next('\n', 0), carriage = next('\r', 0);
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(feed, carriage);
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+        if (feed < begin) feed = next('\n', begin);
+        if (carriage < begin) carriage = next('\r', begin);
     }
     return lines;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "data/files/columns.h"
+
 namespace pendular {
 namespace {
 
@@ -21,11 +23,38 @@ std::vector<std::string> missing_quantities(const std::vector<IntervalSeries>& s
     return missing;
 }
 
+/// Divides a table with a column of intervals into one block per interval.
+void split_by_interval(BlockFile& file) {
+    if (file.blocks.size() != 1) return;
+    const Block whole = std::move(file.blocks.front());
+    const Columns columns(whole.table);
+    if (!columns.has("interval")) {
+        file.blocks.front() = whole;
+        return;
+    }
+    file.blocks.clear();
+    double number = 0;
+    for (const Row& row : whole.table.rows) {
+        const double own = columns.value(row, "interval");
+        if (file.blocks.empty() || own != number) {
+            Block& block = file.blocks.emplace_back();
+            block.number = static_cast<int>(std::clamp(own, 0.0, 1e9));
+            block.columns = whole.columns;
+            block.table.file = whole.table.file;
+            block.table.delimiter = whole.table.delimiter;
+            block.table.header = whole.table.header;
+        }
+        file.blocks.back().table.rows.push_back(row);
+        number = own;
+    }
+}
+
 }  // namespace
 
 FileView view_of_file(const std::filesystem::path& path, const FileFormat& format) {
     FileView view;
     view.file = read_blocks(path, format);
+    split_by_interval(view.file);
     for (const Block& block : view.file.blocks)
         view.series.push_back(series_of(block));
     view.roles = roles_of(view.file, view.series, format);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "data/files/columns.h"
+#include "data/files/formats/layouts.h"
 #include "data/files/header_cell.h"
 #include "data/quantities/nearest.h"
 #include "data/quantities/number.h"
@@ -205,7 +206,9 @@ void check_liquid_content(const Table& table, const Columns& columns, const Sour
 
 Measurements read_points(const std::filesystem::path& path, const Source& source,
                          const Study& study) {
-    const Table table = read_table(path);
+    FileFormat format = source.format;
+    format.layout = "plain";
+    const Table table = read_blocks(path, format).blocks.front().table;
     const Columns columns(table);
     refuse_misspelt(table, columns);
     columns.require("normal_stress");

@@ -11,21 +11,20 @@
 #include <stdexcept>
 
 namespace pendular {
-namespace {
-
-/// Text with the special characters of patterns escaped, for a folder's name in a pattern.
-std::string escaped(const std::string& text) {
+std::string as_pattern(const std::string& path) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : path) {
         if (std::string_view("*?[]\\").find(c) != std::string_view::npos) result += '\\';
         result += c;
     }
     return result;
 }
 
+namespace {
+
 std::string whole_pattern(const std::filesystem::path& folder, const std::string& pattern) {
     const bool absolute = std::filesystem::path(pattern).is_absolute();
-    return absolute ? pattern : escaped(folder.string()) + "/" + pattern;
+    return absolute ? pattern : as_pattern(folder.string()) + "/" + pattern;
 }
 
 constexpr int most_folders = 10'000;  ///< largest number of folders that a pattern may open

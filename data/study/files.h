@@ -6,6 +6,9 @@
 
 namespace pendular {
 
+/// Pattern that matches one path only: special characters of patterns are escaped.
+std::string as_pattern(const std::string& path);
+
 /// Existing files whose path matches a pattern with '*', '?' and '[...]', sorted by path. The
 /// pattern is relative to the folder unless it is an absolute path.
 /// @throws std::invalid_argument for a pattern that opens more than 10,000 folders

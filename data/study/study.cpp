@@ -23,8 +23,10 @@ const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_rati
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
 const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
                         "torque_formula"};
-const Keys source_keys = {"file",     "liquid_content", "bead_mass", "bead_volume", "layout",
-                          "encoding", "decimal",        "columns",   "intervals",   "repair"};
+const Keys readings_keys = {"file",        "liquid_content", "bead_mass",
+                            "bead_volume", "encoding",       "decimal"};
+const Keys recording_keys = {"file",   "liquid_content", "bead_mass", "bead_volume", "encoding",
+                             "layout", "decimal",        "columns",   "intervals",   "repair"};
 const Keys import_keys = {"keep_implausible", "least_strain"};
 const Keys model_keys = {"base", "calibrate", "fit_to", "effects", "bridge_force", "discrepancy"};
 
@@ -191,11 +193,11 @@ void check_overlap(const std::vector<Source>& sources) {
 std::vector<Source> read_sources(const StudyTable& root, const Study& study) {
     std::vector<Source> sources;
     const bool allow_outside = root.flag("allow_outside").value_or(false);
-    for (const StudyTable& table : root.tables("recording", source_keys)) {
+    for (const StudyTable& table : root.tables("recording", recording_keys)) {
         sources.push_back(read_source(table, Source::Kind::recording, study, allow_outside));
         check_recording(sources.back(), study);
     }
-    for (const StudyTable& table : root.tables("readings", source_keys))
+    for (const StudyTable& table : root.tables("readings", readings_keys))
         sources.push_back(read_source(table, Source::Kind::readings, study, allow_outside));
     if (sources.empty())
         throw InputError(root.position(),

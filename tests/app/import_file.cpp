@@ -63,11 +63,11 @@ TEST(ImportFile, BeginsAStudyOfSteadyShearWithItsRecording) {
     for (int i = 0; i < 400; ++i)
         rows +=
             std::to_string(0.1 * i) + "," + std::to_string(30 + (i * i) % 7 * 0.01) + ",5,14.2,1\n";
-    const auto file = folder.write("wet_500um.csv", rows);
+    const auto file = folder.write("wet [1] 500um.csv", rows);
     const std::string study = (folder.path() / "begun").string();
-    ASSERT_EQ(run_pendular("import " + file.string() + " --study " + study).code, 0);
+    ASSERT_EQ(run_pendular("import '" + file.string() + "' --study " + study).code, 0);
     EXPECT_THAT(content_of(study + "/study.toml"),
-                AllOf(HasSubstr("[[recording]]"), HasSubstr("wet_500um.csv"),
+                AllOf(HasSubstr("[[recording]]"), HasSubstr("500um.csv"),
                       HasSubstr("diameter = \"500 um\""), HasSubstr("[liquid]"),
                       HasSubstr("fit_to = \"all\""), HasSubstr("bead_mass")));
     EXPECT_EQ(run_pendular("import " + study).code, 0);

@@ -256,6 +256,16 @@ TEST(FileViewTest, FindsIntervalsThatDeclareAnotherNumberOfPoints) {
     EXPECT_THAT(view.findings[0].what, HasSubstr("declares 2 points and has 3"));
 }
 
+TEST(FileViewTest, DividesAPlainTableByItsIntervals) {
+    TemporaryFolder folder;
+    std::string text = "Interval,Time [s],Normal stress [Pa],Shear stress [Pa]\n";
+    for (int i = 0; i < 40; ++i)
+        text += std::string(i < 25 ? "3" : "5") + "," + std::to_string(i) + ",1000,300\n";
+    const FileView view = view_of_file(folder.write("t.csv", text));
+    EXPECT_THAT(row_counts(view.file), ElementsAre(25, 15));
+    EXPECT_EQ(view.file.blocks[1].number, 5);
+}
+
 std::vector<std::string> role_names(const FileView& view) {
     std::vector<std::string> names;
     for (const IntervalRole& role : view.roles)
