@@ -21,8 +21,10 @@ std::size_t listed_numbers(std::string_view text, char delimiter) {
     return count > 1 ? count : 0;
 }
 
-/// @throws InputError at the first cell that lists several numbers
+/// @throws InputError at the first cell that lists several numbers, if commas, which may be decimal
+///         marks, do not separate the cells
 void refuse_lists(const Table& table) {
+    if (table.delimiter == ',') return;
     for (const Row& row : table.rows)
         for (std::size_t i = 0; i < row.cells.size(); ++i) {
             const std::string& text = row.cells[i].text;
