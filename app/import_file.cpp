@@ -42,13 +42,16 @@ FileFormat format_of(const ImportFileOptions& options) {
 }
 
 /// Writes the files of a new study.
-/// @throws InputError if the folder has a study.toml
+/// @throws InputError if the folder has a file of one of their names
 void write_new_study(const std::filesystem::path& folder, const FileView& view,
                      const FileFormat& format) {
-    if (std::filesystem::exists(folder / "study.toml"))
-        throw InputError({(folder / "study.toml").string()},
-                         "is there already and was left as it is; name another folder in --study");
-    for (const auto& [name, content] : begin_study(view, format))
+    const auto files = begin_study(view, format);
+    for (const auto& [name, content] : files)
+        if (std::filesystem::exists(folder / name))
+            throw InputError({(folder / name).string()},
+                             "is there already; nothing was written: name another folder in "
+                             "--study");
+    for (const auto& [name, content] : files)
         write_whole(folder / name, content);
 }
 

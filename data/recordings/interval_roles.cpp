@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "data/recordings/robust.h"
@@ -46,23 +47,18 @@ std::optional<double> angle_turned(const IntervalSeries& series) {
     return angle;
 }
 
-/// Largest shear of any interval of the same test.
-double most_shear_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
-                     const std::string& test) {
-    double most = 0;
-    for (std::size_t i = 0; i < series.size(); ++i)
-        if (file.blocks[i].test == test) most = std::max(most, largest_known(series[i].shear()));
-    return most;
-}
-
 std::vector<Loading> loadings(const BlockFile& file, const std::vector<IntervalSeries>& series) {
     constexpr double most_ratio = 3;
+    std::map<std::string, double> most_shear;  // of any interval of a test
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        double& most = most_shear[file.blocks[i].test];
+        most = std::max(most, largest_known(series[i].shear()));
+    }
     std::vector<Loading> result;
     for (std::size_t i = 0; i < series.size(); ++i) {
         const IntervalSeries& each = series[i];
         Loading loading;
-        loading.sheared =
-            largest_known(each.shear()) > 0.05 * most_shear_of(file, series, file.blocks[i].test);
+        loading.sheared = largest_known(each.shear()) > 0.05 * most_shear[file.blocks[i].test];
         loading.normal = median_of_known(each.normal());
         const bool stresses = !each.shear_stress.empty() && !each.normal_stress.empty();
         loading.pressed = loading.normal > 0 &&

@@ -232,6 +232,32 @@ TEST_F(ReadBlocks, DetectShiftJis) {
     EXPECT_THAT(error("a,b\n1,2\n", format), HasSubstr("no-such-encoding"));
 }
 
+/// Files that were cut off or whose bytes were changed are read or refused with a message, and do
+/// not end the program.
+TEST(FileViewTest, SurvivesDamagedFiles) {
+    const TemporaryFolder folder;
+    std::mt19937_64 random(1);
+    FileFormat stated;
+    stated.columns = {"Time [s]", "Torque [N m]"};
+    const std::string bytes = "\t;,.\"[]()|:-*0123456789\n\r\xFF";
+    for (const auto& entry : std::filesystem::directory_iterator(look_alike(""))) {
+        const std::string text = read_text(entry.path());
+        for (int trial = 0; trial < 60; ++trial) {
+            std::string damaged = text.substr(0, trial < 30 ? random() % text.size() : text.size());
+            for (int k = 0; k < trial % 10 && !damaged.empty(); ++k)
+                damaged[random() % damaged.size()] = bytes[random() % bytes.size()];
+            const auto path = folder.write("t.csv", damaged);
+            FileFormat format = trial % 2 ? FileFormat{} : stated;
+            if (trial % 5 == 0) format.layout = layout_names()[random() % layout_names().size()];
+            try {
+                view_of_file(path, format);
+                read_recording(path, format);
+            } catch (const InputError&) {
+            }
+        }
+    }
+}
+
 TEST(FileViewTest, FindsDamagedTorques) {
     FileFormat format;
     format.columns = {"Point No. [1]",     "Time [s]",           "Gap [mm]",

@@ -68,6 +68,11 @@ std::string bare_unit(std::string_view cell) {
 
 void set_columns(Block& block, Row header, const std::vector<std::string>& names,
                  const std::vector<std::string>& units, const std::vector<std::string>& details) {
+    constexpr std::size_t most_columns = 1000;
+    if (names.size() > most_columns)
+        throw InputError(
+            {block.table.file, header.line},
+            fmt::format("has {} columns; at most {} are read", names.size(), most_columns));
     struct Best {
         std::size_t column = 0;
         int rank = 0;

@@ -16,6 +16,7 @@ Layout headerless_layout() {
         },
         [](const SourceLines& source, const FileFormat& format, BlockFile& file) {
             const Row first = headerless_first_row(source, file.delimiter);
+            if (first.cells.empty()) throw InputError({source.file}, "is empty");
             if (format.columns.size() != first.cells.size())
                 throw InputError(
                     {source.file, first.line, 1},

@@ -72,6 +72,7 @@ Layout rheowin_layout() {
             [](const SourceLines& source) { return rheowin_header(source) < source.lines.size(); },
             [](const SourceLines& source, const FileFormat&, BlockFile& file) {
                 const std::size_t first = rheowin_header(source);
+                if (first + 1 >= source.lines.size()) return;
                 file.delimiter = consistent_delimiter(source, first, source.lines.size());
                 const Row row = source.row(first + 1, file.delimiter);
                 std::vector<std::size_t> begins;

@@ -4,16 +4,26 @@
 #include "data/files/header_cell.h"
 
 namespace pendular {
+namespace {
+
+/// Delimiter behind the first header cell, "Action Name"; 0 if the file does not begin with it.
+char rspace_delimiter(const SourceLines& source) {
+    constexpr std::string_view first = "Action Name";
+    if (source.lines.empty() || !source.lines[0].starts_with(first)) return 0;
+    const std::string_view rest = source.lines[0].substr(first.size());
+    return rest.empty() ? '\0' : rest[0];
+}
+
+}  // namespace
 
 /// Export of Malvern's rSpace: one header with units in parentheses, whose first column names the
 /// action; a change of the action begins a block.
 Layout rspace_layout() {
     return {"rspace", "Malvern rSpace export",
-            [](const SourceLines& source) {
-                return !source.lines.empty() && source.lines[0].starts_with("Action Name");
-            },
+            [](const SourceLines& source) { return rspace_delimiter(source) != 0; },
             [](const SourceLines& source, const FileFormat&, BlockFile& file) {
-                file.delimiter = source.lines[0].substr(11).substr(0, 1)[0];
+                file.delimiter = rspace_delimiter(source);
+                if (file.delimiter == 0) return;
                 const Row header = source.row(0, file.delimiter);
                 std::vector<std::string> names, units;
                 for (const Cell& cell : header.cells) {

@@ -32,11 +32,11 @@ std::size_t read_trios_step(const SourceLines& source, std::size_t line, BlockFi
     block.number = static_cast<int>(file.blocks.size()) + 1;
     block.table.file = source.file;
     block.table.delimiter = file.delimiter;
-    block.name = std::string(source.lines[line]);
     if (line + 2 >= source.lines.size())
         throw InputError({source.file, static_cast<int>(line)},
                          "names and units of the columns must follow '[step]'; the file was cut "
                          "off: export it again");
+    block.name = std::string(source.lines[line]);
     const Row header = source.row(line + 1, file.delimiter);
     std::vector<std::string> names, units;
     for (const Cell& cell : header.cells)

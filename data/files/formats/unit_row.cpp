@@ -52,6 +52,7 @@ std::string suggested_columns(const std::vector<std::string>& names) {
 
 void read_unit_row_table(const SourceLines& source, const FileFormat& format, BlockFile& file) {
     const std::size_t first = first_filled_line(source, 0);
+    if (first == source.lines.size()) throw InputError({source.file}, "is empty");
     std::size_t next = first_filled_line(source, first + 1);
     file.delimiter = consistent_delimiter(source, next, source.lines.size());
     const Row header = source.row(first, file.delimiter);
