@@ -13,6 +13,7 @@
 #include "reports/file_report.h"
 #include "workflow/begin_study.h"
 #include "workflow/file_json.h"
+#include "workflow/tidy_table.h"
 
 namespace pendular::app {
 namespace {
@@ -60,6 +61,8 @@ void write_new_study(const std::filesystem::path& folder, const FileView& view,
 void ImportFileOptions::declare(Options& options) {
     options.begin_section("Options for a single file");
     options.add("study", &study, "folder in which a study is begun: study.toml, guesses marked");
+    options.add("tidy", &tidy,
+                "CSV file for all rows, in SI units, with rows of names and of units");
     options.add("layout", &layout, "layout of the file (default: recognised by its content)");
     options.add("encoding", &encoding, "character encoding of the file (default: detected)");
     options.add("decimal", &decimal, "decimal mark of the file, '.' or ',' (default: detected)");
@@ -69,7 +72,7 @@ void ImportFileOptions::declare(Options& options) {
 }
 
 void ImportFileOptions::refuse_for_studies(const Options& options) const {
-    for (const char* const name : {"study", "layout", "encoding", "decimal", "columns"})
+    for (const char* const name : {"study", "tidy", "layout", "encoding", "decimal", "columns"})
         if (options.given(name))
             throw InputError(
                 fmt::format("--{} belongs to a single file; for a study, write it in "
@@ -86,6 +89,14 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
     const FileFormat format = format_of(options);
     const FileView view = view_of_file(path, format);
     if (!options.study.empty()) write_new_study(options.study, view, format);
+    if (!options.tidy.empty()) {
+        demand_writable(options.tidy, "--tidy", false);
+        if (std::filesystem::exists(options.tidy) &&
+            std::filesystem::equivalent(options.tidy, path))
+            throw InputError(
+                fmt::format("--tidy {}: that is the file itself; name another file", options.tidy));
+        write_whole(options.tidy, tidy_table(view));
+    }
     console.answer(file_sentence(view));
     console.line(encoding_sentence(view));
     console.table(columns_table(view), 20);

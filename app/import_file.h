@@ -13,6 +13,7 @@ struct ImportFileOptions {
     std::string layout, encoding, decimal;
     std::string columns;  ///< header cells `name [unit]`, separated by semicolons
     std::string study;    ///< folder of the study to begin; empty: none
+    std::string tidy;     ///< CSV file for all rows in SI units; empty: none
 
     /// Declares the options for the command line.
     void declare(Options& options);

@@ -89,7 +89,12 @@ std::string cause_of(const ColumnPair& pair, double factor) {
                "[cell]";
     const double power = std::round(std::log10(factor));
     if (power != 0 && is(std::pow(10, power)))
-        return fmt::format("a factor of 10^{:.0f}: check the units of both columns", power);
+        return fmt::format(
+            "a factor of 10^{:.0f}: check the units of both columns{}", power,
+            pair.quantity == "shear_stress"
+                ? "; if only some torques lost a mark, repair = true in [[recording]] takes them "
+                  "from the shear stress"
+                : "");
     if (pair.quantity == "shear_rate" && (is(2 * M_PI) || is(0.5 / M_PI)))
         return "a factor of 2 pi: turns per second read as radians per second or the reverse";
     return "check inner_radius and outer_radius in [cell]: the instrument used others, or another "

@@ -38,6 +38,18 @@ TEST(ImportFile, RefusesAFileWithWhatToWrite) {
     EXPECT_EQ(run_pendular("import " PENDULAR_SOURCE_DIR "/examples/wet --layout trios").code, 2);
 }
 
+TEST(ImportFile, WritesATidyTableWithRowsOfNamesAndUnits) {
+    const TemporaryFolder folder;
+    const auto table = folder.path() / "tidy.csv";
+    ASSERT_EQ(run_pendular("import " + look_alikes + "trios.csv --tidy " + table.string()).code, 0);
+    EXPECT_THAT(content_of(table),
+                testing::StartsWith("test,interval,role,line,time,torque,normal_force,height,"
+                                    "angular_velocity,shear_stress,shear_rate\n"
+                                    ",1,,1,s,N m,N,m,rad/s,Pa,1/s\n"
+                                    ",1,steady,12,90,0.0001015,2.5,0.001,0.5,8.0771,\n"));
+    EXPECT_EQ(run_pendular("import " + table.string() + " --tidy " + table.string()).code, 2);
+}
+
 /// The look-alike of a yield-locus test has three points of failure and three states of preshear,
 /// which are equal in all digits and therefore count once.
 TEST(ImportFile, BeginsAStudyThatIsReadAtOnce) {

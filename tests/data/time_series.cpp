@@ -73,6 +73,14 @@ TEST(MeanOfCorrelated, HandlesWhatHasNoScatter) {
     EXPECT_EQ(mean.standard_error, 0);
 }
 
+/// The sum of many equal samples has a rounding error, so that no sample equals the mean. Taken for
+/// scatter, it would be correlated over the whole series.
+TEST(MeanOfCorrelated, SeesNoScatterInManyEqualSamples) {
+    const Mean mean = mean_of_correlated(std::vector<double>(200'000, 0.1));
+    EXPECT_EQ(mean.standard_error, 0);
+    EXPECT_EQ(mean.correlation_samples, 1);
+}
+
 TEST(MeanOfCorrelated, KnowsNothingFromOneSample) {
     EXPECT_TRUE(std::isinf(mean_of_correlated(std::vector<double>{3}).standard_error));
     EXPECT_THROW(mean_of_correlated({}), std::invalid_argument);
@@ -159,6 +167,31 @@ TEST(EndOfTransient, RefusesADrift) {
         for (std::size_t t = 0; t < series.size(); ++t)
             series[t] += 0.1 * static_cast<double>(t);
         EXPECT_EQ(end_of_transient(series), std::nullopt);
+    }
+}
+
+/// The definition, batch by batch: the d that minimises sum_{i>=d} (x_i - mean_d)^2/(n - d)^2.
+TEST(EndOfTransient, IsTheMinimumOfTheMarginalError) {
+    std::mt19937_64 random(9);
+    for (int i = 0; i < 20; ++i) {
+        std::vector<double> series = autoregressive(40, 0, random);
+        for (std::size_t t = 0; t < series.size(); ++t)
+            series[t] += 8 * std::exp(-static_cast<double>(t) / 3);
+        std::size_t best = 0;
+        double lowest = INFINITY;
+        for (std::size_t d = 0; d <= series.size() / 2; ++d) {
+            double mean = 0, squares = 0;
+            const double left = static_cast<double>(series.size() - d);
+            for (std::size_t t = d; t < series.size(); ++t)
+                mean += series[t] / left;
+            for (std::size_t t = d; t < series.size(); ++t)
+                squares += (series[t] - mean) * (series[t] - mean);
+            if (squares / (left * left) < lowest) lowest = squares / (left * left), best = d;
+        }
+        const auto found = end_of_transient(series);
+        if (found) {
+            EXPECT_EQ(*found, best);
+        }
     }
 }
 
