@@ -111,7 +111,7 @@ bool restore(std::string_view bytes, State& state) {
 
 }  // namespace pendular::dem
 
-/// What a `ByteReader` reads was written by this archive, as cereal wants to know.
+/// Tells cereal that a `ByteReader` reads the bytes of this archive.
 template <>
 struct cereal::traits::detail::get_output_from_input<pendular::dem::ByteReader> {
     using type = cereal::BinaryOutputArchive;

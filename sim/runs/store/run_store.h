@@ -10,10 +10,7 @@
 #include <vector>
 
 #include "sim/dem/run.h"
-
-namespace SQLite {
-class Database;
-}
+#include "sim/runs/store/store_file.h"
 
 namespace pendular {
 
@@ -81,9 +78,9 @@ class RunStore {
     /// $XDG_DATA_HOME/pendular/runs.sqlite, else ~/.local/share/pendular/runs.sqlite.
     static std::filesystem::path standard_file();
 
-    static constexpr int format = 1;  ///< version of the store's file format
+    static constexpr int format = store_format;  ///< version of the store's file format
     /// Name to pass to the constructor for a store that is kept in memory only, without a file.
-    static constexpr const char* in_memory = ":memory:";
+    static constexpr const char* in_memory = store_in_memory;
 
     /// Checks that the store's file is the one that was opened.
     /// @throws std::runtime_error where the file was removed or replaced

@@ -13,7 +13,6 @@
 
 #include "data/input_error.h"
 #include "sim/runs/store/run_columns.h"
-#include "sim/runs/store/run_store.h"
 
 namespace pendular {
 namespace {
@@ -58,11 +57,11 @@ void make_table(SQLite::Database& database, const std::string& name) {
         throw InputError(
             fmt::format("{} is a database of another program; name another file", name));
     }
-    if (version > RunStore::format) {
+    if (version > store_format) {
         throw InputError(fmt::format(
             "{} was written by a newer version of pendular (format {}, this one knows {}); update "
             "pendular or name another file",
-            name, version, RunStore::format));
+            name, version, store_format));
     }
     database.exec(
         "CREATE TABLE IF NOT EXISTS runs (id INTEGER PRIMARY KEY AUTOINCREMENT, key TEXT NOT NULL "
@@ -73,7 +72,7 @@ void make_table(SQLite::Database& database, const std::string& name) {
             fmt::format("ALTER TABLE runs ADD COLUMN {} {}", column->name, sql_type(column->type)));
     }
     database.exec(fmt::format("PRAGMA application_id = {}", application_id));
-    database.exec(fmt::format("PRAGMA user_version = {}", RunStore::format));
+    database.exec(fmt::format("PRAGMA user_version = {}", store_format));
     transaction.commit();
 }
 
@@ -161,10 +160,10 @@ std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& f
     if (std::filesystem::is_directory(file, error)) {
         throw InputError(fmt::format("store {} is a folder; name a file", file.string()));
     }
-    if (file != RunStore::in_memory && !must_exist) {
+    if (file != store_in_memory && !must_exist) {
         std::filesystem::create_directories(file.parent_path(), error);
     }
-    const bool writable = file == RunStore::in_memory || !must_exist || can_be_written(file);
+    const bool writable = file == store_in_memory || !must_exist || can_be_written(file);
     auto database =
         writable ? std::make_unique<SQLite::Database>(
                        file.string(),
@@ -173,7 +172,7 @@ std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& f
                                                       SQLite::OPEN_READONLY | SQLite::OPEN_URI);
     distrust(*database);
     const bool made = pragma(*database, "application_id") == application_id &&
-                      pragma(*database, "user_version") == RunStore::format &&
+                      pragma(*database, "user_version") == store_format &&
                       missing_columns(*database).empty();
     if (!made) make_table(*database, fmt::format("store {}", file.string()));
     if (writable) {
