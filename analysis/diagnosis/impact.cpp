@@ -197,9 +197,9 @@ Eigen::VectorXd Impacts::refitted(const Impact& impact, double size,
 
 void Impacts::refit_leading(std::size_t most, std::size_t threads) {
     std::vector<Impact>& list = table_.impacts;
-    const auto others =
-        std::ranges::stable_partition(list, [&](const Impact& impact) { return is_named(impact); });
-    const auto named = static_cast<std::size_t>(others.begin() - list.begin());
+    const auto others = std::stable_partition(
+        list.begin(), list.end(), [&](const Impact& impact) { return is_named(impact); });
+    const auto named = static_cast<std::size_t>(others - list.begin());
     const std::size_t leading = std::min(list.size(), std::min(named, most) + most);
     side_by_side(leading, threads, nullptr, [&](std::size_t k) {
         Impact& impact = list[k];

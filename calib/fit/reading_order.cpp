@@ -16,7 +16,8 @@ std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from
 
 std::vector<Reading> dry_first(const Measurements& measurements) {
     auto readings = measurements.readings;
-    std::ranges::stable_partition(readings, [](const Reading& r) { return r.condition.dry(); });
+    std::stable_partition(readings.begin(), readings.end(),
+                          [](const Reading& r) { return r.condition.dry(); });
     return readings;
 }
 

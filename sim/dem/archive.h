@@ -79,7 +79,7 @@ void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
     } else {
         // One after the other, so that an element that is longer than its bytes takes no memory.
         for (; size > 0; --size) {
-            T element{};
+            T element = T();
             reader(element);
             elements.push_back(std::move(element));
         }

@@ -1,4 +1,5 @@
 // Calibrations that are read back: fit.json, ladder.json and proposed.toml of a study's results.
+#include "calib/fit/reading_order.h"
 #include "sim/catalogue/resolved_study.h"
 #include "tests/fuzz/support.h"
 #include "workflow/fit_file.h"
@@ -29,7 +30,8 @@ const StudyInput& input() {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text = fuzz::text_of(data, size);
-    const auto& [study, measurements, toml] = input();
+    const ResolvedStudy& study = input().study;
+    const Measurements& measurements = input().measurements;
     fuzz::refuse_or(
         [&] { read_calibration(fuzz::file_of("fit.json", text), study, dry_first(measurements)); });
     fuzz::refuse_or([&] { read_ladder(fuzz::file_of("ladder.json", text)); });

@@ -7,8 +7,8 @@
 # The files of this folder hold the attacks, each one a call
 #   attack NAME CODE TEXT <<'E' ... E
 # The commands run in an empty folder. The last `run` must end with the exit code CODE ('2|1': either),
-# and TEXT must be in its output. `fail WHY` marks an attack as failed. A run may take 20 s and 4 GB,
-# and never prints an escape character.
+# and TEXT must be in its output. `fail WHY` marks an attack as failed. A run may take 20 s of the
+# processor and 4 GB, and never prints an escape character.
 set -u
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 program=$(realpath "$1")

@@ -35,9 +35,9 @@ recordings() {
   done
 }
 
-# run ARGUMENTS...: runs the program, for 20 s and in 4 GB at most.
+# run ARGUMENTS...: runs the program, for 20 s of the processor, 60 s in all, and in 4 GB at most.
 run() {
-  (ulimit -v 4000000; exec "$timeout" -s KILL 20 "$program" "$@") >../out 2>../err </dev/null
+  (ulimit -v 4000000 -t 20; exec "$timeout" -s KILL 60 "$program" "$@") >../out 2>../err </dev/null
   echo $? >../code
 }
 
