@@ -8,7 +8,7 @@
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/stored_runs.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "reports/draw_figure.h"
 #include "reports/paper_figures.h"
