@@ -175,9 +175,10 @@ int predict(const std::vector<std::string>& arguments) {
     options.add("reduced-pressure", &pressure, "P* = a^2 s22/F0 of wet beads [1] (default: dry)");
     options.add("bridge-volume", &volume, "volume of a liquid bridge over a^3 [1]");
     options.add("liquid-content", &content, "liquid volume over bead volume [1], instead of that");
-    options.add("stiffness-number", &stiffness_number,
-                "(E/(1 - nu^2)/s22)^(2/3), to which the solid fraction is corrected [1] (default: "
-                "the fidelity's)");
+    options.add(
+        "stiffness-number", &stiffness_number,
+        "stiffness number (E/(1 - nu^2)/s22)^(2/3) of the contacts [1], for which the solid "
+        "fraction is predicted (default: the fidelity's)");
     std::string along;
     int points = 60;
     options.add("along", &along, "NAME=FROM:TO of the one number to vary");

@@ -109,9 +109,10 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
 void declare(Options& options, LabPlan& plan, Words& words) {
     options.add("friction", &plan.friction,
                 "the hidden intergranular friction coefficient [1] (default 0.09)");
-    options.add("noise", &plan.instrument.noise,
-                "scatter of a step's means [1]: 1 (default) for 1 % in torque and 0.2 % in solid "
-                "fraction, in proportion otherwise");
+    options.add(
+        "noise", &plan.instrument.noise,
+        "factor on the scatter of a step's means [1]; 1 (default): 1 % in torque and 0.2 % in "
+        "solid fraction");
     options.add("drift", &plan.instrument.drift,
                 "of torque and solid fraction over a recording, in the same units (default 0)");
     options.add("dry-normal-stresses", &words.dry_normal_stresses,

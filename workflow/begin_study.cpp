@@ -9,6 +9,7 @@
 #include <optional>
 #include <regex>
 
+#include "data/files/file_bytes.h"
 #include "data/quantities/number.h"
 #include "data/study/files.h"
 
@@ -162,7 +163,7 @@ std::string entries_text(const FileView& view, const FileFormat& format,
     if (has_role(view, "steady") && view.missing.empty())
         text += fmt::format(
             "[[recording]]                    # intervals of steady shear\nfile = {}\n{}{}\n",
-            toml_string(as_pattern(std::filesystem::absolute(view.file.file).string())),
+            toml_string(as_pattern(std::filesystem::path(view.file.file).filename().string())),
             format_text(format), liquid_content);
     if (has_role(view, "preshear"))
         text += fmt::format(
@@ -204,6 +205,9 @@ std::map<std::string, std::string> begin_study(const FileView& view, const FileF
                 ? "fit_to = \"all\"                   # no dry reading: wet readings are fitted\n"
                 : "fit_to = \"dry\"\n";
     std::map<std::string, std::string> files = {{"study.toml", text}};
+    if (has_role(view, "steady") && view.missing.empty())
+        files.emplace(std::filesystem::path(view.file.file).filename().string(),
+                      read_bytes(view.file.file, largest_table));
     if (!view.loci.empty()) files["failure.csv"] = failure_table(view);
     if (has_role(view, "preshear")) files["steady.csv"] = steady_table(view);
     return files;

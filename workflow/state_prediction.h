@@ -86,8 +86,9 @@ class StatePredictor {
     StatePrediction at(const RequestedState& requested) const;
     /// Predicts all observables along a curve of states: `requested`, with the varied quantity set
     /// to each of its values.
-    /// @throws InputError where the known runs support fewer than two states of the curve, and
-    ///         where a solid fraction would be impossible
+    /// @throws InputError where fewer than two states of the curve lie within the range of the known
+    ///         runs (atlas and store), and where a predicted solid fraction is not that of a dense
+    ///         flow
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
     /// Parameters of the run to simulate for a requested state that cannot be predicted from the

@@ -52,8 +52,9 @@ class WeightedResiduals {
     /// expected squared length of whitened errors of this covariance, beyond what a change of the
     /// calibrated parameters can imitate.
     double trace_of_projected(const Eigen::MatrixXd& covariance) const;
-    /// Variance [1] of the component of whitened errors along `direction`, a whitened vector; the
-    /// errors have the covariance C in the units of the readings: d' L^-1 C L^-T d.
+    /// Variance [1] of the component of errors along `direction` d, a vector in whitened units, for
+    /// errors with the covariance C in the units of the readings: d' L^-1 C L^-T d, with the
+    /// Cholesky factor L that whitens.
     double variance_along(const Eigen::VectorXd& direction,
                           const Eigen::MatrixXd& covariance) const;
     /// Removes from whitened changes of the readings what a change of the calibrated parameters can

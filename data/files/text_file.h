@@ -12,14 +12,15 @@ namespace pendular {
 
 /// Lines of a text file in UTF-8, without line ends (LF, CRLF or CR) and byte-order mark, decoded
 /// as by `decode_file`.
-/// @throws InputError if the file cannot be read, has more than `largest` bytes, or is not a text,
-/// but a spreadsheet for example
+/// @throws InputError if the file cannot be read, has more than `largest` bytes, or is not a
+/// text file (a spreadsheet for example)
 std::vector<std::string> read_lines(const std::filesystem::path& path,
                                     std::uintmax_t largest = largest_table);
 
-/// Whole text of a file in UTF-8, with byte-order mark and line ends, decoded as by `decode_file`.
-/// @throws InputError if the file cannot be read, has more than `largest` bytes, or is not a text,
-/// but a spreadsheet for example
+/// Returns the whole text of a file, converted to UTF-8 as `decode_file` does; byte-order mark and
+/// line ends stay as they are.
+/// @throws InputError if the file cannot be read, has more than `largest` bytes, or is not a
+/// text file (a spreadsheet for example)
 std::string read_text(const std::filesystem::path& path, std::uintmax_t largest = largest_table);
 
 /// Text of a file in UTF-8 with the encoding that the file has.
