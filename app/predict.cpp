@@ -93,6 +93,25 @@ void simulate_one(const RequestedState& requested, const StatePredictor& predict
     console.json(simulated_state_json(wanted, run));
 }
 
+/// Prints what the formulas of Badetti et al. (2018) give for the predicted state.
+void print_closures(const closures::ClosureValues& values, Console& console) {
+    console.line("By the formulas of Badetti et al. (2018), from these values:");
+    const std::pair<const char*, double> rows[] = {
+        {"stress ratio of dry grains", values.dry_stress_ratio},
+        {"stress ratio of contact forces", values.contact_stress_ratio},
+        {"stress ratio from s22cap, s12cap", values.strength1},
+        {"stress ratio from Z*, s12cap", values.strength2},
+        {"stress ratio from Z* alone", values.strength3},
+        {"Z_c + Z_d F_d/F0", values.effective_coordination},
+        {"Z_c + 0.5 Z_d", values.approximate_coordination},
+        {"reduced cohesion by Rumpf", values.rumpf_cohesion},
+        {"generalised reduced cohesion", values.generalised_cohesion},
+        {"saturation of the pores", values.saturation}};
+    for (const auto& [name, value] : rows) {
+        console.line(fmt::format("  {:<32} {:>20.4g}", name, value));
+    }
+}
+
 void predict_one(const RequestedState& requested, const StatePredictor& predictor, bool simulates,
                  Console& console) {
     const StatePrediction prediction = predictor.at(requested);
@@ -106,6 +125,7 @@ void predict_one(const RequestedState& requested, const StatePredictor& predicto
     for (const auto& one : prediction.observables) {
         console.line(observable_line(one.which, one.value.value, one.value.standard_error));
     }
+    if (prediction.closures) print_closures(*prediction.closures, console);
     console.line(fmt::format(
         "The emulator was trained on {} runs{}; the solid fraction holds for stiffness "
         "number {:.4g}.",

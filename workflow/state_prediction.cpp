@@ -44,6 +44,30 @@ void demand_physical(const std::vector<EmulatedObservable>& observables, double 
     }
 }
 
+/// Values of the closures for a wet state from its predicted observables; empty for a dry state.
+std::optional<closures::ClosureValues> closures_at(
+    const Emulator& emulator, const FlowState& state,
+    const std::vector<EmulatedObservable>& observables) {
+    if (state.dry()) return {};
+    using dem::Observable;
+    const auto value = [&](Observable which) {
+        return std::ranges::find(observables, which, &EmulatedObservable::which)->value.value;
+    };
+    const double pressure = 1 / state.inverse_pressure;
+    const closures::State network{.reduced_pressure = pressure,
+                                  .solid_fraction = value(Observable::solid_fraction),
+                                  .contact_coordination = value(Observable::contact_coordination),
+                                  .distant_coordination = value(Observable::distant_coordination),
+                                  .distant_force = value(Observable::distant_force)};
+    const closures::CapillaryStress capillary{
+        .normal = pressure * value(Observable::capillary_stress_22),
+        .shear = pressure * value(Observable::capillary_shear_stress)};
+    FlowState dry{.friction = state.friction, .inertial_number = state.inertial_number};
+    const double dry_stress_ratio = emulator.mean({{dry, Observable::stress_ratio}})(0);
+    return closures::closure_values(network, capillary, value(Observable::stress_ratio),
+                                    dry_stress_ratio, value(Observable::liquid_content));
+}
+
 }  // namespace
 
 VariedQuantity VariedQuantity::parsed(const std::string& text, int points) {
@@ -114,11 +138,14 @@ StatePrediction StatePredictor::at(const RequestedState& requested) const {
     if (const std::string why = known_.why_unsupported(state); !why.empty()) {
         throw InputError(unsupported(requested, state, why));
     }
+    std::vector<EmulatedObservable> observables = observables_at(state);
+    const auto closures = closures_at(emulator_, state, observables);
     return {.state = state,
-            .observables = observables_at(state),
+            .observables = std::move(observables),
             .stiffness_number = stiffness_number_,
             .beyond = emulator_.beyond(state),
-            .runs = emulator_.runs().size()};
+            .runs = emulator_.runs().size(),
+            .closures = closures};
 }
 
 PredictionCurve StatePredictor::along(RequestedState requested,

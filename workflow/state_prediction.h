@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "calib/emulator/emulated_state.h"
 #include "calib/emulator/known_range.h"
+#include "sim/closures/closure_values.h"
 #include "sim/runs/store/run_store.h"
 #include "workflow/requested_state.h"
 
@@ -22,6 +24,9 @@ struct StatePrediction {
     /// empty: none.
     std::string beyond;
     std::size_t runs = 0;  ///< number of the emulator's training runs
+    /// Values of the closures of Badetti et al. (2018) for a wet state, from the predicted values;
+    /// empty: dry.
+    std::optional<closures::ClosureValues> closures = {};
 };
 
 /// Quantity of a state of steady shear that varies along a curve of predictions, with its range.
@@ -86,7 +91,8 @@ class StatePredictor {
     StatePrediction at(const RequestedState& requested) const;
     /// Predicts all observables along a curve of states: `requested`, with the varied quantity set
     /// to each of its values.
-    /// @throws InputError where fewer than two states of the curve lie within the range of the known
+    /// @throws InputError where fewer than two states of the curve lie within the range of the
+    /// known
     ///         runs (atlas and store), and where a predicted solid fraction is not that of a dense
     ///         flow
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;

@@ -49,6 +49,18 @@ Json to_json(const StatePrediction& prediction) {
     json["beyond"] = prediction.beyond;
     json["runs"] = prediction.runs;
     json["simulated"] = false;
+    if (const auto& closures = prediction.closures) {
+        json["closures"] = {{"dry_stress_ratio", closures->dry_stress_ratio},
+                            {"contact_stress_ratio", closures->contact_stress_ratio},
+                            {"effective_coordination", closures->effective_coordination},
+                            {"approximate_coordination", closures->approximate_coordination},
+                            {"rumpf_cohesion", closures->rumpf_cohesion},
+                            {"generalised_cohesion", closures->generalised_cohesion},
+                            {"strength1", closures->strength1},
+                            {"strength2", closures->strength2},
+                            {"strength3", closures->strength3},
+                            {"saturation", closures->saturation}};
+    }
     return json;
 }
 

@@ -113,10 +113,10 @@ std::size_t count(const StudyTable& table, std::string_view key, double missing,
 }
 
 /// The numbers of each key that a table has, in the order of `parameters`.
-using Columns = std::vector<std::pair<const RunColumn*, std::vector<double>>>;
+using ColumnValues = std::vector<std::pair<const RunColumn*, std::vector<double>>>;
 
-Columns columns_of(const StudyTable& table) {
-    Columns columns;
+ColumnValues columns_of(const StudyTable& table) {
+    ColumnValues columns;
     for (const RunColumn* parameter : parameters()) {
         auto numbers = numbers_of(table, *parameter);
         if (parameter->type == RunColumn::Type::integer &&
@@ -156,7 +156,7 @@ std::vector<Point> grid_points(const StudyTable& table) {
 }
 
 std::vector<Point> list_points(const StudyTable& table) {
-    const Columns columns = columns_of(table);
+    const ColumnValues columns = columns_of(table);
     std::size_t length = 1;
     for (const auto& column : columns) {
         length = std::max(length, column.second.size());
@@ -179,7 +179,7 @@ std::vector<Point> list_points(const StudyTable& table) {
 std::vector<Point> sobol_points(const StudyTable& table) {
     const std::size_t wanted = count(table, "points", 0, 1);
     const auto logarithmic = table.words("logarithmic", {});
-    Columns fixed, ranges;
+    ColumnValues fixed, ranges;
     for (auto& column : columns_of(table)) {
         (column.second.size() == 1 ? fixed : ranges).push_back(std::move(column));
     }

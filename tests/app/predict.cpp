@@ -43,6 +43,28 @@ TEST(Predict, TellsAWetStateOfALiquidContent) {
     EXPECT_GT(said["bridge_volume"], 0.003);
 }
 
+TEST(Predict, AddsTheFormulasOfAWetState) {
+    const Outcome run =
+        run_pendular("predict --reduced-pressure 3 --bridge-volume 0.0006 --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const json said = json::parse(run.output);
+    const json& by = said["closures"];
+    const double ratio = said["stress_ratio"]["value"], dry = by["dry_stress_ratio"];
+    // Effective stress holds within 5 %; without the capillary shear stress the strength is too
+    // high, and Rumpf's cohesion exceeds the generalised one by a^2 s12cap/F0 or so.
+    EXPECT_NEAR(by["contact_stress_ratio"].get<double>() / dry, 1, 0.05);
+    EXPECT_NEAR(by["strength1"].get<double>() / ratio, 1, 0.05);
+    EXPECT_NEAR(by["strength2"].get<double>() / ratio, 1, 0.05);
+    EXPECT_GT(by["strength3"], by["strength2"].get<double>() + 0.02);
+    EXPECT_NEAR(by["rumpf_cohesion"].get<double>() - by["generalised_cohesion"].get<double>(),
+                3 * said["capillary_shear_stress"]["value"].get<double>(), 0.02);
+    EXPECT_NEAR(by["effective_coordination"], said["effective_coordination"]["value"], 0.05);
+    const double content = said["liquid_content"]["value"],
+                 fraction = said["solid_fraction"]["value"];
+    EXPECT_NEAR(by["saturation"], content * fraction / (1 - fraction), 1e-9);
+    EXPECT_FALSE(json::parse(run_pendular("predict --json -").output).contains("closures"));
+}
+
 /// The command of a message that begins with these words.
 std::string command_in(const std::string& message, const std::string& words) {
     const auto begin = message.find("    pendular " + words);
