@@ -44,6 +44,7 @@ CalibratedStudy Session::calibrate(const FitOptions& fit) const {
 ComparedStudy Session::compare(const std::optional<CohesionOptions>& cohesion) const {
     Calibration c = read_calibration(folder_ / "fit.json", input_.study, dry_first(measurements()));
     StudyModel model(input_.study, c);
+    check_parameters(c, model.model());
     c.prediction = predict_readings(model.model(), c);
     Comparison comparison = pendular::compare(c);
     if (cohesion) c.cohesion = *cohesion;
@@ -66,7 +67,9 @@ Prediction Session::predict(const std::vector<Condition>& conditions) const {
             {.origin = {"condition " + std::to_string(wanted.size() + 1)}, .condition = condition});
     }
     check_range(wanted, study(), c.fidelity);
-    return predict_unseen(StudyModel(input_.study, c).model(), c, conditions);
+    const StudyModel model(input_.study, c);
+    check_parameters(c, model.model());
+    return predict_unseen(model.model(), c, conditions);
 }
 
 StudyDiagnosis Session::diagnose(std::optional<double> confirming_seconds,

@@ -145,12 +145,14 @@ void apply_change(const StudyChange& change, const LadderStep& before, const Fit
 namespace {
 
 /// Fit of the study that an earlier command wrote to `file`; empty where there is none, where the
-/// study has changed since, or where the fit did not converge.
+/// study has changed since, where its parameters are not those of the study's model, or where the
+/// fit did not converge.
 std::optional<Calibration> earlier_fit(const std::filesystem::path& file,
                                        const ResolvedStudy& study,
                                        const Measurements& measurements) {
     try {
         Calibration c = read_calibration(file, study, dry_first(measurements));
+        check_parameters(c, StudyModel(study, c).model());
         return c.fit.converged ? std::optional(std::move(c)) : std::nullopt;
     } catch (const InputError&) {
         return std::nullopt;

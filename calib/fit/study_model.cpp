@@ -18,28 +18,6 @@ std::shared_ptr<const EmulatedSimulation> simulation_of(const Study& study, cons
         study, c.fidelity, Emulator(c.runs, c.hyperparameters, structure_stiffness));
 }
 
-/// Checks that a calibration, which may have been read from a file, has the parameters of a model,
-/// with values at most as far outside of the bounds as these are apart.
-/// @throws InputError if it has others
-void check_parameters(const Calibration& c, const EffectModel& model) {
-    const ParameterBounds bounds = model.bounds();
-    const bool same_names = std::ranges::equal(c.parameters, model.parameters(), {},
-                                               &Parameter::name, &Parameter::name);
-    const auto inside = [&](Eigen::Index k) {
-        const double width = bounds.upper(k) - bounds.lower(k);
-        return std::abs(c.fit.parameters(k) - (bounds.lower(k) + bounds.upper(k)) / 2) <=
-               1.5 * width;
-    };
-    bool all_inside = same_names;
-    for (Eigen::Index k = 0; all_inside && k < bounds.lower.size(); ++k)
-        all_inside = inside(k);
-    if (!all_inside)
-        throw InputError(
-            "fit.json has other parameters than the model of the study, or values that no fit "
-            "gives; "
-            "run 'pendular calibrate' again");
-}
-
 }  // namespace
 
 StudyModel::StudyModel(const ResolvedStudy& study,
@@ -53,9 +31,7 @@ StudyModel::StudyModel(const ResolvedStudy& study,
 }
 
 StudyModel::StudyModel(const ResolvedStudy& study, const Calibration& c)
-    : StudyModel(study, simulation_of(study, c)) {
-    check_parameters(c, *model_);
-}
+    : StudyModel(study, simulation_of(study, c)) {}
 
 ModelOfReadings StudyModel::at(const std::vector<Reading>& readings) const {
     return {model_, conditions_of(readings), direct()};
@@ -74,6 +50,25 @@ Eigen::VectorXd StudyModel::flow_parameters(const Eigen::VectorXd& parameters) c
 std::vector<EffectiveCondition> StudyModel::imposed(
     const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions) const {
     return flow_->imposed(flow_parameters(parameters), conditions);
+}
+
+void check_parameters(const Calibration& c, const EffectModel& model) {
+    const ParameterBounds bounds = model.bounds();
+    const bool same_names = std::ranges::equal(c.parameters, model.parameters(), {},
+                                               &Parameter::name, &Parameter::name);
+    const auto inside = [&](Eigen::Index k) {
+        const double width = bounds.upper(k) - bounds.lower(k);
+        return std::abs(c.fit.parameters(k) - (bounds.lower(k) + bounds.upper(k)) / 2) <=
+               1.5 * width;
+    };
+    bool all_inside = same_names;
+    for (Eigen::Index k = 0; all_inside && k < bounds.lower.size(); ++k)
+        all_inside = inside(k);
+    if (!all_inside)
+        throw InputError(
+            "fit.json has other parameters than the model of the study, or values that no fit "
+            "gives; "
+            "run 'pendular calibrate' again");
 }
 
 }  // namespace pendular

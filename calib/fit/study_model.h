@@ -20,7 +20,6 @@ class StudyModel {
     StudyModel(const ResolvedStudy& study, std::shared_ptr<const EmulatedSimulation> simulation);
     /// Assembles the model of a finished calibration again, with an emulator trained on the
     /// calibration's runs.
-    /// @throws InputError if the calibration, as read from a file, has other parameters than the model
     StudyModel(const ResolvedStudy& study, const Calibration& calibration);
 
     /// Model that predicts readings as the instrument shows them, with all effects of the study.
@@ -55,5 +54,10 @@ class StudyModel {
     std::shared_ptr<const EmulatedSimulation> simulation_;
     std::shared_ptr<const EffectModel> model_, flow_;
 };
+
+/// Checks that a calibration, which may have been read from a file, has the parameters of a model,
+/// with values at most as far outside of the bounds as these are apart.
+/// @throws InputError if it has others
+void check_parameters(const Calibration& calibration, const EffectModel& model);
 
 }  // namespace pendular

@@ -51,7 +51,7 @@ bool FileLock::take() {
             open(file_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
         if (descriptor_ < 0)
             throw std::runtime_error(
-                fmt::format("{} cannot be made: {}", file_.string(), std::strerror(errno)));
+                fmt::format("{} cannot be written: {}", file_.string(), std::strerror(errno)));
         if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
             const int reason = errno;
             close(std::exchange(descriptor_, -1));

@@ -16,7 +16,7 @@ class FileLock {
 
     /// Takes the lock, without waiting.
     /// @return false where another process has it
-    /// @throws std::runtime_error where the file cannot be made, or is a link
+    /// @throws std::runtime_error where the file cannot be written, or is a link
     bool take();
     /// Process that has the lock, as "process 123 (pendular add my-study)" or, where the system
     /// does not say which it is, "another process".
