@@ -85,7 +85,7 @@ store; sql "CREATE TRIGGER t AFTER INSERT ON runs BEGIN DELETE FROM runs WHERE i
 [ "$(sql 'SELECT count(*) FROM runs')" = 2 ] || fail "runs are lost"
 E
 attack "stores: removed during a campaign" "1|2" "" <<'E'
-printf '[[list]]\nfriction = [0.1, 0.2, 0.3]\ninertial_number = 0.1\nbeads = 200\nstrain = 0.5\nstiffness_number = 1000\n' >c.toml
+printf '[[list]]\nfriction = [0.1, 0.2, 0.3]\ninertial_number = 0.1\nbeads = 500\nstrain = 2\nstiffness_number = 1000\n' >c.toml
 (for i in $(seq 200); do [ -s "$PENDULAR_STORE" ] && sleep 0.2 && rm -f "$PENDULAR_STORE"*; sleep 0.05; done) & run campaign c.toml --threads 1 --quiet; kill %1
 E
 attack "stores: an unknown column in a table of runs" 2 "unknown column" <<'E'
