@@ -44,7 +44,7 @@ Of over_pull_off(Observable which, double sign = 1) {
 
 double content_of(double bridge_volume) {
     for (const PaperContent& content : paper_contents) {
-        if (std::abs(content.bridge_volume / bridge_volume - 1) < 1e-6) {
+        if (same_setting(content.bridge_volume, bridge_volume)) {
             return content.liquid_content;
         }
     }
@@ -103,8 +103,7 @@ Panel all_states(const PaperStudy& study, const char* x_label, const char* y_lab
 }
 
 std::vector<const PaperState*> of_friction(const PaperStudy& study, double friction) {
-    return study.where(
-        [&](const PaperState& s) { return std::abs(s.friction() - friction) < 1e-9; });
+    return study.where([&](const PaperState& s) { return same_setting(s.friction(), friction); });
 }
 
 Figure one_panel(const char* name, const std::string& title, Panel panel) {
@@ -182,7 +181,7 @@ std::vector<Figure> dry_grains(const PaperStudy& study) {
                                 [](double x) { return std::pair(0.09, x); });
         panel.curves.push_back(dry_points(
             study, which,
-            [](const dem::RunParameters& p) { return std::abs(p.friction - 0.09) < 1e-9; },
+            [](const dem::RunParameters& p) { return same_setting(p.friction, 0.09); },
             &dem::RunParameters::inertial_number));
         panel.key = Key::outside;
         return panel;
@@ -211,7 +210,7 @@ Figure liquid_contents(const PaperStudy& study) {
 std::vector<Curve> strength_lines(const PaperStudy& study, double friction) {
     std::vector<Curve> curves;
     for (const StrengthLine& line : study.lines()) {
-        if (std::abs(line.friction - friction) > 1e-9) continue;
+        if (!same_setting(line.friction, friction)) continue;
         const double content = content_of(line.bridge_volume);
         curves.push_back({.label = fmt::format("line, liquid content {:g}", content),
                           .style = Curve::Style::dotted_line,
@@ -240,19 +239,6 @@ std::vector<Figure> strength_and_density(const PaperStudy& study) {
             one_panel("phiexpnum", "friction 0.09", std::move(density))};
 }
 
-/// Mean of a prediction over the states of a line.
-double mean_over_line(const PaperStudy& study, const StrengthLine& line,
-                      Mean (PaperState::*prediction)() const) {
-    double sum = 0, count = 0;
-    for (const PaperState* state : of_friction(study, line.friction)) {
-        if (std::abs(state->bridge_volume() / line.bridge_volume - 1) < 1e-6 &&
-            state->reduced_pressure() >= lowest_line_pressure) {
-            sum += (state->*prediction)().value, ++count;
-        }
-    }
-    return sum / count;
-}
-
 std::vector<Figure> cohesions(const PaperStudy& study) {
     Curve simulated{.label = "simulated, from the straight line",
                     .symbol = {Shape::triangle, Filling::hollow}},
@@ -270,17 +256,19 @@ std::vector<Figure> cohesions(const PaperStudy& study) {
                     .symbol = {Shape::square, code_of(content.liquid_content).filling},
                     .in_key = false};
         for (const StrengthLine& line : study.lines()) {
-            if (line.bridge_volume != content.bridge_volume) continue;
+            if (!same_setting(line.bridge_volume, content.bridge_volume)) continue;
             curve.x.push_back(line.friction), curve.y.push_back(line.cohesion.value);
             curve.y_error.push_back(line.cohesion.standard_error);
-            if (std::abs(line.friction - 0.09) > 1e-9) continue;
+            if (!same_setting(line.friction, 0.09)) continue;
             simulated.x.push_back(content.liquid_content);
             simulated.y.push_back(line.cohesion.value);
             simulated.y_error.push_back(line.cohesion.standard_error);
             rumpf.x.push_back(content.liquid_content);
-            rumpf.y.push_back(mean_over_line(study, line, &PaperState::rumpf_cohesion));
+            rumpf.y.push_back(
+                study.mean_over(line, &closures::ClosureValues::rumpf_cohesion).value);
             general.x.push_back(content.liquid_content);
-            general.y.push_back(mean_over_line(study, line, &PaperState::generalised_cohesion));
+            general.y.push_back(
+                study.mean_over(line, &closures::ClosureValues::generalised_cohesion).value);
         }
         if (!curve.x.empty()) by_friction.curves.push_back(std::move(curve));
     }
@@ -295,11 +283,14 @@ std::vector<Figure> cohesions(const PaperStudy& study) {
 
 Figure effective_stress(const PaperStudy& study) {
     Panel panel = all_states(study, pressure_axis, "|σ_{12}^{cont}|/σ_{22}^{cont} [1]", pressure,
-                             [](const PaperState& s) { return s.contact_stress_ratio(); });
+                             [](const PaperState& s) {
+                                 return s.closure(&closures::ClosureValues::contact_stress_ratio);
+                             });
     panel.log_x = true;
     for (const double friction : paper_frictions) {
         panel.references.push_back(
-            {.label = "", .value = study.dry(Observable::stress_ratio, friction, 0.003).value});
+            {.label = "",
+             .value = study.dry(Observable::stress_ratio, friction, grid_inertial_number).value});
     }
     return one_panel("coulombeff", "lines: stress ratio of dry grains", std::move(panel));
 }
@@ -319,21 +310,21 @@ std::vector<Figure> coordination_and_density(const PaperStudy& study) {
 }
 
 Figure predicted(const PaperStudy& study, const char* name, const char* title,
-                 Mean (PaperState::*prediction)() const) {
+                 double closures::ClosureValues::*prediction) {
     Panel panel = all_states(study, "simulated stress ratio [1]", "predicted stress ratio [1]",
                              observable(Observable::stress_ratio),
-                             [prediction](const PaperState& s) { return (s.*prediction)(); });
+                             [prediction](const PaperState& s) { return s.closure(prediction); });
     panel.diagonal = true;
     return one_panel(name, title, std::move(panel));
 }
 
 Figure cohesion_ratio(const PaperStudy& study, const char* name, const char* title,
-                      Mean (PaperState::*prediction)() const, double most_content) {
+                      double closures::ClosureValues::*prediction, double most_content) {
     Panel panel{.x_label = inverse_pressure_axis, .y_label = "predicted over fitted c* [1]"};
     add_key(panel, true);
     const auto ratio = [&](const PaperState& s) {
         const StrengthLine* line = study.line(s.friction(), s.bridge_volume());
-        const double predicted_cohesion = (s.*prediction)().value;
+        const double predicted_cohesion = s.closure(prediction).value;
         return line == nullptr ? exact(NAN) : exact(predicted_cohesion / line->cohesion.value);
     };
     std::ranges::move(points(study.where([&](const PaperState& s) {
@@ -412,13 +403,21 @@ std::vector<Figure> paper_figures(const PaperStudy& study) {
     add(cohesions(study));
     add({effective_stress(study)});
     add(coordination_and_density(study));
-    add({predicted(study, "appdiff", "without capillary shear stress", &PaperState::strength3),
-         predicted(study, "s12pred", "with capillary shear stress", &PaperState::strength2),
-         cohesion_ratio(study, "cohcomp", "Rumpf's formula", &PaperState::rumpf_cohesion, 1),
+    add({predicted(study, "appdiff", "without capillary shear stress",
+                   &closures::ClosureValues::strength3),
+         predicted(study, "s12pred", "with capillary shear stress",
+                   &closures::ClosureValues::strength2),
+         cohesion_ratio(study, "cohcomp", "Rumpf's formula",
+                        &closures::ClosureValues::rumpf_cohesion, 1),
          cohesion_ratio(study, "cohgen", "generalised cohesion, small liquid contents",
-                        &PaperState::generalised_cohesion, 0.02)});
+                        &closures::ClosureValues::generalised_cohesion, 0.02)});
     add(capillary_shear(study));
     add({distant_approximations(study), approximation(study)});
+    for (Figure& figure : figures) {
+        if (figure.name == "mustarphimu" || figure.name == "muphinertial") continue;
+        figure.title += fmt::format("{}stiffness number {:g}", figure.title.empty() ? "" : ", ",
+                                    study.stiffness_number());
+    }
     return figures;
 }
 

@@ -20,19 +20,6 @@ std::string cell(std::string text) {
     return text;
 }
 
-/// Stiffness numbers of the states, as text: "1000" or "1000 and 8400".
-std::string stiffness_numbers(const PaperStudy& study) {
-    std::set<double> numbers;
-    for (const PaperState& state : study.states()) {
-        numbers.insert(state.run().parameters.stiffness_number);
-    }
-    std::string text;
-    for (const double number : numbers) {
-        text += fmt::format("{}{:g}", text.empty() ? "" : " and ", number);
-    }
-    return text;
-}
-
 std::string how_far(const ScoreboardRow& row) {
     if (row.agrees) return row.values > 1 ? "" : fmt::format("{:.1f}", row.distance);
     if (row.values == 1) return fmt::format("{:.1f} errors", row.distance);
@@ -65,8 +52,9 @@ std::string value_of(const PaperState& state, const Column& column) {
 std::string verdict_of(const Reproduction& r) {
     return fmt::format(
         "{} of {} numbers and ranges of Badetti et al. (2018) are reproduced, from {} simulated "
-        "states of its parameter study (stiffness number {}).",
-        r.agreeing(), r.rows().size(), r.study().states().size(), stiffness_numbers(r.study()));
+        "states of its parameter study at stiffness number {:g} and {} at {:g} or more.",
+        r.agreeing(), r.rows().size(), r.study().states().size(), r.study().stiffness_number(),
+        r.study().stiff_states().size(), paper_stiffness / 2);
 }
 
 std::vector<std::string> scoreboard_table(const std::vector<ScoreboardRow>& rows, bool all) {
@@ -81,18 +69,21 @@ std::vector<std::string> scoreboard_table(const std::vector<ScoreboardRow>& rows
 }
 
 std::vector<std::string> stiffness_table(const PaperStudy& study) {
-    if (study.other_stiffness().empty()) return {};
+    if (study.stiffness_number() >= paper_stiffness / 2 || study.stiff_states().empty()) return {};
     std::string heading = fmt::format("{:>8} {:>8} {:>5}", "friction", "V0/a^3", "P*");
     for (const Column& column : columns) {
         heading += fmt::format(" {:>17}", column.heading);
     }
     std::vector<std::string> lines = {heading};
-    for (const auto& pair : study.other_stiffness()) {
-        std::string line = fmt::format("{:>8g} {:>8g} {:>5g}", pair.stiff->friction(),
-                                       pair.stiff->bridge_volume(), pair.stiff->reduced_pressure());
+    for (const PaperState& stiff : study.stiff_states()) {
+        const PaperState* soft =
+            study.at(stiff.friction(), stiff.bridge_volume(), stiff.reduced_pressure());
+        if (soft == nullptr) continue;
+        std::string line = fmt::format("{:>8g} {:>8g} {:>5g}", stiff.friction(),
+                                       stiff.bridge_volume(), stiff.reduced_pressure());
         for (const Column& column : columns) {
-            line += fmt::format(" {:>17}", value_of(*pair.stiff, column) + " (" +
-                                               value_of(pair.soft, column) + ")");
+            line += fmt::format(" {:>17}",
+                                value_of(stiff, column) + " (" + value_of(*soft, column) + ")");
         }
         lines.push_back(line);
     }
@@ -106,10 +97,13 @@ std::string reproduction_page(const Reproduction& r) {
         "Chevoir and Roux, *Shear strength of wet granular materials: macroscopic cohesion and "
         "effective stress* (2018), states of dry and wet grains with the simulations that come "
         "with the program and those in the user's store. ";
-    page += verdict_of(r) +
-            " A value agrees where it is within three combined standard errors of the published "
-            "value or range. A published number without an error is taken to half a unit of its "
-            "last digit, or as the row says. \"Distance\" is in combined standard errors.\n";
+    page +=
+        verdict_of(r) +
+        " A value agrees where it is within three combined standard errors of the published "
+        "value or range. A published number without an error is taken to half a unit of its "
+        "last digit, a range to half a unit of the last digit of its more precise end, a number "
+        "of one digit with \"about\" to 10 %, and a word such as \"good\" as the row says. "
+        "\"Distance\" is in combined standard errors; a row with large errors decides little.\n";
     std::string section;
     for (const ScoreboardRow& row : r.rows()) {
         if (row.section != section) {
@@ -125,9 +119,9 @@ std::string reproduction_page(const Reproduction& r) {
     }
     if (const auto table = stiffness_table(r.study()); !table.empty()) {
         page +=
-            "\n## Stiffness\n\nStructure depends on the stiffness of the grains. Each state of "
-            "this "
-            "table was simulated at two stiffness numbers: the first value is that of the larger "
+            "\n## Stiffness\n\nStructure depends on the stiffness of the grains; the rows under "
+            "Structure are of the stiff states, all others of the grid. Each state of this table "
+            "was simulated at two stiffness numbers: the first value is that of the larger "
             "one (8400, the paper's), the value in parentheses that of the smaller one (1000).\n\n"
             "```\n";
         for (const std::string& line : table) {

@@ -131,11 +131,14 @@ Panel map_panel(const Comparison& comparison, double liquid_content, std::size_t
     return panel;
 }
 
+/// Without panels where all readings have one inertial number.
 Figure residual_map(const Comparison& comparison) {
-    std::set<double> contents;
+    std::set<double> contents, inertial_numbers;
     for (const ConditionMisfit& group : comparison.by_condition) {
         contents.insert(group.condition.liquid_content);
+        inertial_numbers.insert(group.condition.inertial_number);
     }
+    if (inertial_numbers.size() < 2) contents.clear();
     Figure figure{.name = "residual_map",
                   .title = "Where measured means lie above or below the model, in standard errors",
                   .panels = {},

@@ -20,9 +20,6 @@ namespace {
 /// They teach no emulator, which has one stiffness number for structure.
 constexpr const char* paper_runs_name = "paper.csv";
 
-/// Inertial number of ordered runs [1]: slow enough, and three times as fast to simulate as 0.001.
-constexpr double ordered_inertial_number = 0.003;
-
 std::vector<dem::RunResult> paper_runs() {
     const auto atlas = atlas_file();
     const auto file = atlas.parent_path() / paper_runs_name;
@@ -53,7 +50,7 @@ Reproduction::Reproduction(const Fidelity& fidelity, const RunStore* store) : fi
     runs.insert(runs.end(), known->runs.begin(), known->runs.end());
     emulator_ = std::make_unique<Emulator>(known->runs, std::move(known->hyperparameters));
     study_ = std::make_unique<PaperStudy>(runs, *emulator_);
-    rows_ = scoreboard(*study_);
+    rows_ = compare_with_published(*study_);
 }
 
 std::size_t Reproduction::agreeing() const {
@@ -64,7 +61,7 @@ std::vector<dem::RunParameters> Reproduction::missing_runs() const {
     std::vector<dem::RunParameters> runs;
     for (const MissingState& state : study_->missing()) {
         runs.push_back(run_of({.friction = state.friction,
-                               .inertial_number = ordered_inertial_number,
+                               .inertial_number = grid_inertial_number,
                                .inverse_pressure = 1 / state.reduced_pressure,
                                .bridge_volume = state.bridge_volume},
                               fidelity_, fidelity_.stiffness_number));

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "analysis/reproduction/scoreboard.h"
+#include "analysis/reproduction/published_numbers.h"
 #include "sim/runs/fidelity.h"
 #include "sim/runs/store/run_store.h"
 

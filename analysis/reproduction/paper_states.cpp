@@ -1,13 +1,16 @@
 #include "analysis/reproduction/paper_states.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
 #include "calib/emulator/emulated_observables.h"
-#include "sim/closures/strength.h"
 
 namespace pendular {
 namespace {
@@ -17,32 +20,39 @@ using dem::Observable;
 /// Largest inertial number of a state that counts as slow [1].
 constexpr double slow = 0.0035;
 
-bool nearly(double a, double b) {
-    return std::abs(a - b) <= 1e-6 * std::abs(b);
-}
-
 bool is_of_study(const dem::RunResult& run) {
     const auto& p = run.parameters;
     return emulated::usable(run) && p.effects.empty() && p.wetting && p.inertial_number <= slow &&
-           std::ranges::any_of(paper_frictions, [&](double f) { return nearly(p.friction, f); }) &&
+           std::ranges::any_of(paper_frictions,
+                               [&](double f) { return same_setting(p.friction, f); }) &&
            std::ranges::any_of(paper_contents, [&](const PaperContent& c) {
-               return nearly(p.wetting->bridge_volume, c.bridge_volume);
+               return same_setting(p.wetting->bridge_volume, c.bridge_volume);
            });
 }
 
-/// Order of the states; runs of one state are equal but for stiffness number and grains.
 auto place_of(const dem::RunResult& run) {
     return std::tuple(run.parameters.friction, run.parameters.wetting->bridge_volume,
                       run.parameters.wetting->reduced_pressure);
 }
 
-/// Whether run `a` is nearer to the paper's simulations than run `b` of the same state.
-bool better(const dem::RunResult& a, const dem::RunResult& b) {
-    const auto distance = [](const dem::RunResult& run) {
-        return std::abs(std::log(run.parameters.stiffness_number / paper_stiffness));
-    };
-    return std::tuple(distance(a), -a.parameters.grains) <
-           std::tuple(distance(b), -b.parameters.grains);
+/// Order of the states, the run with the most grains first.
+bool comes_before(const dem::RunResult& a, const dem::RunResult& b) {
+    return place_of(a) != place_of(b) ? place_of(a) < place_of(b)
+                                      : a.parameters.grains > b.parameters.grains;
+}
+
+/// Stiffness number of the most states; the largest of several such [1].
+double commonest_stiffness(const std::vector<dem::RunResult>& runs) {
+    std::map<double, std::set<decltype(place_of(runs.front()))>> places;
+    for (const dem::RunResult& run : runs) {
+        places[run.parameters.stiffness_number].insert(place_of(run));
+    }
+    double commonest = paper_stiffness;
+    std::size_t most = 0;
+    for (const auto& [stiffness_number, its_places] : places) {
+        if (its_places.size() >= most) commonest = stiffness_number, most = its_places.size();
+    }
+    return commonest;
 }
 
 /// Weighted straight line through the stress ratios of states against 1/P*.
@@ -69,12 +79,21 @@ StrengthLine line_through(const std::vector<const PaperState*>& states) {
 
 }  // namespace
 
+bool same_setting(double a, double b) {
+    return std::abs(a - b) <= 1e-6 * std::abs(b);
+}
+
 PaperState::PaperState(dem::RunResult run, const Mean& dry_stress_ratio, double stress_ratio_error)
     : run_(std::move(run)),
       dry_stress_ratio_(dry_stress_ratio),
       stress_ratio_error_(stress_ratio_error),
       network_(closures::network_state_of(run_)),
       capillary_(closures::capillary_stress_of(run_)) {}
+
+std::string PaperState::name() const {
+    return fmt::format("friction {:g}, V0/a^3 {:g}, P* {:g}", friction(), bridge_volume(),
+                       reduced_pressure());
+}
 
 Mean PaperState::operator[](Observable which) const {
     Mean mean = run_[which];
@@ -86,54 +105,16 @@ Mean PaperState::rigid_solid_fraction() const {
     return emulated::training_value(run_, Observable::solid_fraction);
 }
 
-Mean PaperState::contact_stress_ratio() const {
-    const double ratio = run_[Observable::stress_ratio].value;
-    const double value = closures::contact_stress_ratio(ratio, capillary_, reduced_pressure());
-    return {value, value * stress_ratio_error_ / ratio};
-}
-
-Mean PaperState::from_dry(const std::function<double(double dry)>& prediction) const {
-    const double value = prediction(dry_stress_ratio_.value);
-    return {value, std::abs(prediction(dry_stress_ratio_.value + dry_stress_ratio_.standard_error) -
-                            value)};
-}
-
-Mean PaperState::strength1() const {
-    return from_dry([&](double dry) {
-        return closures::stress_ratio_from_stresses(dry, capillary_, reduced_pressure());
-    });
-}
-
-Mean PaperState::strength2() const {
-    return from_dry([&](double dry) {
-        const double cohesion = closures::generalised_cohesion(
-            dry, network_.solid_fraction, closures::effective_coordination(network_),
-            capillary_.shear);
-        return closures::stress_ratio_from_cohesion(dry, cohesion, reduced_pressure());
-    });
-}
-
-Mean PaperState::strength3() const {
-    return from_dry([&](double dry) {
-        const double cohesion = closures::reduced_cohesion(
-            dry, network_.solid_fraction, closures::effective_coordination(network_));
-        return closures::stress_ratio_from_cohesion(dry, cohesion, reduced_pressure());
-    });
-}
-
-Mean PaperState::rumpf_cohesion() const {
-    return from_dry([&](double dry) {
-        return closures::reduced_cohesion(dry, network_.solid_fraction,
-                                          closures::approximate_coordination(network_));
-    });
-}
-
-Mean PaperState::generalised_cohesion() const {
-    return from_dry([&](double dry) {
-        return closures::generalised_cohesion(dry, network_.solid_fraction,
-                                              closures::effective_coordination(network_),
-                                              capillary_.shear);
-    });
+Mean PaperState::closure(double closures::ClosureValues::*value) const {
+    const double ratio = run_[Observable::stress_ratio].value, dry = dry_stress_ratio_.value;
+    const auto at = [&](double stress_ratio, double dry_stress_ratio) {
+        return closures::closure_values(network_, capillary_, stress_ratio, dry_stress_ratio,
+                                        run_[Observable::liquid_content].value).*
+               value;
+    };
+    const double middle = at(ratio, dry);
+    return {middle, std::hypot(at(ratio + stress_ratio_error_, dry) - middle,
+                               at(ratio, dry + dry_stress_ratio_.standard_error) - middle)};
 }
 
 Mean StrengthLine::at(double reduced_pressure) const {
@@ -145,28 +126,17 @@ Mean StrengthLine::at(double reduced_pressure) const {
 
 PaperStudy::PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator)
     : emulator_(emulator) {
-    std::vector<dem::RunResult> chosen;
-    std::ranges::copy_if(runs, std::back_inserter(chosen), is_of_study);
-    std::ranges::sort(chosen, [](const dem::RunResult& a, const dem::RunResult& b) {
-        return place_of(a) != place_of(b) ? place_of(a) < place_of(b) : better(a, b);
-    });
-    std::vector<PaperState> others;
-    for (const dem::RunResult& run : chosen) {
-        PaperState state(
-            run,
-            dry(Observable::stress_ratio, run.parameters.friction, run.parameters.inertial_number),
-            std::sqrt(emulator.noise_variance(run, Observable::stress_ratio)));
-        const bool first = states_.empty() || place_of(states_.back().run()) != place_of(run);
-        (first ? states_ : others).push_back(std::move(state));
+    std::vector<dem::RunResult> usable, grid, stiff;
+    std::ranges::copy_if(runs, std::back_inserter(usable), is_of_study);
+    stiffness_number_ = commonest_stiffness(usable);
+    for (const dem::RunResult& run : usable) {
+        const double stiffness_number = run.parameters.stiffness_number;
+        if (stiffness_number == stiffness_number_) grid.push_back(run);
+        if (stiffness_number >= paper_stiffness / 2) stiff.push_back(run);
     }
-    for (PaperState& other : others) {
-        const PaperState* state =
-            at(other.friction(), other.bridge_volume(), other.reduced_pressure());
-        if (state->run().parameters.stiffness_number >
-            2 * other.run().parameters.stiffness_number) {
-            other_stiffness_.push_back({state, std::move(other)});
-        }
-    }
+    states_ = states_of(std::move(grid));
+    stiff_states_ =
+        stiffness_number_ >= paper_stiffness / 2 ? states_ : states_of(std::move(stiff));
     fit_lines();
     std::ranges::copy_if(runs, std::back_inserter(dry_runs_), [](const dem::RunResult& run) {
         return emulated::usable(run) && !run.parameters.wetting && run.parameters.effects.empty();
@@ -176,17 +146,46 @@ PaperStudy::PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& 
     });
 }
 
+std::vector<PaperState> PaperStudy::states_of(std::vector<dem::RunResult> runs) const {
+    std::ranges::stable_sort(runs, comes_before);
+    std::vector<PaperState> states;
+    for (dem::RunResult& run : runs) {
+        if (!states.empty() && place_of(states.back().run()) == place_of(run)) continue;
+        const dem::RunParameters p = run.parameters;
+        const double error = std::sqrt(emulator_.noise_variance(run, Observable::stress_ratio));
+        states.emplace_back(std::move(run),
+                            dry(Observable::stress_ratio, p.friction, p.inertial_number), error);
+    }
+    return states;
+}
+
 void PaperStudy::fit_lines() {
     for (const double friction : paper_frictions) {
         for (const PaperContent& content : paper_contents) {
-            const auto states = where([&](const PaperState& s) {
-                return nearly(s.friction(), friction) &&
-                       nearly(s.bridge_volume(), content.bridge_volume) &&
-                       s.reduced_pressure() >= lowest_line_pressure;
-            });
+            const auto states = line_states(friction, content.bridge_volume);
             if (states.size() >= 3) lines_.push_back(line_through(states));
         }
     }
+}
+
+std::vector<const PaperState*> PaperStudy::line_states(double friction,
+                                                       double bridge_volume) const {
+    return where([&](const PaperState& s) {
+        return same_setting(s.friction(), friction) &&
+               same_setting(s.bridge_volume(), bridge_volume) &&
+               s.reduced_pressure() >= lowest_line_pressure;
+    });
+}
+
+Mean PaperStudy::mean_over(const StrengthLine& line, double closures::ClosureValues::*value) const {
+    Mean sum;
+    const auto states = line_states(line.friction, line.bridge_volume);
+    for (const PaperState* state : states) {
+        const Mean one = state->closure(value);
+        sum.value += one.value, sum.standard_error += one.standard_error;
+    }
+    const auto count = static_cast<double>(states.size());
+    return {sum.value / count, sum.standard_error / count};
 }
 
 std::vector<const PaperState*> PaperStudy::where(
@@ -201,15 +200,17 @@ std::vector<const PaperState*> PaperStudy::where(
 const PaperState* PaperStudy::at(double friction, double bridge_volume,
                                  double reduced_pressure) const {
     const auto found = where([&](const PaperState& s) {
-        return nearly(s.friction(), friction) && nearly(s.bridge_volume(), bridge_volume) &&
-               nearly(s.reduced_pressure(), reduced_pressure);
+        return same_setting(s.friction(), friction) &&
+               same_setting(s.bridge_volume(), bridge_volume) &&
+               same_setting(s.reduced_pressure(), reduced_pressure);
     });
     return found.empty() ? nullptr : found.front();
 }
 
 const StrengthLine* PaperStudy::line(double friction, double bridge_volume) const {
     const auto found = std::ranges::find_if(lines_, [&](const StrengthLine& line) {
-        return nearly(line.friction, friction) && nearly(line.bridge_volume, bridge_volume);
+        return same_setting(line.friction, friction) &&
+               same_setting(line.bridge_volume, bridge_volume);
     });
     return found == lines_.end() ? nullptr : &*found;
 }

