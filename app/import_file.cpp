@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
-#include "data/files/text_file.h"
+#include "data/files/write_whole.h"
 #include "data/quantities/nearest.h"
 #include "data/quantities/number.h"
 #include "data/recordings/file_view.h"
@@ -42,18 +44,17 @@ FileFormat format_of(const ImportFileOptions& options) {
     return format;
 }
 
-/// Writes the files of a new study.
+/// Files of a new study, by file name.
 /// @throws InputError if the folder has a file of one of their names
-void write_new_study(const std::filesystem::path& folder, const FileView& view,
-                     const FileFormat& format) {
+std::map<std::string, std::string> files_of_study(const std::filesystem::path& folder,
+                                                  const FileView& view, const FileFormat& format) {
     const auto files = begin_study(view, format);
     for (const auto& [name, content] : files)
         if (std::filesystem::exists(folder / name))
             throw InputError({(folder / name).string()},
                              "is there already; nothing was written: name another folder in "
                              "--study");
-    for (const auto& [name, content] : files)
-        write_whole(folder / name, content);
+    return files;
 }
 
 }  // namespace
@@ -88,15 +89,13 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
                 Console& console) {
     const FileFormat format = format_of(options);
     const FileView view = view_of_file(path, format);
-    if (!options.study.empty()) write_new_study(options.study, view, format);
     if (!options.tidy.empty()) {
         demand_writable(options.tidy, "--tidy", false);
-        if (std::filesystem::exists(options.tidy) &&
-            std::filesystem::equivalent(options.tidy, path))
-            throw InputError(
-                fmt::format("--tidy {}: that is the file itself; name another file", options.tidy));
-        write_whole(options.tidy, tidy_table(view));
+        demand_table(options.tidy, tidy_table_begin);
     }
+    if (!options.study.empty())
+        write_whole_folder(options.study, files_of_study(options.study, view, format));
+    if (!options.tidy.empty()) write_whole(options.tidy, tidy_table(view));
     console.answer(file_sentence(view));
     console.line(encoding_sentence(view));
     console.table(columns_table(view), 20);
@@ -105,8 +104,6 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
     for (const std::string& line : yield_locus_lines(view))
         console.line(line);
     if (const std::string missing = missing_sentence(view); !missing.empty()) console.note(missing);
-    for (const std::string& note : view.file.notes)
-        console.note(note);
     if (options.study.empty())
         console.next(fmt::format("pendular import {} --study my-study", path.string()));
     else

@@ -63,6 +63,22 @@ std::uint64_t checked_seed(std::int64_t seed) {
     return static_cast<std::uint64_t>(seed);
 }
 
+void demand_table(const std::filesystem::path& file, const std::string& first) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error) ||
+        std::filesystem::file_size(file, error) == 0) {
+        return;
+    }
+    std::string begin(first.size(), '\0');
+    std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
+    if (begin != first) {
+        throw InputError(
+            fmt::format("{} holds something else than such a table; nothing was "
+                        "written: name another file",
+                        file.string()));
+    }
+}
+
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder) {
     namespace fs = std::filesystem;
     std::error_code error;

@@ -24,6 +24,11 @@ std::uint64_t checked_seed(std::int64_t seed);
 ///         command-line option that gave the path
 void demand_writable(const std::filesystem::path& path, const std::string& option, bool folder);
 
+/// Checks that writing to `file` replaces nothing but a table of the same kind, an earlier output
+/// whose first characters are `first`.
+/// @throws InputError where the file holds something else, a recording for example
+void demand_table(const std::filesystem::path& file, const std::string& first);
+
 /// Values of the command-line options that every command has, and the study that it reads.
 struct CommonOptions {
     std::optional<std::string> json;           ///< file for JSON, or "-" for standard output

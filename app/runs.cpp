@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
@@ -198,24 +199,6 @@ int plot(const Request& request, Console& console) {
     return done;
 }
 
-/// @throws InputError where a file exists and is no table that `first` begins, a recording for
-/// example
-void demand_table(const std::filesystem::path& file, const std::string& first) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error) ||
-        std::filesystem::file_size(file, error) == 0) {
-        return;
-    }
-    std::string begin(first.size(), '\0');
-    std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
-    if (begin != first) {
-        throw InputError(
-            fmt::format("{} holds something else than such a table; nothing was "
-                        "written: name another file",
-                        file.string()));
-    }
-}
-
 int export_runs(const Request& request, Console& console) {
     demand_words(request, 1, "the file to write: pendular runs export runs.csv");
     demand_writable(request.words[0], "export", false);
@@ -250,18 +233,20 @@ int take_in(const Request& request, Console& console, const std::string& what,
 }
 
 int import_runs(const Request& request, Console& console) {
-    const auto read = [](RunStore& store, const std::string& file) {
+    // Read before the store is opened, so that a wrong table makes no store.
+    std::map<std::string, std::vector<StoredRun>> tables;
+    for (const std::string& file : request.words) {
+        std::error_code error;
+        if (std::filesystem::exists(file, error)) tables[file] = read_runs(file);
+    }
+    const auto add = [&](RunStore& store, const std::string& file) {
         std::size_t added = 0;
-        for (const StoredRun& run : read_runs(file)) {
+        for (const StoredRun& run : tables[file]) {
             added += store.add(run.run, run.physics_version);
         }
         return added;
     };
-    for (const std::string& file : request.words) {
-        std::error_code error;
-        if (std::filesystem::exists(file, error)) read_runs(file);  // a wrong table makes no store
-    }
-    return take_in(request, console, "the file to read: pendular runs import runs.csv", read);
+    return take_in(request, console, "the file to read: pendular runs import runs.csv", add);
 }
 
 int merge(const Request& request, Console& console) {
@@ -276,10 +261,7 @@ int prune(const Request& request, Console& console) {
             "name what to remove: pendular runs prune --where \"failure IS NOT NULL\" --yes");
     }
     RunStore store(request.common.store, true);
-    std::vector<std::int64_t> ids;
-    for (const StoredRun& run : store.select(request.condition)) {
-        ids.push_back(run.id);
-    }
+    const std::vector<std::int64_t> ids = store.numbers(request.condition);
     if (!request.yes) {
         console.line(fmt::format("{} of {} runs would be removed. Add --yes to remove them.",
                                  ids.size(), store.size()));

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 
 #include "data/files/file_bytes.h"
+#include "data/files/printable.h"
+#include "data/input_error.h"
 #include "data/quantities/number.h"
 #include "data/study/files.h"
 
@@ -129,8 +132,9 @@ std::string failure_table(const FileView& view) {
     return text;
 }
 
+/// Table of the ends of the preshears; empty without a preshear that has both stresses.
 std::string steady_table(const FileView& view) {
-    std::string text = points_header;
+    std::string text;
     for (std::size_t i = 0; i < view.series.size(); ++i) {
         const IntervalSeries& series = view.series[i];
         if (view.roles[i].role != "preshear" || series.shear_stress.empty() ||
@@ -140,7 +144,7 @@ std::string steady_table(const FileView& view) {
         text += point_row(point.normal_stress, point.shear_stress, point.shear_stress_deviation,
                           series.line.back());
     }
-    return text;
+    return text.empty() ? text : points_header + text;
 }
 
 /// Lines of an entry on how the file is to be read, as the user stated it.
@@ -157,15 +161,37 @@ std::string format_text(const FileFormat& format) {
     return text;
 }
 
+/// Line that gives the intervals of other roles than steady to these, so that only steady shear is
+/// read from the recording; empty if there are none.
+std::string roles_text(const FileView& view) {
+    std::map<std::string, std::vector<std::string>> intervals;
+    for (std::size_t i = 0; i < view.roles.size(); ++i) {
+        const Block& block = view.file.blocks[i];
+        const std::string& role = view.roles[i].role;
+        if (role == "steady" || (block.number == 0 && block.name.empty())) continue;
+        intervals[role].push_back(
+            toml_string(block.number > 0 ? std::to_string(block.number) : block.name));
+    }
+    std::vector<std::string> roles;
+    for (const auto& [role, names] : intervals)
+        roles.push_back(fmt::format("{} = [{}]", role, fmt::join(names, ", ")));
+    return roles.empty() ? "" : fmt::format("intervals = {{ {} }}\n", fmt::join(roles, ", "));
+}
+
+/// Whether the file has intervals of steady shear with all that a recording needs.
+bool has_steady_recording(const FileView& view) {
+    return has_role(view, "steady") && view.missing.empty();
+}
+
 std::string entries_text(const FileView& view, const FileFormat& format,
                          const std::string& liquid_content) {
     std::string text;
-    if (has_role(view, "steady") && view.missing.empty())
+    if (has_steady_recording(view))
         text += fmt::format(
-            "[[recording]]                    # intervals of steady shear\nfile = {}\n{}{}\n",
+            "[[recording]]                    # intervals of steady shear\nfile = {}\n{}{}{}\n",
             toml_string(as_pattern(std::filesystem::path(view.file.file).filename().string())),
-            format_text(format), liquid_content);
-    if (has_role(view, "preshear"))
+            format_text(format), roles_text(view), liquid_content);
+    if (!steady_table(view).empty())
         text += fmt::format(
             "[[readings]]                     # ends of the preshears, in steady "
             "shear\nfile = \"steady.csv\"\n{}\n",
@@ -181,12 +207,16 @@ std::string entries_text(const FileView& view, const FileFormat& format,
 }  // namespace
 
 std::map<std::string, std::string> begin_study(const FileView& view, const FileFormat& format) {
+    const std::string name = std::filesystem::path(view.file.file).filename().string();
+    if (printable(name) != name)
+        throw InputError({view.file.file},
+                         "has a name that study.toml cannot hold; rename the file");
     const std::string texts = texts_of(view);
     const std::optional<double> liquid = guessed_liquid(texts);
     std::string text = fmt::format(
         "# Begun by pendular import from {}.\n# Check every line marked GUESS: the file does not "
         "state it.\n\n[grains]\n",
-        comment_text(std::filesystem::path(view.file.file).filename().string()));
+        comment_text(name));
     text += entry("diameter", guessed_diameter(texts));
     text += entry("density", {"2500 kg/m^3", "GUESS: glass"}) + "\n";
     std::string content;
@@ -199,17 +229,27 @@ std::map<std::string, std::string> begin_study(const FileView& view, const FileF
             *liquid);
     }
     if (view.missing.empty() || view.cell.inner_radius) text += cell_text(view);
-    text += entries_text(view, format, content);
+    const std::string entries = entries_text(view, format, content);
+    if (entries.empty())
+        throw InputError(
+            {view.file.file},
+            fmt::format("shows neither steady shear nor points of failure, so that no study can "
+                        "begin with it; it has no {}",
+                        view.missing.empty() ? "interval of either"
+                                             : fmt::format("{}", fmt::join(view.missing, ", "))));
+    text += entries;
     text += "[model]\n";
     text += liquid
                 ? "fit_to = \"all\"                   # no dry reading: wet readings are fitted\n"
                 : "fit_to = \"dry\"\n";
     std::map<std::string, std::string> files = {{"study.toml", text}};
-    if (has_role(view, "steady") && view.missing.empty())
-        files.emplace(std::filesystem::path(view.file.file).filename().string(),
-                      read_bytes(view.file.file, largest_table));
     if (!view.loci.empty()) files["failure.csv"] = failure_table(view);
-    if (has_role(view, "preshear")) files["steady.csv"] = steady_table(view);
+    if (std::string table = steady_table(view); !table.empty())
+        files["steady.csv"] = std::move(table);
+    if (has_steady_recording(view) &&
+        !files.emplace(name, read_bytes(view.file.file, largest_table)).second)
+        throw InputError({view.file.file},
+                         "has the name of a file of the study; rename it, to recording.csv say");
     return files;
 }
 

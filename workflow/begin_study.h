@@ -12,11 +12,14 @@ namespace pendular {
 /// states of preshear (steady.csv) and of its points of failure (failure.csv). What the file does
 /// not state, such as the density of the grains, is guessed and marked with "GUESS" in a comment.
 ///
-/// A recording of steady shear is copied to the study, so that the study is whole. A state of preshear is the mean over the last
-/// tenth of the rows of an interval with role preshear; the point of failure is the smoothed peak,
-/// its standard deviation the difference to the largest sample. Both are tables of readings at
-/// inertial number 0 with a solid fraction of 0.60 +- 0.1, which carries no information.
+/// A recording of steady shear is copied to the study, so that the study is whole. A state of
+/// preshear is the mean over the last tenth of the rows of an interval with role preshear; the
+/// point of failure is the smoothed peak, its standard deviation the difference to the largest
+/// sample. Both are tables of readings at inertial number 0 with a solid fraction of 0.60 +- 0.1,
+/// which carries no information.
 /// @param format how the user stated the file to be read
+/// @throws InputError if the file shows neither steady shear nor points of failure, or has a name
+///         that a study cannot hold
 std::map<std::string, std::string> begin_study(const FileView& view, const FileFormat& format);
 
 }  // namespace pendular

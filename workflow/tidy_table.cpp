@@ -26,7 +26,7 @@ std::vector<std::string_view> quantities_of(const FileView& view) {
 
 std::string tidy_table(const FileView& view) {
     const std::vector<std::string_view> names = quantities_of(view);
-    std::string text = "test,interval,role,line", units = ",1,,1";
+    std::string text = tidy_table_begin, units = ",1,,1";
     for (const std::string_view name : names) {
         text += fmt::format(",{}", name);
         units += fmt::format(",{}", quantity(name).unit);

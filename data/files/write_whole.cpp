@@ -50,9 +50,9 @@ class NewFile {
     }
     /// Gives the file the mode and, where the system allows it, the owner of another file.
     void take_over(const struct stat& other) const {
-        // The mode comes last, since a change of owner clears some of its bits.
-        if (fchown(descriptor_, other.st_uid, other.st_gid) != 0 && errno != EPERM)
-            cannot_write(path_, std::strerror(errno));
+        // Not every system and file system allows it. The mode comes last, since a change of owner
+        // clears some of its bits.
+        [[maybe_unused]] const int owned = fchown(descriptor_, other.st_uid, other.st_gid);
         fchmod(descriptor_, other.st_mode & 07777);
     }
     void finish(Kept kept) {

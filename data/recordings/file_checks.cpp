@@ -83,13 +83,6 @@ double most_frequent(const std::vector<RowOfFile>& rows) {
     return best;
 }
 
-void add_line(std::vector<std::pair<int, int>>& lines, int line) {
-    if (!lines.empty() && lines.back().second + 1 == line)
-        lines.back().second = line;
-    else
-        lines.emplace_back(line, line);
-}
-
 std::size_t rows_in(const std::vector<std::pair<int, int>>& lines) {
     std::size_t count = 0;
     for (const auto& [first, last] : lines)
@@ -121,8 +114,10 @@ std::optional<FileFinding> ratio_finding(const std::vector<IntervalSeries>& seri
         force_text, stress_text, factors.size(), rows.size(), force_text, short_text(factor),
         stress_text,
         decimal ? ", as if a decimal or thousands mark was lost when the table was converted" : "");
-    finding.done =
-        fmt::format("The {} of these rows is used, the {} is not.", stress_text, force_text);
+    finding.done = fmt::format(
+        "Here the {} of these rows is used, not the {}; a study sets these rows aside, "
+        "or with repair = true takes torques from shear stresses.",
+        stress_text, force_text);
     return finding;
 }
 
@@ -234,8 +229,11 @@ void check_tests(const BlockFile& file, std::vector<FileFinding>& findings) {
 /// Constant of the cell that a header states, in SI units; 0 if it states none.
 double header_constant(const BlockFile& file, const char* key, const char* unit) {
     try {
-        const double value = quantity_in_si(file.fact(key), Unit(unit));
-        return value;
+        // TRIOS writes a stress per torque as "Pa/N.m", which reads as (Pa/N) m elsewhere.
+        std::string text = file.fact(key);
+        if (const std::size_t at = text.find("Pa/N.m"); at != std::string::npos)
+            text.replace(at, 6, "Pa/(N m)");
+        return quantity_in_si(text, Unit(unit));
     } catch (const std::invalid_argument&) {
         return 0;
     }
@@ -259,6 +257,13 @@ void check_header_constants(const BlockFile& file, const CellFromColumns& cell,
 }
 
 }  // namespace
+
+void add_line(std::vector<std::pair<int, int>>& lines, int line) {
+    if (!lines.empty() && lines.back().second + 1 == line)
+        lines.back().second = line;
+    else
+        lines.emplace_back(line, line);
+}
 
 std::string text_of_lines(const std::vector<std::pair<int, int>>& lines, std::size_t most) {
     std::string text;

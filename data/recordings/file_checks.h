@@ -38,6 +38,9 @@ std::vector<FileFinding> check_file(const BlockFile& file,
                                     const std::vector<IntervalSeries>& series,
                                     const CellFromColumns& cell);
 
+/// Adds a line to ranges of lines in rising order.
+void add_line(std::vector<std::pair<int, int>>& lines, int line);
+
 /// Lines of rows as ranges of neighbouring lines: "12-15, 20".
 std::string text_of_lines(const std::vector<std::pair<int, int>>& lines, std::size_t most = 8);
 

@@ -76,15 +76,6 @@ bool only_every_fourth(const std::vector<Block>& blocks) {
            });
 }
 
-std::optional<IntervalRole> stated_role(const Block& block, const FileFormat& format) {
-    for (const auto& [role, intervals] : format.roles)
-        for (const std::string& interval : intervals)
-            if (interval == std::to_string(block.number) || interval == block.name ||
-                interval == block.test)
-                return IntervalRole{role, "stated by the user", true};
-    return std::nullopt;
-}
-
 /// Index of the sheared interval of the same test before (`step` -1) or after (+1) an interval.
 std::optional<std::size_t> sheared_neighbour(const BlockFile& file,
                                              const std::vector<Loading>& loading, std::size_t i,
@@ -142,6 +133,15 @@ IntervalRole role_of_resting(const BlockFile& file, const std::vector<Loading>& 
 
 }  // namespace
 
+std::string stated_role(const Block& block, const FileFormat& format) {
+    for (const auto& [role, intervals] : format.roles)
+        for (const std::string& interval : intervals)
+            if (interval == std::to_string(block.number) || interval == block.name ||
+                interval == block.test)
+                return role;
+    return "";
+}
+
 double median_of_known(const std::vector<double>& values) {
     std::vector<double> known;
     for (const double value : values)
@@ -154,8 +154,8 @@ std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<Inte
     const std::vector<Loading> loading = loadings(file, series);
     std::vector<IntervalRole> roles;
     for (std::size_t i = 0; i < series.size(); ++i) {
-        if (const auto stated = stated_role(file.blocks[i], format))
-            roles.push_back(*stated);
+        if (const std::string stated = stated_role(file.blocks[i], format); !stated.empty())
+            roles.push_back({stated, "stated by the user"});
         else if (largest_known(series[i].normal()) == 0 || !any_known(series[i].shear()))
             roles.push_back({"other", "no values of shear stress or of normal stress"});
         else if (!loading[i].sheared)

@@ -51,7 +51,6 @@ Measurements read_file(const std::filesystem::path& file, const Source& source, 
     fill_from_stresses(recording, cell);
     Measurements result;
     append(result.excluded, recording.left_out);
-    append(result.notes, recording.notes);
     if (source.format.repair) repair_torques(recording, cell, result);
     before.rows.take_out_copies(recording, source, result);
     if (recording.size() == 0) return result;

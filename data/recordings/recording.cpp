@@ -8,6 +8,7 @@
 
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
+#include "data/recordings/interval_roles.h"
 
 namespace pendular {
 namespace {
@@ -80,10 +81,23 @@ void require_columns(const Columns& columns) {
     }
 }
 
+/// Columns whose values a recording needs in every row: torque and normal force, or the stresses
+/// that stand in for them.
+std::vector<std::string_view> columns_to_fill(const Columns& columns) {
+    std::vector<std::string_view> names = needed_columns;
+    const auto stand_in = [&](std::string_view name, std::string_view stress) {
+        if (!columns.has(name)) std::ranges::replace(names, name, stress);
+    };
+    stand_in("torque", "shear_stress");
+    stand_in("normal_force", "normal_stress");
+    return names;
+}
+
 /// Reads the recording from a table that has all columns, every row of which must be valid.
 Recording recording_of_table(const Table& table) {
     const Columns columns(table);
     require_columns(columns);
+    const std::vector<std::string_view> filled = columns_to_fill(columns);
     Recording recording;
     recording.file = table.file;
     recording.unused_columns = columns.others(recording_columns);
@@ -91,6 +105,8 @@ Recording recording_of_table(const Table& table) {
                force = columns.has("normal_force");
     for (const Row& row : table.rows) {
         check_row(row, columns);
+        for (const std::string_view name : filled)
+            columns.value(row, name);  // refuses a cell without a number
         recording.line.push_back(row.line);
         recording.time.push_back(columns.value(row, "time"));
         if (torque) recording.torque.push_back(columns.value(row, "torque"));
@@ -131,9 +147,7 @@ void leave_out(std::vector<Excluded>& left_out, const std::string& file, int fir
 /// Removes rows without a value in a needed column, and lists them.
 Table with_all_values(const Block& block, std::vector<Excluded>& left_out) {
     const Columns columns(block.table);
-    std::vector<std::string_view> needed;
-    for (const std::string_view name : needed_columns)
-        if (columns.has(name)) needed.push_back(name);
+    const std::vector<std::string_view> needed = columns_to_fill(columns);
     Table table = block.table;
     table.rows.clear();
     for (const Row& row : block.table.rows) {
@@ -186,8 +200,34 @@ bool numbers_tell_apart(const std::vector<Block>& blocks) {
 
 }  // namespace
 
-Recording recording_of(const BlockFile& file) {
-    if (file.layout == "plain") return recording_of_table(file.blocks.front().table);
+namespace {
+
+/// Whether steady shear is not read from an interval, since the user stated another role for it.
+bool has_other_role(const Block& block, const FileFormat& format) {
+    const std::string role = stated_role(block, format);
+    return !role.empty() && role != "steady";
+}
+
+/// Recording of a plain table without the intervals to which the user gave another role.
+Recording steady_part(Recording recording, const FileFormat& format) {
+    if (recording.interval.empty() || format.roles.empty()) return recording;
+    std::vector<bool> marked;
+    for (std::size_t i = 0; i < recording.size(); ++i) {
+        Block interval;
+        interval.number = static_cast<int>(std::clamp(recording.interval[i], -1e9, 1e9));
+        marked.push_back(has_other_role(interval, format));
+        if (!marked.back()) continue;
+        leave_out(
+            recording.left_out, recording.file, recording.line[i], recording.line[i],
+            fmt::format("{}: {}, as stated", name_of(interval), stated_role(interval, format)));
+    }
+    erase_rows(recording, marked);
+    return recording;
+}
+
+Recording recording_of(const BlockFile& file, const FileFormat& format) {
+    if (file.layout == "plain")
+        return steady_part(recording_of_table(file.blocks.front().table), format);
     Recording whole;
     whole.file = file.file;
     const bool own_numbers = numbers_tell_apart(file.blocks);
@@ -196,6 +236,12 @@ Recording recording_of(const BlockFile& file) {
     for (const Block& block : file.blocks) {
         ++count;
         if (block.table.rows.empty()) continue;
+        if (has_other_role(block, format)) {
+            leave_out(whole.left_out, file.file, block.table.rows.front().line,
+                      block.table.rows.back().line,
+                      fmt::format("{}: {}, as stated", name_of(block), stated_role(block, format)));
+            continue;
+        }
         try {
             require_columns(Columns(block.table));
         } catch (const InputError& error) {
@@ -221,12 +267,13 @@ Recording recording_of(const BlockFile& file) {
                          "export all intervals with the same columns");
     for (const SkippedRows& rows : file.skipped)
         leave_out(whole.left_out, file.file, rows.first_line, rows.last_line, rows.reason);
-    whole.notes = file.notes;
     return whole;
 }
 
+}  // namespace
+
 Recording read_recording(const std::filesystem::path& path, const FileFormat& format) {
-    return recording_of(read_blocks(path, format));
+    return recording_of(read_blocks(path, format), format);
 }
 
 void fill_from_stresses(Recording& recording, const AnnularCell& cell) {

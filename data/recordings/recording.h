@@ -31,7 +31,6 @@ struct Recording {
     std::vector<double> interval;
     std::vector<std::string> unused_columns;  ///< header cells of columns that were not read
     std::vector<Excluded> left_out = {};      ///< rows and intervals that could not be read
-    std::vector<std::string> notes = {};      ///< sentences on how the file was read
 
     std::size_t size() const { return time.size(); }
 };
@@ -48,15 +47,11 @@ struct Step {
 /// Where the file has no torque but a shear stress, or no normal force but a normal stress, the
 /// column stays empty for `fill_from_stresses`. Files of rheometers may be in any layout that
 /// `read_blocks` knows: intervals that lack a column, and rows that lack a value, are left out and
-/// listed.
+/// listed. So are intervals to which `format` gives another role than steady.
 /// @throws InputError at file:line:column if a required column is missing, a unit or number is
 ///         invalid, a gap is not positive, an interval is not a whole number, time goes back within
 ///         an interval, or `read_blocks` fails
 Recording read_recording(const std::filesystem::path& path, const FileFormat& format = {});
-
-/// Reads a recording from the blocks of a file, as `read_recording` does.
-/// @throws InputError as `read_recording` does
-Recording recording_of(const BlockFile& file);
 
 /// Computes torque [N m] and normal force [N] of a recording that has only the stresses, with the
 /// formulas by which the program converts them to stresses.

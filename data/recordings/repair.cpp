@@ -38,11 +38,7 @@ void repair_torques(Recording& recording, const AnnularCell& cell, Measurements&
     std::vector<std::pair<int, int>> lines;
     for (const auto& [row, value] : damaged) {
         recording.torque[row] = value;
-        const int line = recording.line[row];
-        if (!lines.empty() && lines.back().second + 1 == line)
-            lines.back().second = line;
-        else
-            lines.emplace_back(line, line);
+        add_line(lines, recording.line[row]);
     }
     Doubt doubt;
     doubt.what = fmt::format(

@@ -19,17 +19,18 @@ double mean_of(const std::vector<double>& values, std::size_t begin, std::size_t
     return count == 0 ? std::nan("") : sum / static_cast<double>(count);
 }
 
-/// Index of the row with the largest magnitude of shear stress; rows without a stress do not count.
-std::size_t row_of_peak(const IntervalSeries& series) {
+/// Index of the row with the largest magnitude of shear stress, of those with both stresses; empty
+/// if no row has both.
+std::optional<std::size_t> row_of_peak(const IntervalSeries& series) {
     std::optional<std::size_t> peak;
+    if (series.shear_stress.empty() || series.normal_stress.empty()) return peak;
     for (std::size_t i = 0; i < series.size(); ++i) {
         if (!std::isfinite(series.shear_stress[i]) || !std::isfinite(series.normal_stress[i]))
             continue;
         if (!peak || std::abs(series.shear_stress[i]) > std::abs(series.shear_stress[*peak]))
             peak = i;
     }
-    if (!peak) throw std::invalid_argument("an interval without shear and normal stress");
-    return *peak;
+    return peak;
 }
 
 const char* flow_class_of(double flowability) {
@@ -142,7 +143,7 @@ PreshearPoint preshear_point(const IntervalSeries& series) {
 }
 
 FailurePoint failure_point(const Block& block, const IntervalSeries& series) {
-    const std::size_t peak = row_of_peak(series), rows = series.size();
+    const std::size_t peak = row_of_peak(series).value(), rows = series.size();
     FailurePoint point;
     point.interval = block.number;
     point.line = series.line[peak];
@@ -165,9 +166,7 @@ std::vector<YieldLocus> yield_loci(const BlockFile& file, const std::vector<Inte
                                    const std::vector<IntervalRole>& roles) {
     std::vector<YieldLocus> loci;
     for (std::size_t i = 0; i < series.size(); ++i) {
-        if (roles[i].role != "failure" || series[i].shear_stress.empty() ||
-            series[i].normal_stress.empty())
-            continue;
+        if (roles[i].role != "failure" || !row_of_peak(series[i])) continue;
         const auto preshear = preshear_before(file, series, roles, i);
         locus_for(loci, file.blocks[i].test, preshear)
             .points.push_back(failure_point(file.blocks[i], series[i]));

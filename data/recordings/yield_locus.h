@@ -62,7 +62,7 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
 /// Points of failure that share a preshear, with the lines through them.
 struct YieldLocus {
     std::string test;                       ///< test of the file that the points belong to
-    std::optional<PreshearPoint> preshear;  ///< mean of the preshears, if they were recorded
+    std::optional<PreshearPoint> preshear;  ///< preshear of the first point, if it was recorded
     std::vector<FailurePoint> points;
     std::optional<LinearYieldLocus> line;      ///< through the samples of largest shear stress
     std::optional<LinearYieldLocus> smoothed;  ///< through the smoothed peaks

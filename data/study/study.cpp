@@ -121,7 +121,8 @@ std::vector<std::filesystem::path> files_of(const StudyTable& table, const std::
     };
     // Before the search, which would open folders of the whole disk.
     const std::filesystem::path normal = std::filesystem::path(pattern).lexically_normal();
-    if (normal.is_absolute() || (!normal.empty() && *normal.begin() == ".."))
+    const bool elsewhere = normal.is_absolute() && !is_within(normal.parent_path(), study.folder);
+    if (elsewhere || (!normal.empty() && *normal.begin() == ".."))
         refuse_outside(fmt::format("\"{}\"", pattern));
     std::vector<std::filesystem::path> files;
     try {

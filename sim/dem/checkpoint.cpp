@@ -17,6 +17,8 @@
 namespace pendular::dem {
 namespace {
 
+/// Size that no checkpoint reaches [bytes]: a grain takes about 1200.
+constexpr std::uintmax_t largest = 20'000'000'000;
 constexpr std::string_view signature = "pendular checkpoint, format ";
 
 std::uint64_t checksum(std::string_view bytes) {
@@ -122,10 +124,11 @@ std::optional<std::string> Checkpoint::read(const std::string& run) const {
                            first.substr(signature.size()), format));
     }
     const std::uintmax_t before = first.size() + sealed.size() + 2;
-    if (std::filesystem::file_size(file_) != before + sealed_size(sealed)) {
+    const std::uintmax_t size = std::filesystem::file_size(file_);
+    if (size != before + sealed_size(sealed) || size > largest) {
         refuse("is truncated or corrupt");
     }
-    const std::string content = read_bytes(file_, std::filesystem::file_size(file_)).substr(before);
+    const std::string content = read_bytes(file_, size).substr(before);
     const auto text_end = content.find("\n\n");
     if (sealed != seal(content) || text_end == std::string::npos) {
         refuse("is truncated or corrupt");

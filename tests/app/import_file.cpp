@@ -48,6 +48,25 @@ TEST(ImportFile, WritesATidyTableWithRowsOfNamesAndUnits) {
                                     ",1,,1,s,N m,N,m,rad/s,Pa,1/s\n"
                                     ",1,steady,12,90,0.0001015,2.5,0.001,0.5,8.0771,\n"));
     EXPECT_EQ(run_pendular("import " + table.string() + " --tidy " + table.string()).code, 2);
+    // Another tidy table is replaced, a recording is not; then no study is begun either.
+    EXPECT_EQ(run_pendular("import " + look_alikes + "trios.csv --tidy " + table.string()).code, 0);
+    const auto recording = folder.write("recording.csv", "Time [s],Torque [mN m]\n1,2\n");
+    const auto study = folder.path() / "study";
+    const Outcome refused = run_pendular("import " + look_alikes + "powder_cell_all.txt --tidy " +
+                                         recording.string() + " --study " + study.string());
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_EQ(content_of(recording), "Time [s],Torque [mN m]\n1,2\n");
+    EXPECT_FALSE(std::filesystem::exists(study));
+}
+
+TEST(ImportFile, BeginsNoStudyWithoutAnythingToRead) {
+    const TemporaryFolder folder;
+    const auto study = folder.path() / "study";
+    const Outcome run =
+        run_pendular("import " + look_alikes + "rheowin.csv --study " + study.string());
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.errors, HasSubstr("neither steady shear nor points of failure"));
+    EXPECT_FALSE(std::filesystem::exists(study));
 }
 
 /// The look-alike of a yield-locus test has three points of failure and three states of preshear,

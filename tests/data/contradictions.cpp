@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
+#include <filesystem>
 
 #include "data/quantities/number.h"
 #include "data/recordings/measurements.h"
@@ -160,44 +158,24 @@ TEST_F(ContradictoryStudy, DoesNotMindColumnsItCannotRead) {
     EXPECT_EQ(read(",Shear stress [Pa],Tau [Pa]", ",{},2").readings.size(), 1u);
 }
 
-/// Rows of a published recording, its blocks as intervals, under a header this program reads.
-std::optional<std::string> published(const std::string& name) {
-    const char* const samples = std::getenv("PENDULAR_SAMPLES");
-    if (!samples) return std::nullopt;
-    const auto file = std::filesystem::path(samples) / "antonpaar_powder" / name;
-    if (!std::filesystem::exists(file)) throw std::runtime_error(file.string() + " is missing");
-    std::ifstream stream(file);
-    std::string text =
-        "Interval,Point,Time [s],Gap [mm],Normal force [N],Normal stress [Pa],Torque [mN m],"
-        "Shear stress [Pa],Speed [1/min]\n";
-    int interval = 0;
-    for (std::string line; std::getline(stream, line);) {
-        std::istringstream cells(line);
-        std::size_t numbers = 0;
-        for (std::string text_of_cell; std::getline(cells, text_of_cell, ',');)
-            numbers += parse_number(text_of_cell).has_value();
-        if (numbers != 8) continue;
-        interval += line.starts_with("1,");
-        text += fmt::format("{},{}\n", interval, std::string(trimmed(line)));
-    }
-    return text;
-}
-
-Measurements of_published(const std::string& table, const std::string& diameter) {
+/// Measurements of a study of one published recording, with lines of its [[recording]] in `more`.
+Measurements of_published(const std::filesystem::path& file, const std::string& diameter,
+                          const std::string& more = "") {
     const TemporaryFolder folder;
-    folder.write("run.csv", table);
+    std::filesystem::copy_file(file, folder.path() / "run.csv");
     folder.write("study.toml",
                  "[grains]\ndiameter = \"" + diameter +
                      "\"\ndensity = \"2500 kg/m^3\"\n[cell]\ninner_radius = \"10.5 mm\"\n"
                      "outer_radius = \"21.5 mm\"\nbead_mass = \"27.9 g\"\n[[recording]]\n"
-                     "file = \"run.csv\"\n");
+                     "file = \"run.csv\"\n" +
+                     more);
     return read_measurements(read_study(folder.path()));
 }
 
 TEST(PublishedRecordings, AreNotBelievedWhereTheFillingCannotBe) {
-    const auto table = published("jank_flat_glass420_w10_3kPa.csv");
-    if (!table) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
-    const Measurements all = of_published(*table, "420 um");
+    const auto file = published_sample("antonpaar_powder/jank_flat_glass420_w10_3kPa.csv");
+    if (!file) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
+    const Measurements all = of_published(*file, "420 um");
     EXPECT_THAT(all.readings, IsEmpty());
     EXPECT_THAT(all.doubts,
                 testing::Contains(testing::Field(
@@ -206,9 +184,13 @@ TEST(PublishedRecordings, AreNotBelievedWhereTheFillingCannotBe) {
 }
 
 TEST(PublishedRecordings, AreNotBelievedWhereTorquesAreCorrupt) {
-    const auto table = published("jank_flat_glass230_original_3kPa_CORRUPT_TORQUE.csv");
-    if (!table) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
-    const Measurements all = of_published(*table, "230 um");
+    const auto file =
+        published_sample("antonpaar_powder/jank_flat_glass230_original_3kPa_CORRUPT_TORQUE.csv");
+    if (!file) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
+    const Measurements all = of_published(
+        *file, "230 um",
+        "columns = [\"Point [1]\", \"Time [s]\", \"Gap [mm]\", \"Normal force [N]\", "
+        "\"Normal stress [Pa]\", \"Torque [mN m]\", \"Shear stress [Pa]\", \"Speed [1/min]\"]\n");
     EXPECT_THAT(all.doubts, testing::Contains(testing::Field(&Doubt::quantity, "shear_stress")));
 }
 

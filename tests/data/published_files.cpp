@@ -23,13 +23,6 @@ std::vector<std::string> used_columns(const Block& block) {
     return result;
 }
 
-/// A published export, where the folder of samples is there.
-std::optional<std::filesystem::path> sample(const std::string& name) {
-    const char* const samples = std::getenv("PENDULAR_SAMPLES");
-    if (!samples) return std::nullopt;
-    return std::filesystem::path(samples) / name;
-}
-
 struct Published {
     std::string file, layout, encoding;
     char decimal;
@@ -45,7 +38,7 @@ class PublishedExports : public testing::TestWithParam<Published> {};
 
 TEST_P(PublishedExports, AreReadWithTheirColumnsUnitsAndIntervals) {
     const Published& expected = GetParam();
-    const auto path = sample(expected.file);
+    const auto path = published_sample(expected.file);
     if (!path) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
     const BlockFile file = read_blocks(*path);
     EXPECT_EQ(file.layout, expected.layout);
@@ -163,7 +156,7 @@ TEST(PublishedFiles, AreRefusedWithWhatToWrite) {
         {"homebuilt_annular/headerless_time_torque.csv", "columns = [\"Time [s]\""},
         {"homebuilt_annular/one_row_time_then_torque.csv", "layout = \"transposed\""}};
     for (const auto& [name, advice] : refused) {
-        const auto path = sample(name);
+        const auto path = published_sample(name);
         if (!path) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
         EXPECT_THAT(input_error([&] { read_blocks(*path); }), HasSubstr(advice)) << name;
     }
@@ -172,7 +165,7 @@ TEST(PublishedFiles, AreRefusedWithWhatToWrite) {
 TEST(PublishedFiles, WithoutHeaderAreReadAsStated) {
     for (const char* const name : {"homebuilt_annular/headerless_time_torque.csv",
                                    "homebuilt_annular/one_row_time_then_torque.csv"}) {
-        const auto path = sample(name);
+        const auto path = published_sample(name);
         if (!path) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
         FileFormat format;
         format.columns = {"Time [s]", "Torque [N m]"};
@@ -191,7 +184,7 @@ const std::vector<std::string> columns_of_sheet = {
 /// large.
 TEST(PublishedFiles, WithDamagedTorqueAreCaught) {
     const auto path =
-        sample("antonpaar_powder/jank_flat_glass230_original_3kPa_CORRUPT_TORQUE.csv");
+        published_sample("antonpaar_powder/jank_flat_glass230_original_3kPa_CORRUPT_TORQUE.csv");
     if (!path) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
     FileFormat format;
     format.columns = columns_of_sheet;
@@ -214,7 +207,7 @@ TEST(PublishedFiles, WithDamagedTorqueAreCaught) {
 
 /// The instrument's report on the same test, of its first level of preshear (2 kPa).
 TEST(PublishedFiles, GiveTheYieldLocusOfTheInstrumentsReport) {
-    const auto path = sample("antonpaar_powder/sauret_1mm_0p5pct_wet_preshear2kPa.csv");
+    const auto path = published_sample("antonpaar_powder/sauret_1mm_0p5pct_wet_preshear2kPa.csv");
     if (!path) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
     const FileView view = view_of_file(*path);
     ASSERT_THAT(view.loci, SizeIs(1));
@@ -270,7 +263,7 @@ std::vector<ReportedLevel> reported_levels(const std::filesystem::path& path) {
 TEST(PublishedFiles, GiveTheResultsOfTheInstrumentsReportsFromItsPoints) {
     for (const char* const name : {"antonpaar_powder/sauret_1mm_0p5pct_wet_yieldlocus_report.txt",
                                    "antonpaar_powder/sauret_ccgm_yieldlocus_report.txt"}) {
-        const auto path = sample(name);
+        const auto path = published_sample(name);
         if (!path) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
         const auto levels = reported_levels(*path);
         EXPECT_THAT(levels.size(), testing::AnyOf(5u, 3u));

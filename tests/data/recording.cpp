@@ -26,6 +26,39 @@ class ReadRecording : public testing::Test {
     TemporaryFolder folder_;
 };
 
+TEST_F(ReadRecording, LeavesOutIntervalsToWhichTheUserGaveAnotherRole) {
+    FileFormat format;
+    format.roles = {{"failure", {"2"}}, {"steady", {"3"}}};
+    const auto file = folder_.write("r.csv", header + ",Interval\n1,30,5,20,0.1,1\n"
+                                                      "2,31,5,20,0.1,2\n3,32,5,20,0.1,3\n");
+    const Recording recording = read_recording(file, format);
+    EXPECT_THAT(recording.interval, ElementsAre(1, 3));
+    ASSERT_EQ(recording.left_out.size(), 1u);
+    EXPECT_EQ(recording.left_out[0].origin.line, 3);
+    EXPECT_EQ(recording.left_out[0].reason, "interval 2: failure, as stated");
+    // Likewise in the layout of an instrument.
+    const std::filesystem::path cell =
+        std::filesystem::path(PENDULAR_SOURCE_DIR) / "tests/data/formats/unit_row.csv";
+    const Recording second = read_recording(cell, {.roles = {{"preshear", {"1"}}}});
+    EXPECT_THAT(second.interval, testing::Each(2));
+    EXPECT_EQ(second.size(), 25u);
+}
+
+TEST_F(ReadRecording, NeedsEveryStressThatStandsInForATorque) {
+    const std::string stresses =
+        "Time [s],Shear stress [Pa],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    EXPECT_THAT(error(stresses + "1,300,5,20,0.1\n2,abc,5,20,0.1\n"), HasSubstr("r.csv:3:3"));
+    EXPECT_THAT(error(stresses + "1,300,5,20,0.1\n2,,5,20,0.1\n"), HasSubstr("r.csv:3:3"));
+    // A table of an instrument leaves cells empty where it measured nothing: these rows are left
+    // out.
+    const Recording recording = read_recording(
+        folder_.write("u.csv", "Point No.,Time,Shear Stress,Normal Force,Gap,Speed\n"
+                               ",[s],[Pa],[N],[mm],[rad/s]\n1,1,300,5,20,0.1\n2,2,,5,20,0.1\n"));
+    EXPECT_THAT(recording.shear_stress, ElementsAre(300));
+    ASSERT_EQ(recording.left_out.size(), 1u);
+    EXPECT_THAT(recording.left_out[0].reason, HasSubstr("no value of shear_stress"));
+}
+
 TEST_F(ReadRecording, ConvertsToSi) {
     const Recording recording = read(header + ",Interval [1],Note\n1,30,5,20,0.1,1,x\n");
     EXPECT_THAT(recording.line, ElementsAre(2));

@@ -125,7 +125,9 @@ TEST(FileLock, IsHeldByOne) {
 TEST(Printable, ShowsNoControls) {
     EXPECT_EQ(printable("a\tµ\nb"), "a\tµ\nb");
     EXPECT_EQ(printable("\x1b]0;x\x07"), "\\x1b]0;x\\x07");
-    EXPECT_EQ(printable("\xc2\x9b" "31m"), "\\xc2\\x9b31m");
+    EXPECT_EQ(printable("\xc2\x9b"
+                        "31m"),
+              "\\xc2\\x9b31m");
     EXPECT_EQ(printable("\u202e"), "\\u202e");
     EXPECT_EQ(printable("\x9b\xff"), "\\x9b\\xff");
 }

@@ -48,8 +48,9 @@ E
 attack "sizes: a sparse table of runs of 2 GB" 2 "t.csv" <<'E'
 truncate -s 2G t.csv; run runs import t.csv
 E
-attack "sizes: a sparse checkpoint of 1 TB" 2 "checkpoint" <<'E'
-printf 'pendular checkpoint, format 1\n' >x.ckpt; truncate -s 1T x.ckpt; run simulate --beads 200 --strain 1 --checkpoint x.ckpt
+attack "sizes: a sparse checkpoint of 1 TB" 2 "truncated or corrupt" <<'E'
+printf 'pendular checkpoint, format 3\nchecksum 0000000000000000 of 1000000000000 bytes\n' >x.ckpt
+truncate -s $((1000000000000 + $(stat -c %s x.ckpt))) x.ckpt; run simulate --beads 200 --strain 1 --checkpoint x.ckpt
 E
 attack "sizes: a fit.json whose matrix has no rows" 2 "calibrate" <<'E'
 study s; run calibrate s --no-confirm --quiet; perl -0pi -e 's/"parameter_covariance": \[.*?\]\s*\]/"parameter_covariance": []/s' s/out/fit.json; run compare s

@@ -69,8 +69,8 @@ E
 attack "numbers: beads of simulate" 2 "" <<'E'
 run simulate --beads 2000000000
 E
-attack "numbers: a campaign of 1e9 runs" 2 "" <<'E'
-printf '[[sobol]]\nruns = 1000000000\nfriction = [0, 1]\n' >c.toml; run campaign c.toml --dry-run
+attack "numbers: a campaign of 1e9 runs" 2 "1000000" <<'E'
+printf '[[sobol]]\npoints = 1000000000\nfriction = [0, 1]\n' >c.toml; run campaign c.toml --dry-run
 E
 attack "numbers: a campaign of very many runs by a grid" 2 "" <<'E'
 python3 -c 'l = ", ".join(f"{i/1000}" for i in range(1000)); print(f"[[grid]]\nfriction = [{l}]\ninertial_number = [{l}]\nstiffness_number = [{l}]")' >c.toml

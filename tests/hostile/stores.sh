@@ -33,6 +33,10 @@ E
 attack "stores: a number where a text is needed" 2 "run 1" <<'E'
 store; sql "UPDATE runs SET failure = x'00ff', effects = 5"; run runs list
 E
+attack "stores: a corrupt run, removed as the message says" 0 "0 runs" <<'E'
+store; sql "UPDATE runs SET friction = 'abc'"; run runs list; grep -q "runs prune" ../err || fail "no advice"
+"$program" runs prune --where "id = 1" --yes; run runs list
+E
 attack "stores: an unknown effect" 2 "run 1" <<'E'
 store; sql "UPDATE runs SET effects = 'no-such-effect.x=1'"; run runs list
 E

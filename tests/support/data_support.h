@@ -4,16 +4,31 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "data/input_error.h"
 
 namespace pendular {
+
+/// Published recording of an instrument, by its path in the folder that $PENDULAR_SAMPLES names;
+/// empty where the variable is not set. The project does not ship these files, since their origins
+/// name no licence.
+/// @throws std::runtime_error where the folder lacks the file
+inline std::optional<std::filesystem::path> published_sample(const std::string& name) {
+    const char* const samples = std::getenv("PENDULAR_SAMPLES");
+    if (!samples) return std::nullopt;
+    const auto file = std::filesystem::path(samples) / name;
+    if (!std::filesystem::exists(file)) throw std::runtime_error(file.string() + " is missing");
+    return file;
+}
 
 /// New temporary folder, removed with all files at the end of the object's life.
 class TemporaryFolder {

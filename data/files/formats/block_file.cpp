@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include "data/files/formats/column_names.h"
 #include "data/quantities/number.h"
@@ -57,6 +58,12 @@ char consistent_delimiter(const SourceLines& source, std::size_t begin, std::siz
         if (consistent > most) best = delimiter, most = consistent;
     }
     return best;
+}
+
+int count_of(const std::string& cell) {
+    const double number = parse_number(cell).value_or(0);
+    return number >= 1 && number <= 1e9 && number == std::floor(number) ? static_cast<int>(number)
+                                                                        : 0;
 }
 
 std::string bare_unit(std::string_view cell) {

@@ -50,7 +50,6 @@ struct BlockFile {
     std::vector<std::pair<std::string, std::string>> facts;
     std::vector<Block> blocks;
     std::vector<SkippedRows> skipped;
-    std::vector<std::string> notes;  ///< sentences on how the file was read
 
     /// Value of the first fact whose key is `key`, upper and lower case being equal; empty if there
     /// is none.
@@ -73,6 +72,10 @@ bool is_blank(const Row& row);
 /// Most consistent delimiter of a range of lines: tab, semicolon or comma, the one that splits most
 /// lines into as many cells as the line before; the earlier in this list if several do.
 char consistent_delimiter(const SourceLines& source, std::size_t begin, std::size_t end);
+
+/// Whole number from 1 to a billion that a cell states, such as the number of an interval; 0 for
+/// any other text.
+int count_of(const std::string& cell);
 
 /// Text of a unit cell without brackets: "mN·m" of "[mN·m]" or "(mN·m)".
 std::string bare_unit(std::string_view cell);

@@ -108,12 +108,18 @@ void NumberStyleFinder::look_at(const Table& table, const Row& row, std::size_t 
         if (well_grouped(number->whole, '.', ',')) keep(comma_), keep(grouped_);
     } else if (number->commas == 1) {
         keep(may_group(*number, ',') ? open_ : comma_);
-    } else {
-        keep(may_group(*number, '.') ? three_decimals_ : point_);
+    } else if (!may_group(*number, '.')) {  // "2.800" decides nothing
+        keep(point_);
     }
 }
 
 NumberStyle NumberStyleFinder::style(const std::string& decimal) const {
+    const Example& contrary = decimal == "," ? point_ : comma_;
+    if (!decimal.empty() && !contrary.text.empty())
+        throw InputError(contrary.at,
+                         fmt::format("\"{}\" is no number with the decimal mark \"{}\" that is "
+                                     "stated; correct the number or the stated mark",
+                                     contrary.text, decimal));
     if (!decimal.empty())
         return {decimal[0], decimal[0] == ',' || !grouped_.text.empty() || !open_.text.empty()};
     if (!point_.text.empty() && !comma_.text.empty())
@@ -123,8 +129,7 @@ NumberStyle NumberStyleFinder::style(const std::string& decimal) const {
                                    "or decimal = \".\"",
                                    comma_.text, point_.text, point_.at.line));
     if (!comma_.text.empty()) return {',', true};
-    const bool point = !point_.text.empty() || !three_decimals_.text.empty();
-    if (!open_.text.empty() && !point) {
+    if (!open_.text.empty() && point_.text.empty()) {
         std::string decimal_reading = open_.text, grouped_reading = open_.text;
         decimal_reading[decimal_reading.find(',')] = '.';
         grouped_reading.erase(grouped_reading.find(','), 1);

@@ -37,10 +37,9 @@ class NumberStyleFinder {
     };
     void look_at(const Table& table, const Row& row, std::size_t cell);
 
-    Example point_, comma_;   ///< cells in which '.' or ',' must be the decimal mark
-    Example grouped_;         ///< cells with thousands separators of any kind
-    Example open_;            ///< cells such as "2,800", in which ',' may be either
-    Example three_decimals_;  ///< cells such as "2.800"
+    Example point_, comma_;  ///< cells in which '.' or ',' must be the decimal mark
+    Example grouped_;        ///< cells with thousands separators of any kind
+    Example open_;           ///< cells such as "2,800", in which ',' may be either
 };
 
 /// Text of a number with a decimal point and without thousands separators; other texts unchanged.

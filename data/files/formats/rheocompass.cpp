@@ -54,6 +54,9 @@ class RheoCompassReader {
                 read_interval(cells);
             } else {
                 if (cells.size() == 2 && cells[0].ends_with(':')) add_fact(cells);
+                // Values whose interval has ended, by a blank line within it for example.
+                if (!file_.blocks.empty() && !cells.empty() && cells[0].empty())
+                    skip(static_cast<int>(line_) + 1, "after the end of an interval");
                 ++line_;
             }
         }
@@ -133,14 +136,15 @@ class RheoCompassReader {
         const bool marked =
             row.cells.size() > 1 && row.cells[1].text.find('(') != std::string::npos;
         if (!empty && !marked) return add_row(block, row);
-        if (!skipped_before(row.line))
-            file_.skipped.push_back({row.line, row.line, "marked as invalid by the instrument"});
-        file_.skipped.back().last_line = row.line;
-        if (!marked) file_.skipped.back().reason = "without values";
+        skip(row.line, marked ? "marked as invalid by the instrument" : "without values");
     }
 
-    bool skipped_before(int line) const {
-        return !file_.skipped.empty() && file_.skipped.back().last_line + 1 == line;
+    /// Lists a line as left out, in one range with the lines before it if the reason is equal.
+    void skip(int line, const char* reason) {
+        const bool follows = !file_.skipped.empty() && file_.skipped.back().reason == reason &&
+                             file_.skipped.back().last_line + 1 == line;
+        if (!follows) file_.skipped.push_back({line, line, reason});
+        file_.skipped.back().last_line = line;
     }
 
     const SourceLines& source_;

@@ -53,10 +53,10 @@ class RheoplusReader {
         if (key.empty() || value.empty()) return;
         if (key == "Name") name_ = value;
         if (key == "Interval" || key == "Abschnitt" || key == "Intervalle")
-            interval_ = static_cast<int>(parse_number(value).value_or(0));
+            interval_ = count_of(value);
         if (key == "Number of Data Points" || key == "Anzahl Messpunkte" ||
             key == "Nombre de points de mesure")
-            if (const auto rows = parse_number(value)) declared_ = static_cast<std::size_t>(*rows);
+            if (const int rows = count_of(value)) declared_ = static_cast<std::size_t>(rows);
         if (file_.fact(key).empty()) file_.facts.emplace_back(key, value);
     }
 

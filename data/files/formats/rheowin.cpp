@@ -11,7 +11,7 @@ namespace {
 int segment_of(const std::string& text) {
     const std::size_t bar = text.find('|');
     if (bar == std::string::npos || !parse_number(text.substr(bar + 1))) return 0;
-    return static_cast<int>(parse_number(text.substr(0, bar)).value_or(0));
+    return count_of(text.substr(0, bar));
 }
 
 /// Line of the header; the number of lines if no line with `segment|point` follows within 50 lines.
@@ -47,7 +47,11 @@ void read_side(const SourceLines& source, std::size_t first, std::size_t begin, 
     for (std::size_t i = first + 1; i < source.lines.size(); ++i) {
         const Row row = part(source.row(i, file.delimiter));
         const int segment = row.cells.empty() ? 0 : segment_of(row.cells[0].text);
-        if (segment == 0) continue;
+        if (segment == 0) {
+            if (!is_blank(row))
+                file.skipped.push_back({row.line, row.line, "without segment and point, as 2|15"});
+            continue;
+        }
         const std::string test = side == 0 ? "" : "table " + std::to_string(side);
         if (file.blocks.empty() || file.blocks.back().number != segment ||
             file.blocks.back().test != test) {

@@ -53,8 +53,8 @@ NamesAndUnits stated_columns(const FileFormat& format) {
 
 namespace {
 
-/// Reads stacked intervals: a row of two whole numbers states number and points of the next
-/// interval; a point counter that restarts begins one too.
+/// Reads stacked intervals: a row of two whole numbers in its first two cells states number and
+/// points of the next interval; a point counter that restarts begins one too.
 class StackedReader {
   public:
     StackedReader(const SourceLines& source, BlockFile& file) : source_(source), file_(file) {}
@@ -66,8 +66,9 @@ class StackedReader {
         for (std::size_t i = begin; i < source_.lines.size(); ++i) {
             const Row row = source_.row(i, file_.delimiter);
             if (is_blank(row)) continue;
-            if (names.size() > 2 && states_interval(row)) continue;
             const auto number = parse_number(row.cells[0].text);
+            const bool counts_on = counter && number == point + 1;
+            if (names.size() > 2 && !counts_on && states_interval(row)) continue;
             if (counter && row.cells[0].text.empty()) {
                 file_.skipped.push_back({row.line, row.line, "without a point number", false});
                 continue;
@@ -81,15 +82,14 @@ class StackedReader {
 
   private:
     bool states_interval(const Row& row) {
-        std::vector<std::string> filled;
-        for (const Cell& cell : row.cells)
-            if (!cell.text.empty()) filled.push_back(cell.text);
-        if (filled.size() != 2 || !row.cells[0].text.size()) return false;
-        const auto number = parse_number(filled[0]), rows = parse_number(filled[1]);
-        if (!number || !rows || *number < 1 || *rows < 1) return false;
+        if (row.cells.size() < 2) return false;
+        for (std::size_t i = 2; i < row.cells.size(); ++i)
+            if (!row.cells[i].text.empty()) return false;
+        const int number = count_of(row.cells[0].text), rows = count_of(row.cells[1].text);
+        if (number == 0 || rows == 0) return false;
         announced_ = true;
-        number_ = static_cast<int>(*number);
-        declared_ = static_cast<std::size_t>(*rows);
+        number_ = number;
+        declared_ = static_cast<std::size_t>(rows);
         return true;
     }
 

@@ -260,13 +260,13 @@ std::size_t RunStore::size() const {
     });
 }
 
-std::vector<StoredRun> RunStore::select(const std::string& condition) const {
+void RunStore::query(const std::string& columns, const std::string& condition,
+                     const std::function<void(SQLite::Statement&)>& take) const {
     const std::lock_guard lock(mutex_);
-    return explained(file_, [&] {
-        std::vector<StoredRun> runs;
+    explained(file_, [&] {
         // On a line of its own, so that a comment in the condition ends with it.
         const std::string where = condition.empty() ? "" : " WHERE (" + condition + "\n)";
-        const std::string command = selection() + " FROM runs" + where + " ORDER BY id";
+        const std::string command = columns + " FROM runs" + where + " ORDER BY id";
         const SizeLimit limit(*database_, most_in_condition);
         SQLite::Statement query = [&] {
             try {
@@ -287,10 +287,23 @@ std::vector<StoredRun> RunStore::select(const std::string& condition) const {
             }
         }();
         while (query.executeStep()) {
-            runs.push_back(run_of(query, file_));
+            take(query);
         }
-        return runs;
     });
+}
+
+std::vector<StoredRun> RunStore::select(const std::string& condition) const {
+    std::vector<StoredRun> runs;
+    query(selection(), condition,
+          [&](SQLite::Statement& row) { runs.push_back(run_of(row, file_)); });
+    return runs;
+}
+
+std::vector<std::int64_t> RunStore::numbers(const std::string& condition) const {
+    std::vector<std::int64_t> result;
+    query("SELECT id", condition,
+          [&](SQLite::Statement& row) { result.push_back(row.getColumn(0).getInt64()); });
+    return result;
 }
 
 StoredRun RunStore::get(std::int64_t id) const {

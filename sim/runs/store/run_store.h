@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -64,6 +65,10 @@ class RunStore {
     /// added. An empty condition selects all runs.
     /// @throws InputError for a condition that SQLite does not understand
     std::vector<StoredRun> select(const std::string& condition = "") const;
+    /// Numbers (StoredRun::id) of the runs that satisfy a condition, as `select` has it. Runs that
+    /// cannot be read, since they are corrupt, count too.
+    /// @throws InputError for a condition that SQLite does not understand
+    std::vector<std::int64_t> numbers(const std::string& condition) const;
     /// Returns the run with this number (StoredRun::id), including trace and final state.
     /// @throws InputError where the store has no run with this number
     StoredRun get(std::int64_t id) const;
@@ -87,6 +92,10 @@ class RunStore {
     void demand_present() const;
 
   private:
+    /// Calls `take` for each row of "SELECT `columns` FROM runs", with a condition unless empty.
+    void query(const std::string& columns, const std::string& condition,
+               const std::function<void(SQLite::Statement&)>& take) const;
+
     std::filesystem::path file_;
     std::array<std::uint64_t, 2> identity_{};  ///< device and number of the file that was opened
     std::unique_ptr<SQLite::Database> database_;

@@ -7,6 +7,7 @@
 
 namespace SQLite {
 class Database;
+class Statement;
 class Exception;
 }  // namespace SQLite
 
