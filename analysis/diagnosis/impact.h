@@ -80,8 +80,7 @@ struct ImpactTable {
 /// interest of the leading effects, by refits. The leading effects are up to `most_refitted` that
 /// the verdict names, also refitted at one standard error above and below their estimates, and the
 /// `most_refitted` others with the largest impacts. Estimates are those of refits of the diagnosis
-/// where there are any, else those of score tests.
-/// Effects with several free parameters, and
+/// where there are any, else those of score tests. Effects with several free parameters, and
 /// effects with which the readings are impossible, are left out.
 /// @param threads largest number of threads; no result depends on it
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,

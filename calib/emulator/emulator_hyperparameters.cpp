@@ -25,7 +25,8 @@ EmulatorHyperparameters read_hyperparameters(const std::filesystem::path& file) 
             const auto number = parse_number(row.cells[k + 1].text);
             if (!number || *number < smallest_magnitude || *number > largest_magnitude) {
                 throw InputError(table.at(row, k + 1),
-                                 fmt::format("'{}' is no positive number of ordinary size", row.cells[k + 1].text));
+                                 fmt::format("'{}' is no positive number of ordinary size",
+                                             row.cells[k + 1].text));
             }
             values[k] = *number;
         }
