@@ -7,9 +7,9 @@
 
 namespace pendular::app {
 
-/// End of a sentence that states a fitted value, from "; " on: where `belief` has no reason against
-/// the fit, the text `basis`, which says where the value's standard error comes from; else "do not
-/// use this value" with the most serious reason.
+/// Text that ends a sentence on a fitted value, after "; ". If `belief` has no reason against the
+/// fit, it is `basis`, which says where the value's standard error comes from; otherwise it is "do
+/// not use this value" with the most serious reason.
 std::string verdict_on(const Belief& belief, const std::string& basis);
 
 /// Prints the reasons in `belief` not to believe a fit, one per line, each after the text

@@ -164,7 +164,7 @@ void Console::progress(const std::string& what, const EnsembleProgress& progress
     const bool terminal = isatty(STDERR_FILENO) != 0;
     const auto now = std::chrono::steady_clock::now();
     const bool same_stage = stage_ == what && progress.fraction >= fraction_shown_;
-    // Without a terminal, ten lines per stage record the progress of a long calibration.
+    // Without a terminal, a new line is printed for each ten per cent of a stage.
     if (now - last_ < std::chrono::milliseconds(terminal ? 200 : 10000) ||
         (!terminal && same_stage && progress.fraction < fraction_shown_ + 0.1)) {
         return;

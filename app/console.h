@@ -34,11 +34,11 @@ class Console {
     /// printed.
     void table(const std::vector<std::string>& heading_and_rows, std::size_t most_rows);
     /// Keeps a remark for the user, printed as "Note: ..." before the figures and the next command.
-    /// Without --all, prints at most three notes, and of notes that differ only in words with
-    /// digits the first one, with the number of the others.
+    /// Without --all, at most three notes are printed. Of notes that differ only in words with
+    /// digits, only the first is printed, with the number of the others.
     void note(const std::string& text);
     /// Prints the notes, then one line with the names of the figure files in `folder`; the names
-    /// have no extension. No such line where `names` is empty.
+    /// have no extension. Without `names`, prints the notes alone.
     void figures(const std::filesystem::path& folder, const std::vector<std::string>& names);
     /// Prints the notes, then the line "Next: ..." with the command that the user should give next.
     void next(const std::string& command);

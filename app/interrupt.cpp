@@ -37,7 +37,8 @@ InterruptGuard::InterruptGuard() {
         }
         if (signals_seen == 0) return;
         stop_.request_stop();
-        // Work that looks at no token is ended too: files are written as a whole or not at all.
+        // Work that does not check the token is ended too, which is safe: files are written as a
+        // whole or not at all.
         const auto last = std::chrono::steady_clock::now() + patience;
         while (!end.stop_requested() && std::chrono::steady_clock::now() < last) {
             std::this_thread::sleep_for(std::chrono::milliseconds(50));

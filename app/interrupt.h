@@ -7,7 +7,8 @@ namespace pendular::app {
 
 /// Turns the signals SIGINT (Ctrl-C), SIGTERM and SIGHUP into a request to stop, so that simulation
 /// runs end at a clean point and no file is left half-written. A second signal ends the program at
-/// once, and the first one ends it after 20 s where the work heeds no token.
+/// once. After the first signal, the program ends at the latest after 20 s, even if the work does
+/// not check the token.
 class InterruptGuard {
   public:
     InterruptGuard();

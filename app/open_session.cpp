@@ -58,8 +58,8 @@ void set_confirmation(const std::optional<double>& seconds, FitOptions& fit) {
     fit.confirming_seconds = seconds && std::isfinite(*seconds) ? seconds : std::nullopt;
 }
 
-// The study is read once nobody else changes it. The store is opened after the input is checked, so
-// that refused input creates no store.
+// The study is read after the lock is taken, so that no other command changes it. The store is
+// opened after the input is checked, so that refused input creates no store.
 OpenSession::OpenSession(Console& console, const CommonOptions& options,
                          std::vector<std::filesystem::path> files, std::int64_t seed, Access access)
     : lock_(lock_of(options, access, guard_.token())),

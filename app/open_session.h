@@ -19,8 +19,8 @@ namespace pendular::app {
 /// option --json.
 OutputPlaces places_of(const CommonOptions& options, std::vector<std::filesystem::path> files);
 
-/// Sets whether a fit is confirmed by simulations: where `seconds` has a value, for that time [s]
-/// at most, without a limit where it is infinite.
+/// Sets whether simulations confirm a fit: they do if `seconds` has a value, for at most this time
+/// [s]; an infinite value sets no limit.
 void set_confirmation(const std::optional<double>& seconds, FitOptions& fit);
 
 /// Session of a command on a study, with the user's store (the SQLite file that keeps simulation
@@ -31,8 +31,8 @@ class OpenSession {
     /// Reads the study `options.study` and opens the store of simulation runs.
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
-    /// @param access whether the command changes the study or its fit; such commands follow one
-    /// another
+    /// @param access whether the command changes the study or its fit; commands that do so run one
+    ///        after the other
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
     /// @throws std::runtime_error where a store that the user named cannot be written

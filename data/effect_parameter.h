@@ -16,14 +16,14 @@ struct EffectParameter {
     /// Smallest difference of the value from `neutral` that matters to a user [unit].
     double smallest_of_interest = 1;
     std::string meaning;  ///< meaning of the parameter in a few words
-    /// Function A of the parameter's value such that the effect is taken to change the observables
-    /// in proportion to A(value) - A(neutral). Needed for changes with zero slope at `neutral`,
-    /// such as 1 - cos(angle). Null: A is the value itself.
+    /// Amplitude A(value) of the effect: the change of the observables is taken as proportional to
+    /// A(value) - A(neutral). Needed for changes with zero slope at `neutral`, such as 1 -
+    /// cos(angle). Null: A is the value itself.
     double (*amplitude)(double value) = nullptr;
-    /// Function of the parameter's value and of the intergranular friction [1] to which the
-    /// emulator (Gaussian processes trained on simulations) takes the effect's change of the
-    /// observables as proportional, for effects that friction limits; 0 at `neutral`, largest at
-    /// `upper`. Null: `amplitude` is used.
+    /// Effective amplitude at a value and an intergranular friction [1], for effects that friction
+    /// limits: the emulator (Gaussian processes trained on simulations) takes the change of the
+    /// observables as proportional to it. It is 0 at `neutral` and largest at `upper`. Null:
+    /// `amplitude` is used.
     double (*effective_amplitude)(double value, double friction) = nullptr;
 
     /// Whether the effect is only on or off, with the parameter "on".

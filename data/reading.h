@@ -17,7 +17,7 @@ namespace pendular {
 struct Condition {
     double normal_stress = 0;           ///< normal stress s22 [Pa]
     double inertial_number = 0;         ///< inertial number I [1]; 0: quasi-static limit
-    double liquid_content = 0;          ///< volume of liquid over that of grains [1]; 0: dry
+    double liquid_content = 0;          ///< volume of liquid over volume of grains [1]; 0: dry
     std::optional<double> height;       ///< height of the sample [m], if known
     std::optional<double> bead_volume;  ///< solid volume of the grains in the cell [m^3], if known
     double time = 0;                    ///< time since the study's first recording began [s]
@@ -69,7 +69,7 @@ struct Reading {
     /// Whether the error of shear stress or solid fraction is unknown, so that a standard error of
     /// 2 % of the value was added.
     bool error_assumed = false;
-    /// Number of readings of the study at the reading's condition, itself included.
+    /// Number of readings of the study at this reading's condition, including this reading.
     int replicates = 1;
 
     /// Covariance of (shear stress [Pa], solid fraction [1]) without the widening for few
@@ -104,7 +104,7 @@ struct ReplicateScatter {
     struct Group {
         std::vector<std::string> files;  ///< paths of the files
         /// Covariance of relative deviations of (stress ratio, solid fraction) [1] from step to
-        /// step, less the part that the scatter within a step explains, at `reference_stress`.
+        /// step, minus the part that the scatter within a step explains, at `reference_stress`.
         Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();
         /// Mean squares of the deviations between replicates, relative to squared (stress ratio,
         /// solid fraction) [1], scatter within steps included; equal for groups that share one
@@ -145,8 +145,8 @@ struct Measurements {
     ReplicateScatter scatter;        ///< scatter that the readings' covariances contain
     std::vector<Excluded> excluded;  ///< rows that make no reading
     std::vector<Doubt> doubts;       ///< doubts about the files' values; most values were set aside
-    /// Findings inside the recordings: what their rows show besides the steady means, such as a
-    /// wobble of the lid.
+    /// Findings in the rows of the recordings, apart from the steady means, such as a wobble of the
+    /// lid.
     std::vector<RecordingFinding> findings;
     /// Messages for the user about the import, such as a torque whose sign was flipped.
     std::vector<std::string> notes;

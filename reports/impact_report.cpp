@@ -111,7 +111,7 @@ std::string impact_name(const Impact& impact) {
 
 std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis& d) {
     std::vector<std::string> lines;
-    if (d.verdict == Verdict::unknown) return lines;  // none of the effects is to be added
+    if (d.verdict == Verdict::unknown) return lines;  // the verdict names no effect to add
     const bool at_estimate = estimated(d.verdict);
     for (const Impact& impact : table.impacts) {
         if (lines.size() == most_lines) break;

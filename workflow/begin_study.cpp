@@ -19,7 +19,7 @@
 namespace pendular {
 namespace {
 
-/// A value for study.toml with a comment on where it is from.
+/// A value for study.toml with a comment on its origin.
 struct Guess {
     std::string value, from;
 };
@@ -118,7 +118,7 @@ constexpr const char* points_header =
     "solid_fraction_sd [1],inertial_number [1],line [1]\n";
 
 std::string point_row(double normal, double shear, double deviation, int line) {
-    // At least 1 %: a peak without noise is no exact reading.
+    // The standard deviation is at least 1 %: even a peak without noise is not exact.
     return fmt::format("{:.6g},{:.6g},{:.3g},0.60,0.1,0,{}\n", normal, shear,
                        std::max(deviation, 0.01 * shear), line);
 }

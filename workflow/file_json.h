@@ -6,9 +6,9 @@
 
 namespace pendular {
 
-/// JSON of what the program understands of a file of measurements by itself, which `pendular import
-/// FILE` prints: layout, encoding, columns with units, intervals with roles, findings of the checks
-/// and yield loci. SI units; angles in rad.
+/// JSON that describes a file of measurements, as `pendular import FILE` prints it: layout,
+/// encoding, columns with units, intervals with roles, findings of the checks and yield loci. SI
+/// units; angles in rad.
 nlohmann::ordered_json to_json(const FileView& view);
 
 }  // namespace pendular

@@ -6,8 +6,8 @@
 
 namespace pendular {
 
-/// JSON of what each effect and each error of measurement does to the calibrated parameters, single
-/// and by group; sizes and shifts in SI units.
+/// JSON of the shifts of the calibrated parameters by each effect and each error of measurement,
+/// and by each group of them; sizes and shifts in SI units.
 nlohmann::ordered_json to_json(const ImpactTable& table);
 
 }  // namespace pendular

@@ -33,8 +33,8 @@ nlohmann::ordered_json direct_json(const DirectMeasurement& direct);
 /// `believable` and `reasons`.
 void add_belief(nlohmann::ordered_json& json, const Belief& belief);
 
-/// JSON array of what the rows of recordings show besides the steady means, one object for each
-/// finding.
+/// JSON array of the findings inside recordings, such as a wobble of the lid, with one object for
+/// each finding.
 nlohmann::ordered_json findings_json(const std::vector<RecordingFinding>& findings);
 
 /// JSON array of cohesion lines (Mohr-Coulomb lines through measured or predicted wet readings).

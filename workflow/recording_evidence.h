@@ -13,7 +13,7 @@ namespace pendular {
 struct RecordingEvidence {
     RecordingFinding finding;
     /// Share of the excess chi2 - dof of the model without further effects that a common factor on
-    /// the readings concerned would take away, less what the calibrated parameters imitate [1];
+    /// the readings concerned would remove, beyond what the calibrated parameters imitate [1];
     /// negative: not tested, since no reading concerned is left or the model has no excess.
     double explains = -1;
     /// Whether this factor reduces chi2 by more than each candidate effect would.

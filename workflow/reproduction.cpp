@@ -17,7 +17,8 @@ namespace pendular {
 namespace {
 
 /// Name of the file beside the atlas with runs at the stiffness number of Badetti et al. (2018).
-/// They teach no emulator, which has one stiffness number for structure.
+/// No emulator is trained on these runs, since an emulator has a single stiffness number for
+/// structure.
 constexpr const char* paper_runs_name = "paper.csv";
 
 std::vector<dem::RunResult> paper_runs() {

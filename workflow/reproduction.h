@@ -11,7 +11,7 @@
 
 namespace pendular {
 
-/// Numbers of Badetti et al. (2018) beside those of the known simulations, with the simulations.
+/// Numbers of Badetti et al. (2018), compared with the same numbers from the known simulations.
 class Reproduction {
   public:
     /// Reads the runs of the atlas, the runs at the paper's stiffness that come with the program,
@@ -26,8 +26,8 @@ class Reproduction {
     const std::vector<ScoreboardRow>& rows() const { return rows_; }
     /// Number of rows that agree.
     std::size_t agreeing() const;
-    /// Parameters of the runs that simulate the states of the paper's grid which no known run
-    /// simulates, as large as the fidelity's and at its stiffness number.
+    /// Parameters of runs at the states of the paper's grid that no known run simulates, with the
+    /// fidelity's number of grains and stiffness number.
     std::vector<dem::RunParameters> missing_runs() const;
 
   private:
@@ -38,7 +38,7 @@ class Reproduction {
 };
 
 /// JSON of a reproduction, as `pendular reproduce` prints it: each published number or range with
-/// that of the simulations and whether they agree.
+/// the simulated number and whether they agree.
 nlohmann::ordered_json to_json(const Reproduction& reproduction);
 
 }  // namespace pendular

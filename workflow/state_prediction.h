@@ -31,7 +31,8 @@ struct StatePrediction {
 
 /// Quantity of a state of steady shear that varies along a curve of predictions, with its range.
 struct VariedQuantity {
-    /// "friction", "inertial_number", "reduced_pressure", "bridge_volume" or "liquid_content".
+    /// Name of the quantity: "friction", "inertial_number", "reduced_pressure", "bridge_volume" or
+    /// "liquid_content".
     std::string name;
     double from = 0, to = 0;   ///< first and last value of the quantity [1]
     int points = 60;           ///< number of values of the quantity
@@ -92,9 +93,8 @@ class StatePredictor {
     /// Predicts all observables along a curve of states: `requested`, with the varied quantity set
     /// to each of its values.
     /// @throws InputError where fewer than two states of the curve lie within the range of the
-    /// known
-    ///         runs (atlas and store), and where a predicted solid fraction is not that of a dense
-    ///         flow
+    ///         known runs (atlas and store), and where a predicted solid fraction is impossible in
+    ///         a dense flow
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
     /// Parameters of the run to simulate for a requested state that cannot be predicted from the

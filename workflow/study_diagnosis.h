@@ -78,8 +78,7 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session, KnownRuns known);
 
-/// Training runs for the diagnosis of a study, with any effect: those of the atlas and of the
-/// store.
+/// Training runs for the diagnosis of a study, with any effect, from the atlas and the store.
 /// @throws InputError where they are too few
 KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& session);
 
@@ -112,9 +111,9 @@ std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
 double remaining_discrepancy(const StudyDiagnosis& diagnosis, double stated);
 
 /// Returns the models that fit the readings according to a diagnosis, between which the next
-/// measurement should decide. Where no model fits: the model with the leading effects, if there are
-/// any, else the model without further effects. Where this leaves one model, the rivals of the
-/// effects that the study lists follow it.
+/// measurement should decide. If no model fits, returns the model with the leading effects or, if
+/// there are none, the model without further effects. If this gives only one model, the rivals of
+/// the effects that the study lists follow it.
 std::vector<Rival> rivals_of(const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

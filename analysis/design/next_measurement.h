@@ -18,8 +18,9 @@ namespace pendular {
 ///         or does not apply to the study, or has a wrong unit
 std::vector<Point> points_of(const Rig& rig, const ResolvedStudy& study, double time);
 
-/// Rig (possible measurements of an instrument) for a study.toml without [rig]: it reaches the
-/// readings' ranges of normal stress and inertial number, and has their liquid contents.
+/// Rig (possible measurements of an instrument) for a study.toml without [rig]: with the ranges of
+/// normal stress and inertial number, and the liquid contents, of `readings`. A range of inertial
+/// numbers that begins at 0 begins at 1e-3 instead.
 Rig rig_of(const std::vector<Reading>& readings);
 
 /// Typical relative standard errors of one reading, for (shear stress, solid fraction) [1]: the
@@ -65,9 +66,9 @@ std::vector<Plan> separating_plans(const std::vector<Rival>& rivals,
                                    const std::vector<Point>& points,
                                    const Eigen::Vector2d& relative_noise, int most_repeats);
 
-/// Readings to make next, to tell rival models apart: the readings of the first of `plans`, as
-/// `separating_plans` sorts them, or, where a series at several points separates more pairs of
-/// rivals, that series. `rig` limits the readings at one point and in total.
+/// Readings to make next, to tell rival models apart: those of the first of `plans`, in the order
+/// of `separating_plans`; or a series of readings at several points, if the series separates more
+/// pairs of rivals. `rig` limits the readings at one point and in total.
 Series next_series(const std::vector<Plan>& plans, const std::vector<Rival>& rivals,
                    const std::vector<Point>& points, const Eigen::Vector2d& relative_noise,
                    const Rig& rig);
@@ -78,7 +79,8 @@ struct Sharpening {
     Forecast forecast;      ///< values that the model predicts at the point
     /// Standard errors expected after the readings, in the order and units of the parameters.
     Eigen::VectorXd standard_errors;
-    /// Sum over parameters of ln(standard error before/after), over the cost in dry readings.
+    /// Sum over the parameters of ln(standard error before/after), divided by the cost in dry
+    /// readings.
     double gain = 0;
 };
 

@@ -40,7 +40,7 @@ struct Forecast {
     Eigen::MatrixXd from_simulation;  ///< covariance from errors of the simulation
 };
 
-/// Noncentrality of chi2 [1] from which on a test at 5 % significance distinguishes two rival
+/// Smallest noncentrality of chi2 [1] at which a test at 5 % significance distinguishes two rival
 /// models with a power of 0.8. `telling_noncentrality` is for two observables, and also serves for
 /// several points together; `telling_directly` is for the single number of a direct measurement.
 inline constexpr double telling_noncentrality = 9.63, telling_directly = 7.85;

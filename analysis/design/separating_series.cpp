@@ -65,8 +65,8 @@ class SeriesSearch {
         for (const Contrast& contrast : contrasts_) {
             wanted.push_back(&contrast);
         }
-        // Readings spent on pairs that stay indistinguishable are wasted: the search is repeated
-        // without these pairs.
+        // Pairs that remain indistinguishable would cost readings without a benefit: the search is
+        // repeated without these pairs.
         Counts counts;
         while (!wanted.empty()) {
             counts = greedy(wanted);

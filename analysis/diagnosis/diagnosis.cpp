@@ -18,7 +18,7 @@ namespace {
 /// estimated amplitude.
 constexpr double worth_sharpening = 4;
 constexpr int most_sharpenings = 3;
-/// Power from which on a switch counts as identifiable [1].
+/// Smallest power at which a switch counts as identifiable [1].
 constexpr double hardly_seen = 0.1;
 /// Carries out one diagnosis, from the fit to the verdict.
 class Diagnostician {

@@ -11,9 +11,10 @@ namespace pendular {
 
 /// Answer of a diagnosis to the question which physical effect a study's model lacks.
 enum class Verdict {
-    /// Model fits, and any candidate effect of interest would have been revealed.
+    /// Model fits, and every effect that the readings can reveal at any size would have been
+    /// revealed at its smallest size of interest.
     nothing_missing,
-    inconclusive,  ///< model fits, but not every effect of interest would have been revealed
+    inconclusive,  ///< model fits, but some of these effects might be unseen, or errors are assumed
     missing,       ///< the model lacks the effects in `Diagnosis::effects`
     /// Models with different further effects fit, and no effect is in all of them.
     indistinguishable,
@@ -45,8 +46,8 @@ struct Diagnosis {
     /// of `Evidence::suspects` [1], corrected for the number of tests.
     std::vector<double> suspect_p;
     /// Similarity of the changes of the readings by each two of `effects` [1]: absolute cosine of
-    /// the whitened changes, less what the calibrated parameters imitate. Empty unless the verdict
-    /// is `indistinguishable`.
+    /// the whitened changes, minus the parts that the calibrated parameters imitate. Empty unless
+    /// the verdict is `indistinguishable`.
     Eigen::MatrixXd cosines;
     Fit fit;          ///< fit of the model without further effects
     double chi2 = 0;  ///< chi2 of all entries in the fit of the model without further effects

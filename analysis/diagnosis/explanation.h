@@ -22,9 +22,9 @@ struct SuspectMeasurement {
     /// Change of the measured entries by each kind of error at amplitude 1, entries x kinds, in the
     /// units of the readings. An entry is one observable of one reading, or a direct measurement.
     Eigen::MatrixXd columns;
-    /// Quantity that each column changes, as in "shear stress"; empty where the name says it.
+    /// Quantity that each column changes, as in "shear stress"; empty if `name` names the quantity.
     std::vector<std::string> quantities = {};
-    /// Amplitude of each kind of error that matters to a user [1].
+    /// Smallest amplitude of each kind of error that matters to the user [1].
     double smallest_of_interest = 1;
     /// Group to which the part belongs in tables, such as "files"; may be empty.
     std::string group = {};
@@ -83,7 +83,8 @@ struct Finding {
 /// Options of a diagnosis.
 struct DiagnosisOptions {
     double significance = 0.05;  ///< probability that a complete model is called incomplete
-    /// Power [1] from which on a candidate counts as one that would have been seen.
+    /// Least power [1] at which a candidate effect counts as one that the readings would have
+    /// revealed.
     double wanted_power = 0.8;
     /// Number of random draws of the readings' errors, from which all tests take p values; with
     /// 6000, a p value of 0.025 has a standard error of 0.002.

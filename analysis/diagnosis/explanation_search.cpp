@@ -12,13 +12,14 @@
 namespace pendular {
 namespace {
 
-/// p value of its own test at or above which a candidate or suspect is not refitted.
+/// Smallest p value of a candidate's or suspect's own test at which the model is not refitted with
+/// it.
 constexpr double worth_refitting = 0.05;
 /// Smallest reduction of chi2, in the linear estimate, that the second candidate of a pair must add
 /// for a refit.
 constexpr double worth_a_pair = 1;
-/// Amount by which the predicted reduction of chi2 may be below that of a rejected model for a
-/// refit.
+/// Largest amount by which the predicted reduction of chi2 may be below the reduction by a rejected
+/// model, so that a refit is still worth its time.
 constexpr double all_the_same = 10;
 /// Largest relative excess of a refit's reduction of chi2 over the linear estimate [1].
 constexpr double foretelling_error = 0.2;

@@ -59,8 +59,8 @@ constexpr double hopeless = 0.1;
 constexpr Eigen::Index first_draws = 600;
 
 /// Whether a statistic is so far above all drawn values that further draws would not reach it: by
-/// more than three standard deviations of the logarithm of the drawn values. Of values with a tail
-/// as heavy as 1/x (two degrees of freedom), one in 30,000 is.
+/// more than three standard deviations of the logarithm of the drawn values. Among values with a
+/// tail as heavy as 1/x (two degrees of freedom), one in 30,000 is so far above.
 bool far_above(double observed, const Eigen::VectorXd& drawn) {
     const Eigen::ArrayXd logarithm = drawn.array().max(1e-300).log();
     const double deviation = std::sqrt((logarithm - logarithm.mean()).square().mean());

@@ -39,8 +39,8 @@ class Explanations {
     WeightedResiduals residuals_of(const Explanation& explanation) const;
     /// p value of the lack of fit [1]: whether the mean residuals of the conditions are larger than
     /// the errors explain.
-    /// @param roughly whether the first draws suffice where the residuals are far larger than in
-    ///        all of them
+    /// @param roughly whether to use only the first draws where the residuals are far larger than
+    ///        in all of these draws
     double lack_of_fit_p(const WeightedResiduals& residuals, bool roughly = false) const;
     /// Score tests of all suspect measurements (parts of the measurement that may be wrong) except
     /// the one with index `but`, in the order of Evidence::suspects.

@@ -69,11 +69,11 @@ class Impacts {
     }
     /// The diagnosis' refit with a candidate alone; null where there is none.
     const Explanation* refit_of(std::size_t candidate) const;
-    /// Shift of the parameters by a change of the readings by an amplitude of 1.
+    /// Shift of the parameters by an effect that changes the readings by `change`.
     Eigen::VectorXd shift_by(const Eigen::VectorXd& change) const {
         return -residuals_.share_imitated_by(residuals_.whiten(change));
     }
-    /// Shift of the parameters by a refit with the effect at `size`, from `start` on.
+    /// Shift of the parameters by a refit with the effect at `size`; the fit starts from `start`.
     Eigen::VectorXd refitted(const Impact& impact, double size, const Eigen::VectorXd& start) const;
 
     const ModelSpace& space_;
@@ -129,7 +129,7 @@ void Impacts::add_candidate(const Finding& finding) {
     const Explanation* refit = is_switch ? nullptr : refit_of(k);
     if (refit != nullptr && !refit->fit.converged) {
         refit = nullptr;
-        impact.error = 0;  // no fit settles the size
+        impact.error = 0;  // the size is unknown, since no fit converged
     }
     if (refit != nullptr) {
         estimate = refit->fit.parameters.tail(1)(0);

@@ -36,9 +36,9 @@ struct Impact {
     double neutral = 0;        ///< size at which nothing is changed [unit]
     double error = 0;          ///< standard error of the estimated size [unit]; 0: not known
 
-    Shift at_interest;  ///< at the smallest size of interest
-    Shift at_estimate;  ///< at the estimated size
-    /// At the estimate plus and minus its standard error, within the bounds of the parameter.
+    Shift at_interest;  ///< shift at the smallest size of interest
+    Shift at_estimate;  ///< shift at the estimated size
+    /// Shift at the estimate plus and minus its standard error, within the bounds of the parameter.
     Shift above, below;
 
     /// Distance of the estimate from the neutral value over its standard error [1]; not a number
@@ -47,7 +47,7 @@ struct Impact {
     /// Shift of the parameters from the estimate to one standard error above it or below it.
     Eigen::VectorXd up() const { return difference(above); }
     Eigen::VectorXd down() const { return difference(below); }
-    /// The larger of `up` and `down` of each parameter, as absolute values.
+    /// For each parameter, the larger of the absolute values of `up` and `down`.
     Eigen::VectorXd by_error() const { return up().cwiseAbs().cwiseMax(down().cwiseAbs()); }
 
   private:

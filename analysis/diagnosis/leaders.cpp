@@ -9,7 +9,7 @@ namespace {
 
 /// Share of repetitions in which an effect must be part of the leading model [1].
 constexpr double sure = 0.95;
-/// Share of the excess that the leaders must take [1].
+/// Share of the excess chi2 that the model with the leading effects must remove [1].
 constexpr double most_of_it = 0.9;
 
 double factor_on_variance(const std::vector<Explanation>& tried) {

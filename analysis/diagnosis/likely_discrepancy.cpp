@@ -8,10 +8,10 @@
 namespace pendular {
 namespace {
 
-/// Sizes that are compared: from 0.05 % to 20 %, a quarter larger each.
+/// Sizes that are compared: from 0.05 % to 20 %, each a quarter larger than the one before.
 constexpr double least = 0.0005, greatest = 0.2, step = 1.25;
 
-/// Difference of the log likelihood from which on an exact model is rejected, p = 0.05 with the
+/// Smallest difference of the log likelihood at which an exact model is rejected, p = 0.05 with the
 /// size at the bound of its range (half of chi2 with one degree of freedom beyond 2.71).
 constexpr double significant = 2.71 / 2;
 

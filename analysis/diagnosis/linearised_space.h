@@ -15,8 +15,8 @@ namespace pendular {
 ///     f = f_0 + J (theta - theta_0) + sum over the chosen candidates k of c_k A_k.
 /// The candidates are those of the original space with its bounds; their values are amplitudes A,
 /// 0 where there is no effect and 1 at the smallest size of interest. A prediction takes
-/// microseconds. At the estimates of the refitted model, and at those of the refits with one
-/// effect, predictions are those of these models.
+/// microseconds. At the estimates of the refitted model and of the refits with one effect, the
+/// predictions are those of the refitted models.
 class LinearisedSpace : public ModelSpace {
   public:
     /// Linearises the models of `space` about `about`, an explanation of `diagnosis`.

@@ -42,7 +42,8 @@ std::optional<Repeated> repeat(const ModelSpace& space, const Evidence& evidence
                                const Diagnosis& diagnosis, const RepetitionOptions& options) {
     const auto& truths = diagnosis.confidence_set;
     if (truths.empty() || options.count == 0) return {};
-    // The draws that set limits have another seed than the readings.
+    // The random draws behind the p values have another seed than the random errors of the
+    // readings.
     const DiagnosisOptions quick{.draws = options.draws, .seed = options.seed};
     Repeated result{.of = options.count};
     for (std::size_t t = 0; t < truths.size(); ++t) {

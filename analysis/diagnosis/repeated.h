@@ -10,7 +10,7 @@
 
 namespace pendular {
 
-/// How often a verdict comes again in repetitions of the experiment.
+/// Number of repetitions of the experiment in which the diagnosis gives the same verdict.
 struct Repeated {
     std::size_t same = 0;  ///< number of repetitions with the same verdict
     std::size_t of = 0;    ///< number of repetitions
@@ -28,17 +28,17 @@ struct RepetitionOptions {
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
 };
 
-/// Whether a repetition of an experiment has the verdict again. Verdicts that find no effect
-/// missing count as one, whichever effects would stay unseen: this depends on the plan of the
-/// experiment, not on its readings. Other verdicts must name the same effects and the same suspect
-/// measurements.
+/// Whether the diagnosis of a repetition of an experiment gives the same verdict. The verdicts
+/// `nothing_missing` and `inconclusive` count as the same: which effects would stay unseen depends
+/// on the plan of the experiment, not on its readings. Other verdicts must name the same effects
+/// and the same suspect measurements.
 bool comes_again(const Diagnosis& verdict, const Diagnosis& repetition);
 
-/// Repeats an experiment by a parametric bootstrap: readings with new random errors are drawn about
-/// the accepted explanation at its estimates (about each in turn, where there are several), and the
-/// diagnosis of these readings is made again with linearised models (`LinearisedSpace`). The share
-/// holds for repetitions of an experiment whose truth is the estimate. Empty where the diagnosis
-/// accepted no explanation.
+/// Repeats an experiment by a parametric bootstrap. The readings of a repetition are predictions of
+/// the accepted explanation at its estimates, plus new random errors; several accepted explanations
+/// serve in turn. Each repetition is diagnosed with linearised models (`LinearisedSpace`). The
+/// share of equal verdicts holds if the estimates are the truth. Empty where the diagnosis accepted
+/// no explanation.
 /// Source: Efron and Tibshirani (1993), An Introduction to the Bootstrap, section 6.5.
 std::optional<Repeated> repeat(const ModelSpace& space, const Evidence& evidence,
                                const Diagnosis& diagnosis, const RepetitionOptions& options = {});

@@ -19,9 +19,9 @@ namespace pendular {
 /// Sources: score tests (Rao 1948; modification indices, Soerbom 1989; power, Saris, Satorra and
 /// van der Veld 2009), with errors in the derivatives.
 struct ScoreTest {
-    /// Orthonormal basis of the columns of P g, the whitened change less what the calibrated
-    /// parameters imitate; without columns where the calibrated parameters imitate g completely or
-    /// g is not larger than its error.
+    /// Orthonormal basis of the columns of P g, the whitened change minus the part that the
+    /// calibrated parameters imitate; without columns where the calibrated parameters imitate g
+    /// completely or g is not larger than its error.
     Eigen::MatrixXd basis;
     Eigen::VectorXd estimate;   ///< estimated amplitude of the effect for each column of g [1]
     double standard_error = 0;  ///< standard error of the first of these amplitudes [1]
@@ -31,7 +31,7 @@ struct ScoreTest {
     double predicted_reduction = 0;
     /// v = g' P g of `ScoreTest`, for the first column of the whitened change g [1].
     double length = 0;
-    /// v_c of `ScoreTest`, v less the errors of the change, for the first column of g [1]; a true
+    /// v_c of `ScoreTest`, v minus the errors of the change, for the first column of g [1]; a true
     /// amplitude A gives the statistic the noncentrality A^2 v_c^2/v.
     double information = 0;
     /// Share of the squared length g'g that the calibrated parameters imitate [1].
@@ -72,8 +72,8 @@ class FamilyOfTests {
     /// p value corrected for the number of tests [1]: probability, where nothing is missing, that
     /// at least one test has a p value of at most `smallest`.
     double p(double smallest) const;
-    /// p value of a single test [1] that, where nothing is missing, at least one of the tests falls
-    /// below with this probability: the inverse of p().
+    /// Limit of the p values of the single tests [1]: if nothing is missing, at least one of the
+    /// tests has a p value below this limit with the given probability. The inverse of p().
     double limit(double probability) const;
 
   private:

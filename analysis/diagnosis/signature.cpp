@@ -48,7 +48,8 @@ bool Addition::mirrored(const Eigen::VectorXd& change) const {
         return false;
     }
     const Eigen::VectorXd there = change_at(Eigen::VectorXd::Constant(1, other));
-    // -1 where the change is linear, 1 where it is even, 0 where that direction changes nothing.
+    // Change in the other direction, projected on this change: -1 if the change is linear, 1 if it
+    // is even, 0 if the other direction changes nothing.
     constexpr double linear = -0.3;
     return there.dot(change) < linear * change.squaredNorm();
 }

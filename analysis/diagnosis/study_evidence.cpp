@@ -215,14 +215,14 @@ Eigen::VectorXd load_errors(const std::vector<Reading>& readings, const Replicat
 ErrorKnowledge knowledge_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                             Eigen::Index entries) {
     ErrorKnowledge knowledge;
-    // Groups whose scatter was pooled share one estimate, and so its error.
+    // Groups whose scatter was pooled share one estimate and therefore the error of this estimate.
     std::map<std::tuple<Eigen::Index, double, double>, std::size_t> kinds;
     for (const Reading& reading : readings) {
         for (const Eigen::Index o : {0, 1}) {
             double mean_square = 0, freedom = INFINITY;
             if (reading.scatter_group < scatter.groups.size()) {
                 const auto& group = scatter.groups[reading.scatter_group];
-                // Stated errors that explain the scatter are known.
+                // Errors that the user states and that explain the scatter count as known.
                 if (group.excess(o, o) > 0 || (reading.within_run_only && group.freedom(o) > 0)) {
                     mean_square = group.mean_square(o);
                     freedom = group.freedom(o);

@@ -29,10 +29,12 @@ struct Check {
         neighbours    ///< correlation between the residuals of neighbouring conditions
     };
     Kind kind = Kind::lack_of_fit;
-    std::string covariate = {};  ///< covariate that the check uses, by name; empty: none
-    std::string of = {};         ///< parameter or observable that is checked, by name; empty: all
-    /// Test statistic, as `check_fit` defines it for this kind of check; that of a trend has a
-    /// sign.
+    /// Name of the covariate that the check uses; empty: none. A check of neighbours uses all
+    /// covariates: "all, length 0.3", with the length of its kernel.
+    std::string covariate = {};
+    std::string of = {};  ///< parameter or observable that is checked, by name; empty: all
+    /// Test statistic, as `check_fit` defines it for this kind of check; only the statistic of a
+    /// trend has a sign.
     double statistic = 0;
     double p = 1;  ///< p value: probability of a statistic as large if the model is right [1]
 };

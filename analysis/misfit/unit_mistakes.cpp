@@ -54,7 +54,7 @@ struct Column {
     std::string_view name;
     std::vector<Factor> factors;
     void (*multiply)(Reading& reading, double factor);
-    bool changes_condition;  ///< whether the condition changes, and so the prediction
+    bool changes_condition;  ///< whether the condition, and therefore the prediction, changes
 };
 
 void multiply_shear_stress(Reading& reading, double factor) {

@@ -19,7 +19,7 @@ namespace pendular {
 class WeightedResiduals {
   public:
     /// @param prediction prediction of the measured values at the fitted parameters, with its
-    ///        derivatives by them and its covariance from errors of the simulation
+    ///        derivatives by these parameters and its covariance from errors of the simulation
     /// @throws std::logic_error where the covariance of measurement and prediction together is not
     ///         positive definite
     WeightedResiduals(const Measured& measured, const Prediction& prediction);
@@ -42,8 +42,8 @@ class WeightedResiduals {
     /// Changes of the readings in their units from whitened ones: L times `columns`.
     Eigen::MatrixXd unwhiten(const Eigen::MatrixXd& columns) const;
     /// L^-T times whitened columns, with L L' the covariance of measurement and simulation. The
-    /// product of the result with a change in the units of the readings is that of `columns` with
-    /// the whitened change.
+    /// product of the result with a change in the units of the readings equals the product of
+    /// `columns` with the whitened change.
     Eigen::MatrixXd whiten_basis(const Eigen::MatrixXd& columns) const;
     /// Lower triangular root R of the whitened covariance of the prediction's errors [1]:
     /// R R' = L^-1 Sigma_simulation L^-T.

@@ -92,7 +92,7 @@ Profile sized(Profile profile, const ReadingCoordinate& coordinate) {
     return profile;
 }
 
-/// Whether an oscillation is seen by any reading: those at equal phases may all be at its zeros.
+/// Whether an oscillation changes any reading; readings at equal phases may all lie at its zeros.
 bool is_visible(const Profile& oscillation) {
     constexpr double least = 0.3;
     return oscillation.at.cwiseAbs().maxCoeff() > least;
@@ -229,7 +229,8 @@ std::vector<Profile> profiles_along(const ReadingCoordinate& coordinate, bool os
     std::vector<Profile> profiles;
     const bool in_time = coordinate.variable == "time";
     if (in_time) {
-        // Time begins with the study: only its linear course needs no other zero.
+        // Time counts from the start of the study, an arbitrary zero: the only power of time that
+        // is tried is the linear one.
         profiles.push_back(sized(
             {.dependence = Dependence::power, .constant = 1, .full_at = coordinate.at.maxCoeff()},
             coordinate));

@@ -23,7 +23,8 @@ constexpr std::size_t most_firsts = 40;
 constexpr std::size_t most_proposals = 3;
 /// Amount by which the description of a proposal may be longer than the shortest [chi2].
 constexpr double about_as_short = 10;
-/// Share of the excess chi2 from which on a shape that leaves a misfit is proposed [1].
+/// Smallest share of the excess chi2 that a shape must remove to be proposed although a misfit
+/// remains [1].
 constexpr double most_of_it = 0.5;
 
 using Score = ScoredShapes::Score;
@@ -72,7 +73,7 @@ class ShapeSearch {
     const DiagnosisOptions& options_;
     Explanation base_;
     ScoredShapes scored_;
-    std::set<std::string> taken_;  ///< names of effects that are taken
+    std::set<std::string> taken_;  ///< names that existing effects have
 };
 
 std::string ShapeSearch::free_name(const std::string& name) {
@@ -177,7 +178,7 @@ std::vector<Proposal> ShapeSearch::best_of(std::vector<Proposal> found) {
         found.resize(found.front().explained < most_of_it ? 0 : 1);
         return found;
     }
-    std::set<std::string> named;  // another constant of the same shape says nothing new
+    std::set<std::string> named;  // a shape that differs only in its constant is not proposed again
     std::erase_if(found, [&](const Proposal& each) {
         std::string names;
         for (const FittedShape& fitted : each.shapes) {

@@ -21,14 +21,14 @@ struct FittedShape {
 /// the model, explain the readings or most of the misfit.
 struct Proposal {
     std::vector<FittedShape> shapes;
-    /// Changes of other quantities, in linear estimates, that these readings hardly tell from a
-    /// single shape.
+    /// Changes of other quantities, with linear estimates, that change the readings nearly as a
+    /// single shape does; empty for two shapes.
     std::vector<FittedShape> alike;
     Explanation explanation;  ///< refitted model; `chosen` is without meaning here
     /// Probability that the best of all shapes that were tried would reduce chi2 as much by chance,
     /// if nothing were missing [1].
     double p = 1;
-    double explained = 0;  ///< share of the excess chi2 - dof that the shapes take [1]
+    double explained = 0;  ///< share of the excess chi2 - dof that the shapes remove [1]
     double price = 0;      ///< price of the choice of the shapes, to be added to chi2 [1]
 
     /// Length of the description of the readings: chi2 with the price of the shapes [1].
@@ -43,10 +43,11 @@ struct Proposal {
 /// Every quantity that a formula can set is varied along every quantity of the readings, by every
 /// profile; the linear estimate scores all of these shapes,
 ///     chi2 reduction (g'Pr)^2/(g'Pg) - 2 ln(number of profiles of the kind),
-/// with whitened residuals r, change g and projection P (`WeightedResiduals`), and the best are
-/// refitted and tested like any explanation, among the known effects and one another. Pairs follow
-/// where no single shape fits. Returns those that fit, shortest description first, at most
-/// three; else the one that takes most of the misfit, if it takes at least half.
+/// with whitened residuals r, change g and projection P (`WeightedResiduals`), and the best shapes
+/// are refitted and tested like other explanations, with the known effects and each other as
+/// further effects. Pairs of shapes are tried where no single shape fits. Returns at most three
+/// proposals that fit, the shortest description first. Where none fits, returns the one with the
+/// shortest description if it removes at least half of the misfit.
 /// @param diagnosis diagnosis of the study's model, which does not fit
 std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModels& models,
                               const Evidence& evidence, const std::vector<Reading>& readings,

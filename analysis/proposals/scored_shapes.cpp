@@ -11,14 +11,15 @@
 namespace pendular {
 namespace {
 
-/// Cosine between the changes of the readings by two shapes from which on they are alike [1].
+/// Smallest cosine between the changes of the readings by two shapes at which the shapes count as
+/// alike [1].
 constexpr double alike = 0.995;
-/// Cosine between two shapes from which on a pair of them is not tried [1].
+/// Smallest cosine between two shapes at which they are not tried as a pair [1].
 constexpr double nearly_parallel = 0.98;
-/// Share of the length of a change that the calibrated parameters must leave [1]; the rest of a
-/// change that they imitate is rounding.
+/// Smallest share of the length of a change that must remain after the calibrated parameters
+/// imitate it [1]; a smaller remainder is rounding error.
 constexpr double least_left = 1e-3;
-/// Amount by which the description by a shape that is alike may be longer [chi2].
+/// Largest amount by which the description by a shape that counts as alike may be longer [chi2].
 constexpr double nearly_as_short = 4;
 /// Number of oscillations, the best of all, whose period and phase are refined.
 constexpr std::size_t most_refined = 3;
@@ -31,7 +32,8 @@ void put_shortest_first(std::vector<ScoredShapes::Score>& scores) {
     });
 }
 
-/// Whether oscillations of a quantity are tried: of what an instrument shows, which turns.
+/// Whether oscillations of a quantity are tried: only for quantities that the (rotating) instrument
+/// shows.
 bool may_oscillate(const ChangedQuantity& quantity) {
     return quantity.relative && quantity.kind() != WrittenEffect::Kind::condition;
 }

@@ -40,8 +40,8 @@ class ScoredShapes {
     /// Best scores of pairs of the `most` best shapes with all shapes, the shortest description
     /// first.
     std::vector<Score> pairs(std::size_t most) const;
-    /// The first `count` of these scores of which no two change the readings alike; the others are
-    /// kept as `Score::alike`.
+    /// The first `count` scores such that no two of them change the readings in nearly the same
+    /// way; the scores that are left out are kept in `Score::alike`.
     std::vector<Score> unlike(const std::vector<Score>& scores, std::size_t count) const;
     /// Estimated change by a single shape, with its standard error, in the unit of the change.
     std::pair<double, double> estimate(std::size_t index) const;

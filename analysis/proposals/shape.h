@@ -18,11 +18,11 @@ struct ChangedQuantity {
     double lower = -0.9;     ///< smallest change considered [unit]
     double upper = 9;        ///< largest change considered [unit]
 
-    /// Whose quantity it is: the instrument's, the flow's, or one of grains and liquid.
+    /// Kind of the quantity: of the instrument, of the flow, or of grains and liquid.
     WrittenEffect::Kind kind() const;
 };
 
-/// Change of unknown cause: a quantity that changes as a profile says.
+/// Change of unknown cause: a quantity changes in proportion to a profile.
 struct ShapeOfChange {
     ChangedQuantity quantity;
     Profile profile;
@@ -30,7 +30,8 @@ struct ShapeOfChange {
     /// The change as a table [[effect]] of study.toml with this name. Its parameter "change" is the
     /// change where the size of the profile is 1.
     WrittenEffect written(const std::string& name) const;
-    /// Name for the effect in the words of the shape, such as "torque-above-time".
+    /// Name of the effect, made from the changed quantity, the dependence and the coordinate, such
+    /// as "torque-above-time".
     std::string name() const;
 };
 

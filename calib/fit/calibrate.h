@@ -34,9 +34,9 @@ class LearningModel {
     /// Model trained on all runs simulated so far.
     virtual const Model& model() const = 0;
     /// Simulates more flow states for `parameters`, the result of a fit or the starting values, and
-    /// trains the model on them. `excess` is the factor by which the variance that the noise of the
-    /// runs causes in the fit is too large; above 1, the number of runs should grow by about this
-    /// factor.
+    /// trains the model on them. `excess` is the variance that the noise of the runs causes in the
+    /// fit, over the largest acceptable variance [1]; above 1, the number of runs should grow by
+    /// about this factor.
     virtual void improve(const Eigen::VectorXd& parameters, double excess) = 0;
     /// Whether the results of the last simulations agree with the model's predictions made before
     /// them.

@@ -22,13 +22,14 @@ struct CalibrationRequest {
     bool profile = false;    ///< whether to compute the 68 % `profile_interval` of the friction
     /// Criteria for the end of the rounds of simulations and fits.
     CalibrationOptions options = {};
-    /// Time that simulations may take, which are not the first ones of a calibration that begins
+    /// Time limit of the simulations, except for the first simulations of a calibration that begins
     /// without known runs.
     RunBudget budget = {};
     /// Options for the lines of stress ratio of wet readings against 1/P*.
     CohesionOptions cohesion = {};
-    /// Training runs at the beginning. Without any, dry runs spread over friction and inertial
-    /// number are simulated first, if `KnownRuns::orders_more`.
+    /// Runs on which the emulator is trained at the beginning. If there are none and
+    /// `KnownRuns::orders_more` is true, dry runs spread over friction and inertial number are
+    /// simulated first.
     KnownRuns known = {};
     /// Callback before a further stage of simulations, with the name of the stage: "wet readings".
     std::function<void(std::string_view)> stage = {};
@@ -54,9 +55,9 @@ Calibration calibrate_study(const ResolvedStudy& study, const Measurements& meas
 void check_range(const std::vector<Reading>& readings, const Study& study,
                  const Fidelity& fidelity);
 
-/// Number of readings that a study's calibration fits, the first of `readings`, in which dry
-/// readings come first: all where fit_to = "all" or a listed effect needs a joint fit of dry and
-/// wet readings (`needs_joint_fit`), else the dry readings.
+/// Number of readings that a study's calibration fits. They are the first of `readings`, in which
+/// the dry readings must come first. All readings are fitted where fit_to = "all" or a listed
+/// effect needs a joint fit of dry and wet readings (`needs_joint_fit`), else the dry readings.
 std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings);
 
 /// Predicts shear stress [Pa] and solid fraction [1] at conditions that the calibration did not

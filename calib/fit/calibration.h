@@ -21,14 +21,13 @@ struct Calibration {
     /// Readings of the study: the dry readings, then the wet readings, each in run order. The first
     /// `fitted` readings are fitted, the others only predicted.
     std::vector<Reading> readings;
-    /// Number of readings that the fit uses, the first of `readings`.
+    /// Number of readings that the fit uses; they are the first of `readings`.
     std::size_t fitted = 0;
     std::vector<DirectMeasurement> direct = {};  ///< measured parameters of effects, fitted too
     GrainProperties grains;                      ///< grains of the study when it was fitted
     std::optional<Liquid> liquid;                ///< liquid of the study when it was fitted
     ModelSettings model;                         ///< model settings of the study when it was fitted
-    /// Physical effects with which the study file described the model when it was fitted, as the
-    /// user had written them.
+    /// Effects that the study defined by formulas ([[effect]] in study.toml) when it was fitted.
     std::vector<WrittenEffect> written_effects;
     Fidelity fidelity;                  ///< set of simulation settings
     std::uint64_t seed = 1;             ///< seed from which the seeds of simulations follow

@@ -10,7 +10,7 @@
 namespace pendular {
 
 /// Notes for the user of a calibration: on readings whose predictions the runs do not support, on
-/// errors dominated by simulation, on wet readings at so low a reduced pressure that shear may be
+/// errors dominated by simulation, on wet readings at low reduced pressures, at which shear may be
 /// in bands, on parameters at a bound or undetermined, and the planner's notes.
 /// @param wet_known whether the noise of the wet runs is small compared with the errors of the wet
 ///         readings that were not fitted

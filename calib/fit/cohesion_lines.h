@@ -49,8 +49,8 @@ struct CohesionOptions {
     /// choice of Badetti et al. (2018); the straight line is too high for P* <= 1.
     double lowest_reduced_pressure = 2.3;
 
-    /// Whether a line is fitted to a point of this reduced pressure P*: whether P* is at or above
-    /// `lowest_reduced_pressure`, up to rounding by the conversion of stresses to P*.
+    /// Whether a line is fitted to points at this reduced pressure P*: true if P* is at or above
+    /// `lowest_reduced_pressure`, with a tolerance for rounding errors of P*.
     bool fits(double reduced_pressure) const;
 };
 

@@ -78,7 +78,7 @@ class WhitenedResiduals : public ceres::CostFunction {
             return false;  // an effect so large that no true state can show the readings
         }
         if (!prediction.value.allFinite() || !prediction.jacobian.allFinite()) {
-            return false;  // an empty matrix is finite
+            return false;  // allFinite() is true for an empty matrix
         }
         Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) =
             whitening_.apply(measured_.value - prediction.value);

@@ -17,8 +17,8 @@ constexpr double largest_enlargement = 0.2;
 struct Enlargement {
     /// Standard error with the noise of the runs over the error without it, minus 1 [1].
     double size = 0;
-    /// Name of the parameter whose error is enlarged; empty where it is that of a predicted
-    /// reading.
+    /// Name of the parameter whose standard error is enlarged; empty where the standard error of a
+    /// predicted reading is enlarged.
     std::string parameter = {};
 
     /// Factor by which the variance from the noise of the runs is too large for an enlargement of
@@ -34,9 +34,9 @@ std::string text_of(const Enlargement& enlargement);
 /// `rest` of all other errors [1]: sqrt(1 + noise/rest) - 1, at most 100.
 double enlargement(double noise, double rest);
 
-/// Largest enlargement of the standard errors of a fit by the noise of the runs. The error of a
-/// predicted reading is that of its residual: measurement and simulation together. Noise far below
-/// the errors of the readings cannot change the answer to any question that is asked of them.
+/// Largest enlargement of the standard errors of a fit by the noise of the runs. For a predicted
+/// reading, the error of the measurement is included (error of the residual), since noise far below
+/// the errors of the readings changes no conclusion from them.
 /// @param parameters parameters of the fitted model, in the order of Fit::parameters
 Enlargement enlargement_by_runs(const Fit& fit, const Measured& measured,
                                 const std::vector<Parameter>& parameters);

@@ -93,7 +93,8 @@ class Means {
   private:
     /// Derivatives of the means by all parameters; 0 for parameters that are known exactly.
     Eigen::Matrix2Xd derivatives() const {
-        constexpr double share = 0.01;  // of a standard error: far above rounding, nearly a tangent
+        constexpr double share =
+            0.01;  // step in standard errors: far above rounding errors, close to a tangent
         Eigen::Matrix2Xd result = Eigen::Matrix2Xd::Zero(2, c_.fit.parameters.size());
         for (Eigen::Index k = 0; k < result.cols(); ++k) {
             const Parameter& parameter = c_.parameters[static_cast<std::size_t>(k)];

@@ -37,9 +37,8 @@ class StudyModel {
     /// Values of the parameters of flow(), taken from `parameters`, the values of the parameters of
     /// model().
     Eigen::VectorXd flow_parameters(const Eigen::VectorXd& parameters) const;
-    /// Conditions truly imposed on the grains where an ideal instrument, without the study's
-    /// effects on the instrument, shows `conditions`: with the study's effects on grains and
-    /// liquid.
+    /// Conditions truly imposed on the grains, as the study's effects on grains and liquid change
+    /// them, where an ideal instrument (without effects on the instrument) shows `conditions`.
     /// @param parameters values of the parameters of model()
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
@@ -55,9 +54,9 @@ class StudyModel {
     std::shared_ptr<const EffectModel> model_, flow_;
 };
 
-/// Checks that a calibration, which may have been read from a file, has the parameters of a model,
-/// with values at most as far outside of the bounds as these are apart.
-/// @throws InputError if it has others
+/// Checks a calibration, which may have been read from a file: its parameters must be those of
+/// `model`, and no value may lie further outside its bounds than the bounds are apart.
+/// @throws InputError if the calibration fails the check
 void check_parameters(const Calibration& calibration, const EffectModel& model);
 
 }  // namespace pendular

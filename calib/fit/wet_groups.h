@@ -15,10 +15,10 @@ struct WetGroup {
     double inertial_number = 0;
 };
 
-/// Groups the wet readings among `readings`: the liquid content of each member of a group agrees
-/// with that of its first member within 2 %, the inertial number within 20 %. Quasi-static readings
-/// (inertial number 0) form groups of their own. Groups are sorted by liquid content, then by
-/// inertial number.
+/// Groups the wet readings among `readings`. All members of a group agree with its first member
+/// within 2 % in liquid content and within 20 % in inertial number. Quasi-static readings (inertial
+/// number 0) form groups of their own. Groups are sorted by liquid content, then by inertial
+/// number.
 std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
 
 /// Whether two values differ by at most `tolerance` times the larger of their magnitudes.

@@ -13,7 +13,7 @@ namespace pendular {
 
 /// Assembles the model of a study: its base model (the emulated `simulation`, or the closure
 /// formula `rumpf` that uses it) with effects added. With base `rumpf`, closure effects switch on
-/// terms of the formula. Without effects the model predicts exactly what the base predicts.
+/// terms of the formula. Without effects the predictions are exactly those of the base model.
 /// @param effects in the order of their parameters; must outlive the model
 std::shared_ptr<const EffectModel> assemble_model(
     const Study& study, std::shared_ptr<const EmulatedSimulation> simulation,

@@ -56,9 +56,10 @@ struct ParameterBounds {
     Eigen::VectorXd lower, upper;
 };
 
-/// Model that predicts the readings of a study as functions of its parameters. The derivatives that
-/// it returns are those of the values that it returns, so that a least-squares solver never
-/// differentiates noise. A model never changes, so that any number of threads may use it at once.
+/// Model that predicts the readings of a study as functions of its parameters. The returned
+/// derivatives are the exact derivatives of the returned values, so that a least-squares solver
+/// never differentiates noise. A model never changes, so that any number of threads may use it at
+/// once.
 class Model {
   public:
     virtual ~Model() = default;

@@ -19,7 +19,7 @@ Clock::duration duration_of(double seconds) {
     return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-/// Requests a stop at a point in time, unless it is destroyed before.
+/// Timer that requests a stop at a point in time, unless it is destroyed before.
 class Alarm {
   public:
     Alarm(Clock::time_point at, std::stop_source& stop)
@@ -32,7 +32,7 @@ class Alarm {
   private:
     std::mutex mutex_;
     std::condition_variable_any never_;
-    std::jthread waiting_;  ///< last, so that it ends before the others do
+    std::jthread waiting_;  ///< last member: the thread ends before the other members are destroyed
 };
 
 std::vector<dem::RunResult> stored(const std::vector<dem::RunParameters>& runs,

@@ -17,8 +17,8 @@ namespace {
 /// Distance in ln(friction + 0.05) between a friction and the frictions of requested runs on either
 /// side of it [1].
 constexpr double spread = 0.2;
-/// Factor by which runs are to reduce the variance at states where there was no run yet; so large
-/// that the maximum number of runs is requested.
+/// Factor by which runs are to reduce the variance at states without any run so far; so large that
+/// the maximum number of runs is requested.
 constexpr double unknown = 1e9;
 
 /// Frictions of the first dry design, for studies without known runs; spaced about evenly in their
@@ -182,7 +182,7 @@ std::vector<FlowState> RunPlanner::most_informative(const std::vector<FlowState>
 
 void RunPlanner::improve(double friction, const std::vector<EffectiveCondition>& conditions,
                          double excess) {
-    confirmed_ = rounds_ > 0;  // unless fresh runs disagree
+    confirmed_ = rounds_ > 0;  // until new runs disagree with the emulator
     const auto wet = [](const EffectiveCondition& c) { return !c.dry(); };
     if (!std::ranges::all_of(conditions, wet)) {
         learn(friction, conditions, false, excess);

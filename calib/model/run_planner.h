@@ -48,8 +48,8 @@ class RunPlanner {
     /// Improves the predictions at a friction [1] for truly imposed `conditions` by new runs, if
     /// runs may be requested. The first call requests runs at states outside the range of the known
     /// runs, later calls request runs near `friction` that check and improve the emulator.
-    /// @param excess factor by which the variance that the noise of the runs causes in a fit is too
-    ///         large
+    /// @param excess variance that the noise of the runs causes in a fit, over the largest
+    ///        acceptable variance [1]
     /// @throws dem::SimulationError where wet runs are needed, none is known and none of the first
     ///         succeeds
     void improve(double friction, const std::vector<EffectiveCondition>& conditions, double excess);

@@ -41,8 +41,9 @@ Eigen::Vector2d weight_of(const Reading& reading) {
     return {stress * stress / reading.covariance(0, 0), 1 / reading.covariance(1, 1)};
 }
 
-/// Fitted parameters of a model, and the same moved either way by a standard error along the
-/// direction in which they are known worst, in units of their standard errors, within their bounds.
+/// Fitted parameters of a model, and these parameters shifted either way by one standard error
+/// along the direction in which they are known worst, in units of their standard errors, within
+/// their bounds.
 std::vector<Eigen::VectorXd> likely_parameters(const FittedModel& fitted) {
     const Eigen::VectorXd errors = fitted.covariance.diagonal().cwiseSqrt();
     const ParameterBounds bounds = fitted.model->bounds();

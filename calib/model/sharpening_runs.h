@@ -20,9 +20,10 @@ struct FittedModel {
 
 /// Choice of the runs that reduce the noise of the runs in the chi2 of all fitted models most: runs
 /// at the flow states of the readings, with each model's effects at their fitted sizes and without
-/// effects. The fitted parameters are taken as they are and moved either way along the direction in
-/// which they are known worst, by a standard error: there the next fit may end. The variance of
-/// each prediction has the weight 1/sigma^2, with the error sigma of the reading.
+/// effects. The states are taken at the fitted parameters, and at parameters shifted either way by
+/// one standard error along the direction in which they are known worst, where the next fit may
+/// end. The variance of each prediction has the weight 1/sigma^2, with the error sigma of the
+/// reading.
 /// @param lowest_inertial_number lowest inertial number of the runs [1]; slower readings are
 ///        simulated there
 RunChoice sharpening_choice(const EmulatedSimulation& simulation,

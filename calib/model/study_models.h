@@ -45,8 +45,8 @@ class StudyModels : public ModelSpace {
     ///         where no known run has an added effect on grains alone
     std::shared_ptr<const EffectModel> exchanged(const std::string& removed,
                                                  const std::vector<std::string>& added) const;
-    /// Returns these models with the effects `more` as further candidates, after those that there
-    /// are. The effects, which must not act on grains, must outlive the result.
+    /// Returns these models with the effects `more` as further candidates, after the existing
+    /// candidates. The effects, which must not act on grains, must outlive the result.
     StudyModels offering(const std::vector<Effect>& more) const;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;

@@ -21,8 +21,8 @@ dem::RunParameters run_at(const FlowState& state, const Study& study, const Fide
 /// Share of the rigidity shift (change of solid fraction from rigid to soft grains) at stiffness
 /// number `simulated` that grains of stiffness number kappa do not have [1]:
 ///     1 - simulated/kappa,
-/// with kappa that of the study's `grains` at `condition` or, where the study states no Young's
-/// modulus, that of `fidelity` (set of simulation settings).
+/// with the stiffness number kappa of the study's `grains` at `condition` or, where the study
+/// states no Young's modulus, of `fidelity` (set of simulation settings).
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity);
 

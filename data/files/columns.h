@@ -26,8 +26,9 @@ class Columns {
     explicit Columns(const Table& table);
 
     /// Whether the table has a column of this quantity.
-    /// @throws InputError at the header cell, as all functions with a name do, if the column's unit
-    ///         is missing, unknown or of the wrong dimension, or if two columns have this quantity
+    /// @throws InputError at the header cell if the column's unit is missing, unknown or of the
+    ///         wrong dimension, or if two columns have this quantity. All functions with a
+    ///         parameter `name` throw this error.
     bool has(std::string_view name) const { return find(name, false) != nullptr; }
 
     /// Checks that the table has a column of this quantity.
@@ -37,12 +38,12 @@ class Columns {
     /// @throws InputError if the table has columns of both quantities or of neither
     std::string_view require_one_of(std::string_view first, std::string_view second) const;
 
-    /// Value in SI units in a row's cell of a quantity's column, which the table must have: call
-    /// `require` first.
+    /// Value of a quantity in a row, in SI units. The table must have a column of this quantity:
+    /// call `require` first.
     /// @throws InputError at the cell if it is not a finite number
     double value(const Row& row, std::string_view name) const;
-    /// Value in SI units in a row's cell of a quantity's column; empty if the column is missing or
-    /// the cell is empty.
+    /// Value of a quantity in a row, in SI units; empty if the table has no column of this quantity
+    /// or the cell is empty.
     /// @throws InputError at the cell if its text is not a finite number
     std::optional<double> value_if_any(const Row& row, std::string_view name) const;
     /// Standard deviation of a quantity in a row, in SI units, from the column `name_sd`; empty if
@@ -50,7 +51,7 @@ class Columns {
     /// @throws InputError at the cell if its text is not a positive number
     std::optional<double> deviation(const Row& row, std::string_view name) const;
 
-    /// Rounding step of a quantity's value in each row, by the digits in the file, in SI units; 0
+    /// Rounding step of a quantity's value in each row, in SI units, from the digits in the file; 0
     /// if the column is missing or the cell is empty.
     std::vector<double> resolutions(std::string_view name) const;
 
@@ -60,7 +61,7 @@ class Columns {
 
     /// Indices, from 0, of the header cells that name no quantity of the program.
     const std::vector<std::size_t>& unknown() const { return unknown_; }
-    /// Texts of the header cells, empty ones aside, whose columns are not in `used`: names of
+    /// Texts of the non-empty header cells whose columns are not in `used`. `used` holds names of
     /// quantities ("torque"), with "_sd" for columns of standard deviations ("torque_sd").
     std::vector<std::string> others(const std::vector<std::string_view>& used) const;
 

@@ -36,16 +36,14 @@ struct Table {
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 
-/// Where quotes are allowed besides around a whole cell: nowhere, or also as plain characters
-/// inside a cell, as in the header `G"`.
+/// Whether a quote inside a cell, as in the header `G"`, is refused or kept as a plain character.
 enum class InnerQuotes { refused, kept };
 
 /// Splits a line of a table into cells. A quote at the start of a cell opens a quoted cell, in
 /// which two quotes are one; blanks around a cell are left out.
 /// @param at file and line
 /// @throws InputError at file:line:column if a quoted cell does not close, or if a quote is inside
-/// a
-///         cell and `inner` refuses it
+///         a cell and `inner` refuses it
 Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner);
 
 /// Reads a text file of delimited cells. The delimiter is the most frequent of comma, semicolon and

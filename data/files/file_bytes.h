@@ -21,7 +21,7 @@ std::string read_bytes(const std::filesystem::path& path, std::uintmax_t largest
 /// nothing.
 bool leads_out(const std::filesystem::path& path);
 
-/// Whether a file is in a folder or below, once all symbolic links are resolved.
+/// Whether a file is in a folder or in one of its subfolders, once all symbolic links are resolved.
 bool is_within(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 }  // namespace pendular

@@ -5,8 +5,9 @@
 
 namespace pendular {
 
-/// Lock that one process at a time has, as the file `file`, which is removed with the lock. A
-/// process that is killed leaves the file without the lock.
+/// Lock that only one process at a time can hold, by means of the file `file`. The destructor
+/// releases the lock and removes the file. A process that is killed releases the lock but leaves
+/// the file.
 class FileLock {
   public:
     explicit FileLock(std::filesystem::path file) : file_(std::move(file)) {}
@@ -15,11 +16,11 @@ class FileLock {
     ~FileLock();
 
     /// Takes the lock, without waiting.
-    /// @return false where another process has it
-    /// @throws std::runtime_error where the file cannot be written, or is a link
+    /// @return false where another process has the lock
+    /// @throws std::runtime_error where the file cannot be written or is a symbolic link
     bool take();
-    /// Process that has the lock, as "process 123 (pendular add my-study)" or, where the system
-    /// does not say which it is, "another process".
+    /// Name of the process that has the lock, as in "process 123 (pendular add my-study)"; "another
+    /// process" where the system does not tell which process it is.
     std::string holder() const;
 
   private:

@@ -11,7 +11,7 @@ namespace pendular {
 std::string json_text(const nlohmann::ordered_json& object, int indent) {
     nlohmann::ordered_json document = {{"format", json_format}};
     document.update(object);
-    // Names of files may be other bytes than UTF-8, of which JSON consists.
+    // File names may contain bytes that are not UTF-8, which JSON requires: they are replaced.
     return document.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
            '\n';
 }

@@ -5,14 +5,14 @@
 
 namespace pendular {
 
-/// Largest numbers of digits with which the numbers in a column of a table are written.
+/// Largest numbers of significant digits and of decimals among the numbers in a column of a table.
 struct Digits {
     int significant = 0;  ///< most significant digits, trailing zeros aside
     int decimals = 0;     ///< most digits after the decimal point, trailing zeros aside
 };
 
-/// Largest numbers of digits with which numbers are written in the cells of a column, from the
-/// texts of the cells. Cells without digits are ignored.
+/// Largest numbers of significant digits and of decimals among the numbers in a column, from the
+/// texts of its cells. Cells without digits are ignored.
 Digits digits_of(const std::vector<std::string_view>& cells);
 
 /// Step to which a value was rounded in a column with these digits, in the column's unit: the

@@ -12,11 +12,13 @@
 namespace pendular {
 namespace {
 
-/// Whether the charset detection of ICU takes a text for Shift-JIS rather than for anything else.
+/// Whether Shift-JIS is the most likely encoding of a text according to the charset detection of
+/// ICU.
 bool looks_japanese(std::string_view bytes) {
     UErrorCode error = U_ZERO_ERROR;
     UCharsetDetector* const detector = ucsdet_open(&error);
-    // The first pages decide; detection takes time in proportion to the length of the text.
+    // Only the first mebibyte is examined, since the time of detection is proportional to the
+    // length.
     const auto length = static_cast<int32_t>(std::min<std::size_t>(bytes.size(), 1 << 20));
     ucsdet_setText(detector, bytes.data(), length, &error);
     const UCharsetMatch* const match = ucsdet_detect(detector, &error);

@@ -22,8 +22,8 @@ std::size_t after_string(const std::string& text, std::size_t begin) {
     return std::min(at + quote.size(), text.size());
 }
 
-/// Checks that no key has so many parts (a.b.c has three) that the parser, which calls itself for
-/// each of them, runs out of memory for calls.
+/// Checks that no key has so many parts (a.b.c has three) that the parser, which is recursive in
+/// the parts, overflows the stack.
 /// @throws InputError at the line of such a key
 void refuse_deep_keys(const std::string& file, const std::string& text) {
     int line = 1, parts = 1;

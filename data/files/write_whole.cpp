@@ -50,8 +50,8 @@ class NewFile {
     }
     /// Gives the file the mode and, where the system allows it, the owner of another file.
     void take_over(const struct stat& other) const {
-        // Not every system and file system allows it. The mode comes last, since a change of owner
-        // clears some of its bits.
+        // Not every file system allows a change of owner. The mode is set last, since a change of
+        // owner clears some of its bits.
         [[maybe_unused]] const int owned = fchown(descriptor_, other.st_uid, other.st_gid);
         fchmod(descriptor_, other.st_mode & 07777);
     }
@@ -67,8 +67,8 @@ class NewFile {
     int descriptor_ = -1;
 };
 
-/// Waits until the list of entries of a folder is on the disk. File systems that cannot do so are
-/// left to their ways.
+/// Waits until the list of entries of a folder is on the disk. Errors of file systems that cannot
+/// do so are ignored.
 void flush_folder(const fs::path& folder) {
     const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return;
@@ -76,13 +76,14 @@ void flush_folder(const fs::path& folder) {
     close(descriptor);
 }
 
-/// Path for a temporary file beside `target`, which nobody can foresee.
+/// Unpredictable path for a temporary file beside `target`.
 fs::path temporary_beside(const fs::path& target) {
     static std::random_device random;
     return fs::path(fmt::format("{}.{:08x}{:08x}.part", target.string(), random(), random()));
 }
 
-/// Writes a temporary file in place of `target`, with the mode and owner of the file that is there.
+/// Writes a temporary file that is to replace `target`, with the mode and owner of an existing
+/// `target`.
 void write_temporary(const fs::path& temporary, const fs::path& target, const std::string& content,
                      Kept kept) {
     NewFile file(temporary, O_CREAT | O_EXCL | O_NOFOLLOW);

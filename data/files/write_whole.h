@@ -6,13 +6,13 @@
 
 namespace pendular {
 
-/// When a file counts as written: once the operating system has it, or once it is on the disk and
-/// survives a loss of power.
+/// Moment from which a file counts as written: when the operating system has the data, or when the
+/// data are on the disk and survive a loss of power.
 enum class Kept { by_system, on_disk };
 
-/// Writes a file as a whole or not at all: a temporary file beside it is written, brought to the
-/// disk and renamed. A file that is there keeps its mode and, where the system allows it, its
-/// owner. Devices and pipes are written directly. Missing folders of the path are created.
+/// Writes a file as a whole or not at all: a temporary file beside it is written, flushed to the
+/// disk and renamed. An existing file keeps its mode and, where the system allows it, its owner.
+/// Devices and pipes are written directly. Missing folders of the path are created.
 /// @throws InputError if the path is a link to a place outside of its folder, which would be
 ///         overwritten
 /// @throws std::runtime_error if the file cannot be written, on a full disk for example, naming the
@@ -33,8 +33,9 @@ void write_whole_folder(const std::filesystem::path& folder,
 /// @throws std::runtime_error if it cannot be made
 std::filesystem::path new_temporary_folder(const std::filesystem::path& folder);
 
-/// Checks that writing to a path does not write to a place that a link of somebody else names.
-/// @throws InputError if the path is a link that leads out of the folder it is in
+/// Refuses a path that is a symbolic link out of its folder, since writing to it would overwrite a
+/// file elsewhere.
+/// @throws InputError if the path is such a link
 void refuse_link_out(const std::filesystem::path& path);
 
 }  // namespace pendular

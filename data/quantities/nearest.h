@@ -12,8 +12,8 @@ namespace pendular {
 /// Source: Damerau-Levenshtein distance, optimal string alignment.
 int edit_distance(std::string_view first, std::string_view second);
 
-/// Known name with the fewest edits (`edit_distance`) from a misspelt word; empty if even this name
-/// needs more edits than a third of the word's bytes and more than one.
+/// Known name with the fewest edits (`edit_distance`) from a misspelt word. Empty if every name
+/// needs more edits than one and than a third of the word's length in bytes.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> known);
 
 /// Hint to end an error message about an unknown word: "did you mean 'diameter'?" or, if no known

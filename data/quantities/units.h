@@ -33,13 +33,14 @@ class Unit {
     double offset_ = 0;
 };
 
-/// Error message for a unit with another dimension than the expected unit, with a suggestion if
-/// grams were written for gram-force:
+/// Error message for a unit whose dimension is not the expected one, with a suggestion if grams
+/// were written for gram-force:
 ///     'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
 
-/// SI unit with the dimension of a unit, "1" if dimensionless, in its common spelling, or else in
-/// the unit's own without prefixes: "N m" for "mNm", "Pa" for "kPa", "N m s/rad" for "mN m s/rad".
+/// Common spelling of the SI unit with the dimension of `unit`: "N m" for "mNm", "Pa" for "kPa",
+/// "1" if dimensionless. A unit without a common SI spelling keeps its own spelling, without
+/// prefixes: "N m s/rad" for "mN m s/rad".
 std::string si_spelling(const Unit& unit);
 
 /// Value in SI units of a text such as "500 um". The unit may be left out if the expected unit is

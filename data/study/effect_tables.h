@@ -31,26 +31,27 @@ struct WrittenEffect {
     /// Positions of the values of the keys `name` and `parameter` in study.toml.
     Position name_position = {}, parameter_position = {};
 
-    /// Whose quantities formulas can set.
+    /// Kind of quantities that a formula can set.
     enum class Kind {
         instrument,  ///< quantities that the instrument shows (`instrument_targets`)
         flow,        ///< quantities of the flow of the grains (`flow_targets`)
         condition    ///< properties of the grains and of their liquid (`condition_targets`)
     };
-    /// Whose quantities the formulas set; all formulas of an effect have one kind.
+    /// Kind of quantities that the formulas set; all formulas of an effect have the same kind.
     Kind kind() const;
 };
 
 /// Quantities of the instrument that formulas of an [[effect]] of study.toml can set: "torque",
-/// "normal_force", "height" and "angular_velocity". An effect sets quantities of one kind only: of
-/// the instrument, of the flow (`flow_targets`) or of the condition (`condition_targets`).
+/// "normal_force", "height" and "angular_velocity". An effect sets quantities of one kind only:
+/// quantities of the instrument, of the flow (`flow_targets`) or of the condition
+/// (`condition_targets`).
 const std::vector<std::string>& instrument_targets();
 /// Quantities of the flow of the grains that formulas of an [[effect]] of study.toml can set:
 /// "stress_ratio" and "solid_fraction".
 const std::vector<std::string>& flow_targets();
 /// Properties of the grains and of their liquid that formulas of an [[effect]] of study.toml can
-/// set: "friction_difference" (friction coefficient less that of the model [1]) and
-/// "surface_tension" [N/m].
+/// set: "friction_difference" (friction coefficient minus the friction coefficient of the model
+/// [1]) and "surface_tension" [N/m].
 const std::vector<std::string>& condition_targets();
 
 /// Reads the effects that a user defines in the tables [[effect]] of study.toml.

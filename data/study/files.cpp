@@ -62,7 +62,7 @@ std::vector<std::filesystem::path> matching_files(const std::filesystem::path& f
                                                   const std::string& pattern) {
     const std::string whole = whole_pattern(folder, pattern);
     std::vector<std::filesystem::path> result;
-    std::error_code error;  // of a link to itself, for example
+    std::error_code error;  // set for a link to itself, for example
     for (const std::filesystem::path& path : search(whole))
         if (std::filesystem::is_regular_file(path, error))
             result.push_back(path.lexically_normal());

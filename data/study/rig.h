@@ -30,14 +30,14 @@ struct Rig {
     std::vector<double> bead_volumes = {};
     int repeats = 5;      ///< largest number of readings at one condition
     int readings = 12;    ///< largest number of readings at several conditions together
-    double wet_cost = 1;  ///< cost of a wet reading, in costs of a dry reading [1]
-    /// Cost of filling the cell with another amount of grains, in costs of a dry reading [1].
+    double wet_cost = 1;  ///< cost of a wet reading over the cost of a dry reading [1]
+    /// Cost of filling the cell with another amount of grains, over the cost of a dry reading [1].
     double filling_cost = 0;
     /// Possible waiting times between the last reading and the next reading [s].
     std::vector<double> waits = {0};
-    double hour_cost = 1;  ///< cost of an hour of waiting, in costs of a dry reading [1]
-    /// Measurements of an effect's parameter alone, such as the torque of the empty cell, that the
-    /// rig can make.
+    double hour_cost = 1;  ///< cost of an hour of waiting over the cost of a dry reading [1]
+    /// Direct measurements of effect parameters, such as the torque of the empty cell, that the rig
+    /// can make.
     std::vector<StatedDirect> direct = {};
 };
 

@@ -27,7 +27,7 @@ struct Source {
     std::vector<std::filesystem::path> files;  ///< files that match the pattern, sorted by path
     /// Volume of liquid over volume of grains [1], if the entry has it.
     std::optional<double> liquid_content;
-    /// Solid volume of the grains in the cell [m^3], if the entry overrides that of [cell].
+    /// Solid volume of the grains in the cell [m^3], if the entry overrides the value in [cell].
     std::optional<double> bead_volume;
     FileFormat format = {};  ///< how the files are to be read, where the entry states it
     Position position;       ///< position of the entry in study.toml
@@ -74,7 +74,7 @@ struct Study {
     std::optional<StatedScatter> scatter;  ///< scatter of the instrument, if the user stated it
     ModelSettings model;
     std::vector<WrittenEffect> written_effects;  ///< effects that the study defines by formulas
-    std::vector<StatedDirect> direct;            ///< measurements of an effect's parameter alone
+    std::vector<StatedDirect> direct;            ///< direct measurements of effect parameters
     std::optional<Rig> rig;                      ///< possible further measurements and their costs
 };
 

@@ -251,12 +251,12 @@ std::vector<Edit> remove_from_list(const StudyText& study, const List& list, std
     if (const auto line = line_of(study, element)) {
         const bool last = index > 0 && index + 1 == list.elements.size();
         if (!last || element.comma) return {*line};
-        // The list ended without a comma, and ends so again.
+        // A list that ended without a comma still does after the edit.
         const std::size_t comma = *list.elements[index - 1].comma;
         return {{comma, comma + 1, ""}, *line};
     }
     if (list.elements.size() == 1 && !element.comma) {
-        // One blank before the element goes with it, as `add_to_empty` writes one.
+        // One blank before the element is removed too, since `add_to_empty` writes one.
         const bool blank_before = study.before_blanks(element.begin) < element.begin;
         return {{element.begin - (blank_before ? 1 : 0), element.end, ""}};
     }

@@ -60,11 +60,12 @@ class StudyTable {
     std::vector<StudyTable> tables(std::string_view key,
                                    const std::vector<std::string>& keys) const;
 
-    /// Value of a key in SI units: of a text with a unit of the same dimension as `unit`, "500 um"
-    /// for example, or of a plain number if `unit` is dimensionless; empty if the key is missing.
+    /// Value of a key in SI units; empty if the key is missing. The value must be a text with a
+    /// unit of the same dimension as `unit`, such as "500 um", or a plain number if `unit` is
+    /// dimensionless.
     std::optional<double> quantity(std::string_view key, std::string_view unit) const;
-    /// Value of a key in SI units: of a text with a unit of the same dimension as `unit`, or of a
-    /// plain number, which is taken to be in `unit`; empty if the key is missing.
+    /// Value of a key in SI units; empty if the key is missing. The value must be a text with a
+    /// unit of the same dimension as `unit`, or a plain number, which is taken to be in `unit`.
     std::optional<double> quantity_in(std::string_view key, const Unit& unit) const;
     /// Value of a required key in SI units, read as by `quantity`.
     /// @throws InputError if the key is missing

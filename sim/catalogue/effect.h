@@ -33,7 +33,7 @@ struct ChangeCondition {
 };
 
 /// An effect that adds a term to the closures (analytical formulas for the strength of wet grains)
-/// of a base model, which predicts readings where no effect acts.
+/// of a base model. The base model predicts the readings without effects.
 struct ChangeClosure {
     std::string base;                       ///< name of the base model, as in "rumpf"
     bool closures::Terms::*term = nullptr;  ///< term of the closure that the effect switches on
@@ -134,7 +134,8 @@ std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects, boo
 /// Returns a condition as changed by effects. Effects of type ChangeCondition are applied to it,
 /// and effects on grains are added to its `grain_effects`, in SI units and sorted by name. Effects
 /// on the instrument, on closures and on the flow, and effects on wet grains at a dry condition or
-/// the reverse, are ignored. `liquid`: liquid of a wet condition that has none of its own.
+/// the reverse, are ignored. `liquid`: the liquid to use for a wet condition that has no liquid of
+/// its own.
 EffectiveCondition changed_condition(EffectiveCondition condition,
                                      const std::vector<ActiveEffect>& effects,
                                      const std::optional<Liquid>& liquid);

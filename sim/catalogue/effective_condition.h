@@ -15,7 +15,7 @@ struct EffectiveCondition : Condition {
     EffectiveCondition(const Condition& imposed) : Condition(imposed) {}
 
     std::optional<Liquid> liquid;             ///< liquid as effects change it; none: the study's
-    double friction_difference = 0;           ///< to add to the study's friction coefficient [1]
+    double friction_difference = 0;           ///< addition to the study's friction coefficient [1]
     std::vector<EffectValues> grain_effects;  ///< effects on grains to simulate; SI units
 
     bool operator==(const EffectiveCondition&) const = default;

@@ -36,7 +36,8 @@ std::string without_places(const std::string& message) {
     return std::regex_replace(message, said, "");
 }
 
-/// Returns the message for a user about an error of muParser, which itself names only tokens.
+/// Returns an error message for the user from an error of muParser, whose own message names only
+/// tokens.
 std::string explained(const mu::ParserError& error, const std::string& text,
                       const std::vector<std::string>& variables) {
     if (error.GetCode() == mu::ecEMPTY_EXPRESSION) {
@@ -68,7 +69,7 @@ std::optional<std::size_t> assignment_in(const std::string& text) {
     return std::nullopt;
 }
 
-/// Checks a formula for mistakes that muParser accepts.
+/// Refuses mistakes in a formula that muParser would accept.
 /// @throws FormulaError for an assignment or a zero byte
 void refuse_traps(const std::string& text) {
     if (const auto at = text.find('\0'); at != std::string::npos)

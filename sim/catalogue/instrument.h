@@ -42,8 +42,9 @@ class InstrumentMap {
 
 /// Returns the state of the cell that the instrument showed at a recorded condition, from the
 /// reading's shear stress [Pa] and solid fraction [1]: the inverse of `import`, which converts
-/// torque and gap to these. If the condition states no bead volume, the cell's is used; if it
-/// states no height, the height follows from the solid fraction. At I = 0 the lid is at rest.
+/// torque and gap to shear stress and solid fraction. If the condition states no bead volume, the
+/// cell's is used; if it states no height, the height follows from the solid fraction. At I = 0 the
+/// lid is at rest.
 CellState shown_state(const Condition& shown, double shear_stress, double solid_fraction,
                       AnnularCell cell, const GrainProperties& grains);
 

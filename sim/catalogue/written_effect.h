@@ -16,9 +16,9 @@ namespace pendular {
 ///                     liquid_content, height, time
 ///     the condition   friction_difference, surface_tension (0 for dry grains), normal_stress,
 ///                     inertial_number, liquid_content, height, time
-/// The effect counts as one on dry grains only, or on wet grains only, if its formulas change only
-/// the dry, or only the wet, ones of twelve typical states. The returned effect throws InputError
-/// at a formula that gives no finite number.
+/// The effect is taken to touch only dry grains if its formulas change no wet state among twelve
+/// typical states, and only wet grains if its formulas change no dry state among them. The returned
+/// effect throws InputError at a formula that gives no finite number.
 /// @throws InputError at a formula that cannot be read, does not contain the parameter, changes
 ///         a quantity at the neutral value, or gives no finite number at a bound of the parameter;
 ///         at a parameter that has the name of a variable or function

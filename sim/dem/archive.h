@@ -23,9 +23,9 @@ void load(Archive& archive, Vector& v) {
     archive(cereal::binary_data(&v, sizeof v));
 }
 
-/// Reads what `cereal::BinaryOutputArchive` wrote, as `cereal::BinaryInputArchive` does, and takes
-/// no number of elements at its word: a number that the bytes cannot hold is an error, and not a
-/// request for memory.
+/// Input archive for the bytes that `cereal::BinaryOutputArchive` wrote. In contrast to
+/// `cereal::BinaryInputArchive`, a number of elements that the remaining bytes cannot hold is an
+/// error instead of a request for memory.
 class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyClassElision> {
   public:
     explicit ByteReader(std::string_view bytes) : InputArchive(this), bytes_(bytes) {}
@@ -49,7 +49,7 @@ void load(ByteReader& reader, Number& number) {
     if constexpr (std::is_same_v<Number, bool>) {
         std::uint8_t byte = 0;
         reader.take(&byte, sizeof byte);
-        number = byte != 0;  // other bytes than 0 and 1 are no truth value
+        number = byte != 0;  // a byte other than 0 and 1 is not a valid bool
     } else {
         reader.take(&number, sizeof number);
     }
@@ -65,7 +65,7 @@ void load(ByteReader& reader, cereal::NameValuePair<T>& pair) {
 template <typename T>
 void load(ByteReader& reader, cereal::SizeTag<T>& tag) {
     reader(tag.size);
-    reader.demand(tag.size);  // an element has a byte at least
+    reader.demand(tag.size);  // each element takes at least one byte
 }
 template <typename T, typename Allocator>
 void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
@@ -77,7 +77,7 @@ void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
         elements.resize(size);
         reader.take(elements.data(), size * sizeof(T));
     } else {
-        // One after the other, so that an element that is longer than its bytes takes no memory.
+        // Elements are read one by one, so that no memory is taken for elements beyond the bytes.
         for (; size > 0; --size) {
             T element = T();
             reader(element);
@@ -111,7 +111,7 @@ bool restore(std::string_view bytes, State& state) {
 
 }  // namespace pendular::dem
 
-/// Tells cereal that a `ByteReader` reads the bytes of this archive.
+/// Tells cereal that `ByteReader` reads the bytes that `cereal::BinaryOutputArchive` writes.
 template <>
 struct cereal::traits::detail::get_output_from_input<pendular::dem::ByteReader> {
     using type = cereal::BinaryOutputArchive;

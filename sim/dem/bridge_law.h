@@ -20,9 +20,9 @@ struct Wetting {
 /// diameter. Source: Badetti et al. (2018), section 3.1.
 constexpr double largest_pendular_volume = 8e-3;
 
-/// First guess of the mean number of liquid bridges on one grain [1], to grains that it touches and
-/// to others. At friction 0.09 this number is 7 to 8 over the pendular range, from the liquid
-/// contents and bridge volumes that Badetti et al. (2018) print.
+/// First guess of the mean number of liquid bridges of a grain [1], with and without contact. At
+/// friction 0.09 this number is 7 to 8 over the pendular range, from the liquid contents and bridge
+/// volumes that Badetti et al. (2018) print.
 constexpr double typical_coordination = 7.5;
 
 /// Liquid content Phi_L/Phi_S, volume of liquid over volume of grains [1], of a sample with on

@@ -20,7 +20,7 @@ struct PairBatch {
     const double* diameter;      ///< mean 2 d1 d2/(d1 + d2) of the two grains' diameters
     const double* normal_speed;  ///< rate at which the gap between the surfaces opens
     const double *rolling_x, *rolling_y,
-        *rolling_z;  ///< angular velocity of the second grain less that of the first
+        *rolling_z;  ///< angular velocity of the second grain minus that of the first
     const double *pair_rotation_x, *pair_rotation_y,
         *pair_rotation_z;     ///< angular velocity at which the pair turns as a whole
     const double* elastic;    ///< elastic normal force F_N of the contact

@@ -32,8 +32,8 @@ std::string seal(std::string_view content) {
     return fmt::format("checksum {:016x} of {} bytes", checksum(content), content.size());
 }
 
-/// First two lines of a checkpoint file: its format and its seal; empty where a line is longer than
-/// any of them.
+/// First two lines of a checkpoint file: its format, and its checksum with its length; empty where
+/// a line is longer than such lines are.
 std::pair<std::string, std::string> first_lines(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::array<char, 200> first{}, second{};
@@ -42,7 +42,7 @@ std::pair<std::string, std::string> first_lines(const std::filesystem::path& fil
     return {first.data(), second.data()};
 }
 
-/// Number of bytes that a seal states; 0 where it states none.
+/// Number of bytes that the line with the checksum states; 0 where it states none.
 std::uintmax_t sealed_size(const std::string& sealed) {
     const auto at = sealed.find(" of ");
     std::uintmax_t size = 0;

@@ -48,15 +48,17 @@ struct Hertz {
     }
 };
 
-/// Factor, at most 1, that scales a tangential force of squared length `squared` down to `limit`
-/// [1], Coulomb's limit mu F_N, F_N being the ELASTIC part of the normal force; 1 below the limit.
+/// Factor [1], at most 1, that scales a tangential force of squared length `squared` down to
+/// `limit`, Coulomb's limit mu F_N with the ELASTIC normal force F_N. The factor is 1 below the
+/// limit.
 inline double coulomb_factor(double squared, double limit) {
     return squared > limit * limit ? limit / std::sqrt(squared) : 1.0;
 }
 
-/// Ratio of a contact's tangential stiffness after a step to that before, at most 1, by which its
-/// tangential force is scaled when it unloads, from the square roots of its overlap after and
-/// before the step [1]. Without this factor a contact that opens would create elastic energy.
+/// Factor [1], at most 1, by which the tangential force of a contact is scaled in a step in which
+/// the contact unloads: tangential stiffness after the step over tangential stiffness before it.
+/// `root_new` and `root_old` are the square roots of the overlap after and before the step. Without
+/// this factor a contact that opens would create elastic energy.
 /// Source: the simplified Hertz-Mindlin law of `Hertz`.
 inline double unloading_factor(double root_new, double root_old) {
     return root_new < root_old ? root_new / root_old : 1.0;

@@ -45,7 +45,7 @@ std::vector<double> GrainEffects::diameters(std::size_t count, std::uint64_t see
     if (samples_.empty()) {
         return {};
     }
-    // Another seed than that of the grains' positions, for independent random numbers.
+    // Differs from the seed of the grains' positions, so that the random numbers are independent.
     std::mt19937_64 random(seed ^ 0x9e3779b97f4a7c15u);
     std::vector<double> all(count, 1.0);
     for (const OnSample& on : samples_) {

@@ -13,9 +13,9 @@
 namespace pendular::dem {
 
 /// Grains of a sample in reduced units (mean grain diameter, mass of a grain of that diameter and
-/// imposed normal stress are 1). The numbers of one grain that the force loop reads are adjacent in
-/// memory (`motion`), and so are the numbers that
-/// it writes (`net_force`), so that a pair touches few cache lines.
+/// imposed normal stress are 1). The numbers of one grain that the force loop reads (`motion`) are
+/// adjacent in memory, and so are the numbers that it writes (`net_force`): a pair touches few
+/// cache lines.
 struct Grains {
     struct Motion {
         Vector position;  ///< centre; inside the cell when the neighbour list was built
@@ -64,7 +64,7 @@ struct Grains {
         return diameters.empty() ? 1.0 : 0.5 * (diameters[i] + diameters[j]);
     }
     /// Mean diameter, mean mass and arms (centre to contact point) of the pair of grains i and j,
-    /// from which the laws of contact and bridge compute.
+    /// which enter the laws of contact and bridge.
     PairSizes sizes(std::size_t i, std::size_t j) const {
         return diameters.empty() ? PairSizes{} : PairSizes::of(diameters[i], diameters[j]);
     }

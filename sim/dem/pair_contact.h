@@ -37,9 +37,10 @@ struct Xyz {
 /// Positions and velocities of two grains relative to each other, reduced units (grain diameter,
 /// mass and imposed normal stress are 1).
 struct PairMotion {
-    Xyz separation;        ///< vector from the first to the second centre
-    Xyz velocity;          ///< second centre's velocity less the first's, imposed flow excluded
-    Xyz angular_velocity;  ///< both grains' angular velocities, times their arms (PairSizes), added
+    Xyz separation;  ///< vector from the first to the second centre
+    Xyz velocity;  ///< velocity of the second centre minus that of the first, imposed flow excluded
+    Xyz angular_velocity;  ///< sum of the grains' angular velocities, each weighted with its arm
+                           ///< (PairSizes)
 };
 
 /// Geometry and relative velocities of a pair, imposed flow included, reduced units.
@@ -47,7 +48,8 @@ struct ContactKinematics {
     double distance;       ///< distance of the centres
     Xyz normal;            ///< unit vector from the first to the second centre
     double normal_speed;   ///< rate at which the distance of the centres grows
-    Xyz sliding_velocity;  ///< second surface's less the first's, at the contact point
+    Xyz sliding_velocity;  ///< velocity of the second surface minus that of the first, at the
+                           ///< contact point
     Xyz rotation_rate;     ///< angular velocity of the pair, including rotation about its normal
 
     [[gnu::always_inline]] static ContactKinematics of(const PairMotion& motion, const Flow& flow) {

@@ -23,7 +23,7 @@ struct PairNeeds {
 /// virial, largest overlap and energies of these pairs.
 ///
 /// Pairs are processed in batches through vector lanes. The instruction set is chosen at run time
-/// and does not change a bit of the result. Setting a need that the sample does not have does not
+/// and does not change a bit of the result. A need that is set without being necessary does not
 /// change the result either. The energies exclude forces and torques that an effect adds, and
 /// bridges whose force an effect changes.
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,

@@ -95,9 +95,9 @@ class PairList {
     /// by `affine_strain` [1], given the displacements that `grains` holds. When the wide list is
     /// renewed, the grains are wrapped into the cell and may be renumbered.
     void update(Grains& grains, Cell& cell, double affine_strain);
-    /// Renews the neighbour lists that are no longer valid, as the overload without
-    /// `largest_squared` does, for callers that know this largest squared peculiar displacement of
-    /// a grain since the narrow list was made [a^2].
+    /// Renews the neighbour lists that are no longer valid, for callers that already know
+    /// `largest_squared`: the largest squared peculiar displacement of a grain since the narrow
+    /// list was made [a^2].
     void update(Grains& grains, Cell& cell, double affine_strain, double largest_squared);
 
     /// Renews wide, narrow and distant list now, keeping the contact history of their pairs; wraps

@@ -8,12 +8,12 @@
 // Data of the force loop where it is split into two stages, between which effects change forces.
 namespace pendular::dem {
 
-/// Kinematics and forces of a batch of pairs between the two stages of the force loop, where
-/// effects on grains read and change them.
+/// Kinematics and forces of a batch of pairs between the two stages of the force loop; effects on
+/// grains read and change them there.
 struct alignas(64) Stages {
     XyzLanes normal, sliding_velocity;
     XyzLanes rotation_rate;  ///< angular velocity of the pair
-    XyzLanes rolling;        ///< angular velocity of the second grain less that of the first
+    XyzLanes rolling;        ///< angular velocity of the second grain minus that of the first
     XyzLanes own_torque;     ///< torque by effects on the second grain; opposite on the first
     Lane gap;                ///< gap between the surfaces; negative: overlap
     Lane distance, normal_speed, root, elastic, viscous, joined, capillary, stiffness,
@@ -47,7 +47,7 @@ struct alignas(64) Stages {
     }
 };
 
-/// Writes the angular velocity of the second grain less that of the first to `rolling`, for each
+/// Writes the angular velocity of the second grain minus that of the first to `rolling`, for each
 /// pair of the batch that starts at index `begin` of `pairs`.
 [[gnu::always_inline]] inline void gather_rolling(const Grains::Motion* motion, const Pairs& pairs,
                                                   std::size_t begin, XyzLanes& rolling) {

@@ -60,9 +60,9 @@ constexpr int physics_version = 1;
 /// far and the expected total strain [1].
 using Progress = std::function<void(double done, double expected)>;
 
-/// Callback that sees the states of a run: the sample, and the strain since the flow began [1]. It
-/// is called first when the flow begins or a checkpoint resumes the run, then at the end of every
-/// block of strain, about 0.02.
+/// Callback that receives the states of a run: the sample, and the strain since the flow began [1].
+/// It is called first when the flow begins or a checkpoint resumes the run, then at the end of
+/// every block of strain, about 0.02.
 using Observer = std::function<void(const ShearCell& sample, double strain)>;
 
 /// Options of a run besides its physical parameters: threads, callbacks, start and checkpoint.
@@ -86,7 +86,7 @@ constexpr int most_threads = 1024;
 constexpr double crystal_solid_fraction = 0.645;
 
 /// Localization (0: uniform shear, 1: infinitely thin shear band) above which a flow does not count
-/// as uniform [1]; Badetti et al. (2018) find less in every flow that they report.
+/// as uniform [1]; every flow that Badetti et al. (2018) report has a smaller value.
 constexpr double localised_above = 0.05;
 
 /// Simulates a sample in steady shear and returns its time averages over `parameters.strain`, or
@@ -101,7 +101,7 @@ constexpr double localised_above = 0.05;
 RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options = {});
 
-/// Solid fraction Phi of a run less the solid fraction that rigid grains would have [1], from the
+/// Solid fraction Phi of a run minus the solid fraction that rigid grains would have [1], from the
 /// mean overlap of contacts over the grain diameter a:
 ///     Phi - Phi (rigid) = 1.23 x 3 Phi <overlap>/a
 /// The factor 1.23 +- 0.15 was measured at stiffness numbers kappa between 300 and 4000 on dry

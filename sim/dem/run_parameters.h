@@ -45,8 +45,8 @@ struct RunParameters {
     /// Fingerprint of the run whose final state is the initial state of this run; 0: start from a
     /// random gas.
     std::uint64_t start = 0;
-    /// Standard errors: once all of them are reached, averaging may stop before `strain`; empty: it
-    /// never stops before.
+    /// Standard errors to reach: averaging may end before `strain` once all of them are reached.
+    /// Empty: averaging never ends before `strain`.
     std::vector<Precision> precision = {};
     /// Names of the effects on grains that act in the run, with parameter values in reduced units.
     /// A record only: the solver takes the effects as GrainEffects.

@@ -52,8 +52,8 @@ class ShearCell {
   public:
     /// Starts from a random gas of `count` grains, sheared at the rate `shear_rate` (the inertial
     /// number). Bridges form from the end of `compress` on. Each time step is divided among `parts`
-    /// threads; forces are summed part by part, so that runs with the
-    /// same number of parts agree bit for bit.
+    /// threads. Forces are summed part by part, so that runs with the same number of parts agree
+    /// bit for bit.
     /// @throws std::invalid_argument for fewer than 64 grains
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
@@ -120,7 +120,7 @@ class ShearCell {
     void serialize(Archive& archive) {
         archive(grains_, cell_, pairs_, flow_, stress_, motion_, servo_, bridging_, fraction_,
                 time_step_, strain_, largest_overlap_, recent_overlap_, steps_);
-        shares_made_at_ = 0;  // the shares belong to other lists
+        shares_made_at_ = 0;  // the shares were made for other lists
     }
 
   private:
@@ -132,7 +132,7 @@ class ShearCell {
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                         const PairLaws& laws, MotionSums* moved = nullptr);
     /// Adds to the net forces on the grains of thread `part` the forces that other threads summed
-    /// for these grains, and clears the latter.
+    /// for these grains, and sets the sums of the other threads to zero.
     void collect_net_forces(int part);
     std::vector<Grains::ForceAndTorque>& net_forces_of(int part);
     std::vector<Grains::ForceAndTorque> all_net_forces();

@@ -9,9 +9,9 @@
 namespace pendular::dem {
 
 /// Final state of a run in single precision, from which another run can start; only a checkpoint
-/// continues a run bit for bit. The contact history is not stored: it builds up again while
-/// contacts slide by about their overlap, a small part of any transient. Samples of
-/// unequal grains are not stored; `grains` is then empty.
+/// continues a run bit for bit. The contact history is not stored; it builds up again over a
+/// sliding distance of about one overlap, a small part of any transient. Samples of unequal grains
+/// are not stored; `grains` is then empty.
 struct StoredSample {
     Cell cell;
     std::vector<std::array<float, 9>> grains;  ///< position, peculiar velocity, angular velocity

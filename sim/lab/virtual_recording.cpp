@@ -74,7 +74,7 @@ struct Level {
     double torque, normal_force, height, angular_velocity, shear_rate;
 };
 
-/// Returns the state that an ideal instrument shows, without effects and noise.
+/// Returns the state that an ideal instrument, without effects and noise, shows.
 CellState as_it_is(const TrueState& state, const AnnularCell& cell, const GrainProperties& grains) {
     const Condition& c = state.condition;
     const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
@@ -96,7 +96,8 @@ Level level_of(const TrueState& state, const AnnularCell& cell, const GrainPrope
     const Condition& c = state.condition;
     const double rate = shear_rate_at(c.inertial_number, c.normal_stress, grains);
     const CellState shown = state.shown.value_or(as_it_is(state, cell, grains));
-    // In separate statements, since the order of random numbers is part of a recording.
+    // Separate statements fix the order in which random numbers are drawn, which determines the
+    // recording.
     const double of_torque = factor(state.stress_ratio, instrument.noise * torque_scatter, random);
     const double of_height =
         factor(state.solid_fraction, instrument.noise * solid_fraction_scatter, random);

@@ -24,8 +24,8 @@ namespace pendular {
 ///     inertial_number = [1e-3, 0.1]
 ///     logarithmic = ["inertial_number"]
 ///
-/// Keys of each table are numeric columns that determine a run (`reduced_pressure` makes the grains
-/// wet), as dimensionless numbers or arrays, effects on grains, as tables of their parameters, and
+/// The keys of each table are: inputs of a run, as dimensionless numbers or arrays
+/// (`reduced_pressure` makes the grains wet); effects on grains, as tables of their parameters; and
 /// `repeats`, the number of runs at each point that differ only in their seed. The seed of a run
 /// follows from the file's seed and the run's parameters, so that a campaign that is extended
 /// requests its earlier runs with their earlier seeds.

@@ -5,9 +5,9 @@
 namespace pendular {
 
 /// Purpose for which random numbers are drawn: runs of a calibration, noise of a virtual
-/// instrument, runs of a virtual laboratory, choice of the parameters of calibration runs. Each has
-/// its own seeds, so that a calibration never starts its runs from the same samples as the virtual
-/// measurement that it is tested on.
+/// instrument, runs of a virtual laboratory, choice of the parameters of calibration runs. Each
+/// purpose has its own seeds, so that a calibration never starts its runs from the same samples as
+/// the virtual measurement that it is tested on.
 enum class SeedDomain : std::uint64_t { calibration, instrument, virtual_lab, run_places };
 
 /// Returns the seed of run number `run`, a hash of the user's seed, this number and the purpose.

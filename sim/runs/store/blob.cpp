@@ -13,7 +13,7 @@ namespace {
 
 namespace io = boost::iostreams;
 
-/// Bytes that a filter makes of others.
+/// Bytes that result from passing other bytes through a filter.
 /// @param most largest number of bytes of the result
 /// @throws std::runtime_error for corrupt bytes, and for a result that is longer
 template <typename Filter>
@@ -37,7 +37,7 @@ std::string through(const Filter& filter, const std::string& bytes, std::size_t 
     return result;
 }
 
-constexpr std::size_t most_expansion = 100;  ///< states of grains compress to half or so
+constexpr std::size_t most_expansion = 100;  ///< states of grains compress to about half
 
 }  // namespace
 

@@ -22,10 +22,10 @@ struct StoredRun {
     dem::RunResult run;       ///< has trace and final state only from `get` and `nearest`
 };
 
-/// The store: the user's SQLite file of all runs that were carried out. The key of a run is all
-/// that determines it (`run_description` and the physics version), and no run is stored twice.
-/// Several processes and threads may read and write at once. Each run is added in one transaction,
-/// so that a process that is killed loses only the run that it was carrying out.
+/// The store: the user's SQLite file of all runs that were carried out. The key of a run contains
+/// everything that determines the run (`run_description` and the physics version), and no run is
+/// stored twice. Several processes and threads may read and write at once. Each run is added in one
+/// transaction, so that a process that is killed loses only the run that it was carrying out.
 ///
 /// The table `runs` has a column for each of `run_columns()`, so that any SQLite tool can query it.
 ///
@@ -65,8 +65,8 @@ class RunStore {
     /// added. An empty condition selects all runs.
     /// @throws InputError for a condition that SQLite does not understand
     std::vector<StoredRun> select(const std::string& condition = "") const;
-    /// Numbers (StoredRun::id) of the runs that satisfy a condition, as `select` has it. Runs that
-    /// cannot be read, since they are corrupt, count too.
+    /// Numbers (StoredRun::id) of the runs that satisfy an SQL condition on the columns (see
+    /// `select`), including corrupt runs, which cannot be read.
     /// @throws InputError for a condition that SQLite does not understand
     std::vector<std::int64_t> numbers(const std::string& condition) const;
     /// Returns the run with this number (StoredRun::id), including trace and final state.

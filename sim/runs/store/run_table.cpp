@@ -63,7 +63,7 @@ RunCell cell_of(const Table& table, const Row& row, std::size_t at, RunColumn::T
     }
 }
 
-/// Column of runs that a column of the file holds; null: the physics version.
+/// Quantity of a run that a column of the file holds; null: the physics version.
 using Meaning = const RunColumn*;
 
 std::vector<Meaning> meanings_of(const Table& table) {

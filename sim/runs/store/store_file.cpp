@@ -76,7 +76,8 @@ void make_table(SQLite::Database& database, const std::string& name) {
     transaction.commit();
 }
 
-/// Denies what a condition on runs needs not: tables that grow without end.
+/// Authorizer callback of SQLite that denies recursive queries, which may never end and which no
+/// condition on runs needs.
 int allow_no_recursion(void*, int action, const char*, const char*, const char*, const char*) {
     return action == SQLITE_RECURSIVE ? SQLITE_DENY : SQLITE_OK;
 }
@@ -92,13 +93,15 @@ void distrust(SQLite::Database& database) {
     sqlite3_set_authorizer(handle, allow_no_recursion, nullptr);
 }
 
-/// Whether a store can be written: the file, and its folder for the files of SQLite beside it.
+/// Whether a store can be written. SQLite must be able to write the file and, for the files that it
+/// puts beside it, the folder.
 bool can_be_written(const std::filesystem::path& file) {
     return access(file.c_str(), W_OK) == 0 && access(file.parent_path().c_str(), W_OK) == 0;
 }
 
-/// Name of a file for SQLite by which it is only read. Where nobody has it open, SQLite is told
-/// that nobody will, since it could not make the files by which readers and writers agree.
+/// URI with which SQLite opens a file for reading only. If no process has the file open, it is
+/// opened as immutable, since SQLite could not create the files that coordinate readers and
+/// writers.
 std::string read_only_uri(const std::filesystem::path& file) {
     std::string name;
     for (const unsigned char c : file.string()) {
@@ -176,7 +179,8 @@ std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& f
                       missing_columns(*database).empty();
     if (!made) make_table(*database, fmt::format("store {}", file.string()));
     if (writable) {
-        // Readers and one writer go side by side; a commit is on disk before it is reported.
+        // Readers and one writer can work at the same time; a commit is on the disk before it is
+        // reported.
         database->exec("PRAGMA journal_mode = WAL");
         database->exec("PRAGMA synchronous = FULL");
     }

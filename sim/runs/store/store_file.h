@@ -20,20 +20,19 @@ constexpr const char* store_in_memory = ":memory:";
 /// Opens the SQLite file of a store, which somebody else may have made: no code in its schema is
 /// run, neither views nor triggers nor functions.
 /// @param file absolute path, or `store_in_memory`
-/// @param must_exist whether a missing file is an error, and a file that cannot be written is
-/// opened
-///        for reading only; else a missing file is made, with its folder
+/// @param must_exist true: a missing file is an error, and a file that cannot be written is opened
+///         for reading only; false: a missing file is created, with its folder
 /// @throws InputError for a file that is no store, or of a newer version
 /// @throws SQLite::Exception
 std::unique_ptr<SQLite::Database> open_store_file(const std::filesystem::path& file,
                                                   bool must_exist);
 
-/// Throws the error for a user that an error of SQLite means: InputError where the file
-/// cannot be opened or is not a valid store, else std::runtime_error.
+/// Converts an error of SQLite to an error with advice for the user and throws it: InputError where
+/// the file cannot be opened or is not a valid store, else std::runtime_error.
 [[noreturn]] void explain(const std::filesystem::path& file, const SQLite::Exception& error);
 
-/// Device and number of a file, by which a file that replaced another is known; zeros where there
-/// is none.
+/// Device and inode number of a file, which tell whether another file has replaced it; zeros where
+/// the file does not exist.
 std::array<std::uint64_t, 2> identity_of(const std::filesystem::path& file);
 
 }  // namespace pendular
