@@ -24,24 +24,27 @@ namespace pendular::app {
 namespace {
 
 const char* const about_add =
-    R"(Adds an effect to the list in the study's study.toml (its comments and layout stay), fits the
-study with it and reports the error before and after: chi2, the RMS error, and the RMS error at
-conditions left out of the fit one after the other, which must fall too. The parameters follow,
-before and after, with their change.
+    R"(Adds an effect to the list of effects in study.toml, whose comments and layout are kept, and fits
+the study with the effect. Reports the error before and after the change: chi2, the RMS error, and
+the RMS error in cross-validation (each condition predicted by a fit to the others), which should
+fall too. Reports the fitted parameters before and after the change.
 )";
 
 const char* const about_drop =
-    R"(Takes an effect out of the list in the study's study.toml (its comments and layout stay), fits
-the study without it and reports the error and the parameters before and after.
+    R"(Removes an effect from the list of effects in study.toml, whose comments and layout are kept, and
+fits the study without the effect. Reports the error and the fitted parameters before and after the
+change.
 )";
 
 const char* const about_both =
     R"(
-Writes fit.json, ladder.json, which keeps every step, and the figure 'ladder' to the results folder.
-The study's file is changed last; where the fit does not converge, or is interrupted, it stays as it was.
+Writes fit.json, ladder.json (the sequence of the study's models) and the figure 'ladder' to the
+results folder. study.toml is changed last; it remains unchanged if the fit does not converge or is
+interrupted.
 
-The fit is emulated from the atlas and all stored runs, at the fidelity of the study's earlier fit;
-no simulation is made unless --confirm is given. 'pendular effects' lists the effects there are.)";
+An emulator trained on the atlas and all stored runs predicts the readings, at the fidelity of the
+study's earlier fit. No simulation is made unless --confirm is given. 'pendular effects' lists the
+known effects.)";
 
 struct AddOptions {
     FitOptions fit;
@@ -110,7 +113,7 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
             "Before the change {}, after it {}.",
             all_fitted(before.calibration) ? "all readings were fitted together"
                                            : "the dry readings alone were fitted",
-            all_fitted(after.calibration) ? "all readings together" : "the dry ones alone"));
+            all_fitted(after.calibration) ? "all readings together" : "the dry readings alone"));
     }
     if (change.change == Action::drop &&
         change.study.catalogue().is_written(change.study.catalogue().find(change.effect))) {
@@ -128,7 +131,7 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
         }
         console.line(fmt::format(
             "In the last diagnosis, other effects explained the readings as well as {}: {}. "
-            "'pendular diagnose' and 'pendular next' go on comparing them.",
+            "'pendular diagnose' and 'pendular next' continue to compare these models.",
             change.effect, fmt::join(names, ", ")));
     }
     if (!before.calibration.fit.converged) {

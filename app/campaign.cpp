@@ -87,8 +87,7 @@ std::optional<double> estimate_duration(const Survey& found, const RunStore& sto
         return seconds;
     }
     console.line(fmt::format(
-        "Estimated duration of the {} runs to do: about {} on {} thread{}, from "
-        "{}.",
+        "Estimated duration of the {} remaining runs: about {} on {} thread{}, from {}.",
         found.missing.size(), duration(*seconds), threads, threads == 1 ? "" : "s", source));
     return seconds;
 }
@@ -99,7 +98,7 @@ void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOption
     const bool there = std::filesystem::exists(common.store);
     const RunStore store(there ? common.store : std::filesystem::path(RunStore::in_memory), there);
     const Survey found = survey(runs, store);
-    console.answer(fmt::format("{} of {} runs are in {}, {} are to do.",
+    console.answer(fmt::format("{} of {} runs are in {}; {} remain to be done.",
                                runs.size() - found.missing.size(), runs.size(),
                                common.store.string(), found.missing.size()));
     const auto seconds = estimate_duration(found, store, common.threads, console);
@@ -140,10 +139,8 @@ int campaign(const std::vector<std::string>& arguments) {
     Options options(
         "campaign FILE [options]",
         "Carries out the runs of a campaign file (grids, lists, Sobol fillings), the longest "
-        "first, and keeps\n"
-        "each in the store as it ends. The same command goes on where an earlier one was stopped; "
-        "runs that\n"
-        "are in the store are not repeated.",
+        "first, and keeps\neach in the store as it ends. The same command resumes a stopped "
+        "campaign; runs that are in the\nstore are not repeated.",
         "  pendular campaign sim/atlas/campaign.toml\n"
         "  mpirun -n 9 pendular campaign my.toml        # one manages, eight work\n"
         "  pendular campaign my.toml --shard 2/8 --store part-2.sqlite   # one of eight machines\n"
@@ -152,10 +149,12 @@ int campaign(const std::vector<std::string>& arguments) {
         true);
     options.set_out("not used by this command");
     std::string shard;
-    options.add("shard", &shard, "i/n: only the i-th of n shares of equal cost (a Slurm array)");
+    options.add("shard", &shard,
+                "i/n: carry out only the i-th of n shares of equal cost (for a Slurm array)");
     bool dry_run = false;
-    options.add_switch("dry-run", &dry_run,
-                       "print which runs are to do and how long they will take; write nothing");
+    options.add_switch(
+        "dry-run", &dry_run,
+        "print the number of remaining runs and their expected duration; write nothing");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

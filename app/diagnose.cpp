@@ -38,23 +38,25 @@ const char* const about_diagnose =
     R"(Tests whether the study's model is complete and, if not, which physical effects explain the
 residuals. The command fits all readings jointly, tests the residuals for every effect that applies,
 refits with the likely effects, and keeps the smallest models that fit. Verdicts:
-  nothing-missing       the model describes the readings
-  inconclusive          no effect is missing as far as seen, but some would stay unseen
+  nothing-missing       the model describes the readings, and no effect that they can reveal is missing
+  inconclusive          the model describes the readings, but some effects might not be revealed
   missing               one effect, or one set of effects, explains the residuals, or most of them
   indistinguishable     several effects explain the residuals equally well
   suspect-measurement   an error in one condition or file explains the residuals
   unknown               something is missing, and no known effect explains it
-Where no known effect explains all, changes of unknown cause are tried: every quantity of the
-instrument, the flow, the beads and the liquid, along every quantity of the readings. Those that
-explain the readings are written to proposed.toml as [[effect]] tables; 'add --proposed 1' adds one.
-Decisions on an effect: missing; may be missing (one of several); does not explain it (adding it
-leaves a misfit); no sign of it; absent (any size of interest would show); cannot be excluded (a size
-of interest might not show); cannot be seen (no size within its bounds would show).
+If no known effect explains the residuals, the command tries changes of unknown cause: each quantity
+of the instrument, the flow, the beads and the liquid may change with each quantity that varies
+between the readings. Changes that explain the readings are written to proposed.toml as [[effect]]
+tables; 'add --proposed 1' adds the first one.
+Decisions on an effect: missing; may be missing (one of several); does not explain it (adding the
+effect leaves a misfit); no sign of it; absent (the readings would reveal any size of interest);
+cannot be excluded (the readings might not reveal a size of interest); cannot be seen (the readings
+would reveal no size within its bounds).
 An emulator predicts the readings from the atlas and all stored runs. No simulation is made unless
---confirm is given: then the runs that sharpen the models in the running most are simulated, and the
-diagnosis is repeated with them, until the verdict stays the same, the runs agree with the emulator
-and their noise enlarges no error by more than a fifth, or until the time is over. All runs are kept;
-after Ctrl-C the same command continues with them.)";
+--confirm is given. With --confirm, the command simulates the runs that reduce the errors of the best
+models most, and repeats the diagnosis with them. It ends when the verdict stays the same, the runs
+agree with the emulator and their noise enlarges no error by more than a fifth, or when the time is
+over. All runs are kept; after Ctrl-C the same command continues with them.)";
 
 /// Time for --confirm without a number [min].
 constexpr double usual_minutes = 5;
@@ -67,7 +69,9 @@ std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
                            doubts, doubts == 1 ? "" : "s");
     }
     const bool said = d.diagnosis.verdict == Verdict::suspect_measurement;
-    return measurements.doubts.empty() || said ? "" : " The readings are in doubt, as said below.";
+    return measurements.doubts.empty() || said
+               ? ""
+               : " There are doubts about the readings, which are listed below.";
 }
 
 /// Sentence on the simulations that confirmed the verdict.
@@ -90,13 +94,13 @@ std::string confirmation_line(const Confirmation& confirmed) {
 /// Sentence on how often the verdict would come again.
 std::string repeated_line(const Repeated& repeated) {
     return fmt::format(
-        "If the experiment were repeated, this verdict would come again in about {:.0f} of 100 "
-        "cases ({} of {} drawn repetitions).",
+        "If the experiment were repeated, the diagnosis would give the same verdict in about "
+        "{:.0f} of 100 cases ({} of {} simulated repetitions).",
         100 * static_cast<double>(repeated.same) / static_cast<double>(repeated.of), repeated.same,
         repeated.of);
 }
 
-/// Prints what the verdict is based on, and what follows from it.
+/// Prints the evidence for the verdict and the advice that follows from it.
 void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& checks,
                     const Session& session) {
     const Diagnosis& diagnosis = d.diagnosis;
@@ -110,7 +114,7 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
         !line.empty()) {
         console.line(line);
     }
-    // Where effects explain the whole misfit, readings deviate because of them.
+    // If the named effects explain the whole misfit, the readings deviate because of these effects.
     const bool explained = diagnosis.verdict == Verdict::missing && diagnosis.complete;
     if (const std::string suspects = suspects_line(diagnosis, d.evidence);
         !suspects.empty() && (!explained || console.all())) {
@@ -124,7 +128,8 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
             console.line(line);
         }
     }
-    // A change that explains the readings leaves nothing for a smooth error of the model.
+    // If a proposed change explains the readings, no smooth error of the model remains to be
+    // reported.
     if (d.proposals.empty() || !d.proposals.front().fits()) {
         if (const std::string line =
                 discrepancy_line(remaining_discrepancy(d, session.study().model.discrepancy[0]));
@@ -140,11 +145,11 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
         console.line(line);
     }
     if (measurements.doubts.empty() && !d.mistake) {
-        console.line(fmt::format("The verdict rests on {}.", error_basis(measurements)));
+        console.line(fmt::format("The verdict is based on {}.", error_basis(measurements)));
     }
 }
 
-/// Prints what effects and errors of measurement do to the fitted friction.
+/// Prints the shifts of the fitted friction by effects and errors of measurement.
 void print_impacts(Console& console, const ImpactTable& impacts, const Diagnosis& diagnosis) {
     for (const std::string& line : impact_lines(impacts, diagnosis)) {
         console.line(line);
@@ -172,11 +177,10 @@ void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& 
                         diagnosis.fit.message, study));
     }
     for (const std::string& why : models.why_unsupported(diagnosis.fit.parameters(0))) {
-        console.note(
-            fmt::format("The known runs do not support a part of the readings: {}. What seems "
-                        "missing there may be the emulator's own error. To simulate there: "
-                        "pendular calibrate {}",
-                        why, study));
+        console.note(fmt::format(
+            "The known runs do not support a part of the readings: {}. A misfit of these readings "
+            "may be an error of the emulator. To simulate their states: pendular calibrate {}",
+            why, study));
     }
 }
 
@@ -242,10 +246,9 @@ int diagnose(const std::vector<std::string>& arguments) {
     options.add_time("confirm", &confirming, usual_minutes,
                      "confirm the verdict by simulations for MINUTES at most");
     std::size_t repetitions = 0;
-    options.add(
-        "repetitions", &repetitions,
-        "number of repetitions of the experiment to draw, such as 100, to state how often the "
-        "verdict would come again (default 0: none)");
+    options.add("repetitions", &repetitions,
+                "number of repetitions of the experiment to simulate, such as 100, to state how "
+                "often the verdict would be the same (default 0: none)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

@@ -22,9 +22,10 @@ namespace pendular::app {
 namespace {
 
 const char* const about_effects =
-    R"(Lists the physical effects that a model may lack, of the instrument, the beads, the liquid and
-the forces between grains; with a name, describes one effect in full. A study lists its effects in
-[model], effects = ["torque-offset"]. It may also write effects of its own, which --study shows:
+    R"(Lists the physical effects that a model may lack: effects of the instrument, the beads, the liquid
+and the forces between grains. With a name, describes one effect in full. A study lists its effects
+in [model], effects = ["torque-offset"]. A study may also define effects by formulas, which the
+option --study shows:
 
   [[effect]]
   name = "speed-drag"                         # lower-case words joined by hyphens
@@ -32,13 +33,13 @@ the forces between grains; with a name, describes one effect in full. A study li
   unit = "mN m s/rad"
   lower = -1
   upper = 1
-  torque = "torque + drag*angular_velocity"   # shown torque, from the true one
+  torque = "torque + drag*angular_velocity"   # shown torque from the true torque
 
 Optional keys: neutral (value at which the effect vanishes, default 0), matters (smallest effect of
 interest, default a tenth of the range), summary. A formula sets a quantity that the instrument
-shows: torque, normal_force, height or angular_velocity; or one of the flow: stress_ratio or
-solid_fraction; or a property of the beads and their liquid: friction_difference (from the
-fitted friction) or surface_tension. A formula may use the parameter and, in SI units,
+shows (torque, normal_force, height or angular_velocity), a quantity of the flow (stress_ratio or
+solid_fraction), or a property of the beads and their liquid (friction_difference from the fitted
+friction, or surface_tension). A formula may contain the parameter and, in SI units,
   on the instrument  torque, normal_force, height, angular_velocity, liquid_content, bead_volume,
                      time, inner_radius, outer_radius, density, diameter, normal_stress
   on the flow        stress_ratio, solid_fraction, normal_stress, inertial_number, liquid_content,
@@ -171,7 +172,8 @@ int effects(const std::vector<std::string>& arguments) {
     std::string study_path, manual;
     options.take(&words);
     options.add("study", &study_path,
-                "study whose own effects are shown too; says which effects apply to it");
+                "study whose own effects are listed too; the list then says whether each effect "
+                "applies to it");
     options.add("manual", &manual, "folder for a manual of all effects: Markdown and figures");
     const auto common = options.parse(arguments);
     if (!common) {

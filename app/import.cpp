@@ -25,8 +25,8 @@ std::string set_aside_text(const Measurements& measurements) {
                : fmt::format(", among them the rows of {} doubt{}", count, count == 1 ? "" : "s");
 }
 
-/// Heading and sentences on what the rows of the recordings show besides the steady means; empty
-/// for nothing. Saturations are left out without `all`, since doubts name them.
+/// Heading and sentences on the findings inside the recordings; empty if there are none.
+/// Saturations are left out without `all`, since doubts name them.
 std::vector<std::string> findings_lines(std::vector<RecordingFinding> findings, bool all) {
     if (!all) {
         std::erase_if(findings, [](const RecordingFinding& each) {
@@ -50,12 +50,11 @@ int import(const std::vector<std::string>& arguments) {
         "fraction of each steady\n"
         "step, with standard errors. Writes readings.csv and excluded.csv to the "
         "results folder;\n"
-        "excluded.csv lists each range of rows that was left out, with the reason. Says "
-        "what the rows show\n"
-        "besides their means, such as a saturated torque or a lid that wobbles.\n"
-        "\n"
-        "Of a single FILE, which an instrument exported, says what it is understood as: layout, "
-        "encoding,\n"
+        "excluded.csv lists each range of rows that was left out, with the reason. "
+        "Reports findings\n"
+        "in the rows, such as a saturated torque or a lid that wobbles.\n\n"
+        "For a single FILE, exported by an instrument, prints how the file is understood: "
+        "layout, encoding,\n"
         "columns with units, intervals with roles, checks, points of failure.",
         "  pendular import examples/dry-recordings\n"
         "  pendular import my-study --json -\n"

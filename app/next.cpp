@@ -1,4 +1,4 @@
-// `pendular next`: plans the measurement that tells most.
+// `pendular next`: plans the most informative next measurement.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -17,12 +17,13 @@ namespace pendular::app {
 namespace {
 
 const char* const about_next =
-    R"(Plans the next measurement. The command diagnoses the study. Where several models explain the
-readings equally well, it searches all settings of the rig for the condition at which the models
-differ most beyond their errors, and states how many readings tell them apart. Where no single
-condition does, it combines several, or states that the rig cannot tell the models apart. Where one
-model fits, it finds the condition that makes its parameters most precise. The section [rig] of
-study.toml lists the settings; without it, the plan stays within the range of the readings:
+    R"(Diagnoses the study and plans the next measurement. If several models explain the readings equally
+well, the command searches the settings of the rig for the condition at which the predictions differ
+most beyond their errors, and states how many readings tell the models apart. If no single condition
+tells them apart, it combines several conditions, or states that the rig cannot tell the models
+apart. If only one model fits, it finds the condition that makes the parameters of the model most
+precise. The section [rig] of study.toml lists the settings; without this section, the plan stays
+within the range of the readings:
 
   [rig]
   normal_stress = ["0.1 kPa", "5 kPa"]
@@ -31,13 +32,13 @@ study.toml lists the settings; without it, the plan stays within the range of th
   bead_mass = ["30 g", "60 g"]            # fillings of the cell
   repeats = 5                             # largest number of readings at one condition (default 5)
   readings = 12                           # largest number at several conditions together (default 12)
-  wet_cost = 2                            # cost of a wet reading, in dry readings (default 1)
+  wet_cost = 2                            # cost of a wet reading over that of a dry one (default 1)
   filling_cost = 3                        # cost of another filling (default 0)
   wait = ["0 h", "4 h"]                   # waiting time after the last reading (default 0)
   hour_cost = 0.5                         # cost of an hour of waiting (default 1)
 
-  [[rig.direct]]                          # an effect that can be measured by itself,
-  effect = "torque-offset"                # as a drag by the torque of the empty cell
+  [[rig.direct]]                          # an effect that can be measured directly,
+  effect = "torque-offset"                # such as drag, by the torque of the empty cell
   error = "0.05 mN m"                     # standard error of one such measurement
   cost = 0.5                              # (default 1)
 
@@ -76,10 +77,10 @@ int next(const std::vector<std::string>& arguments) {
     }
     if (d.diagnosis.verdict == Verdict::unknown ||
         d.diagnosis.verdict == Verdict::suspect_measurement) {
-        console.note(fmt::format(
-            "The verdict of the diagnosis is {}: sharper parameters do not change it. For details: "
-            "pendular diagnose {}",
-            to_string(d.diagnosis.verdict), common->study.string()));
+        console.note(
+            fmt::format("The verdict of the diagnosis is {}: more precise parameters do not change "
+                        "it. For details: pendular diagnose {}",
+                        to_string(d.diagnosis.verdict), common->study.string()));
     }
     if (!session->study().rig) {
         console.note(

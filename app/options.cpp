@@ -72,10 +72,9 @@ void demand_table(const std::filesystem::path& file, const std::string& first) {
     std::string begin(first.size(), '\0');
     std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
     if (begin != first) {
-        throw InputError(
-            fmt::format("{} holds something else than such a table; nothing was "
-                        "written: name another file",
-                        file.string()));
+        throw InputError(fmt::format(
+            "{} holds something other than such a table; nothing was written: name another file",
+            file.string()));
     }
 }
 
@@ -122,8 +121,8 @@ void demand_json(const std::filesystem::path& file, const std::string& option) {
     const auto first = first_character(file);
     if (first && *first != '{' && *first != '[') {
         throw InputError(
-            fmt::format("{} {}: that file holds something else than JSON; nothing was "
-                        "written: name another file",
+            fmt::format("{} {}: that file holds something other than JSON; nothing was written: "
+                        "name another file",
                         option, file.string()));
     }
 }

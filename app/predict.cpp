@@ -93,9 +93,9 @@ void simulate_one(const RequestedState& requested, const StatePredictor& predict
     console.json(simulated_state_json(wanted, run));
 }
 
-/// Prints what the formulas of Badetti et al. (2018) give for the predicted state.
+/// Prints the values that the formulas of Badetti et al. (2018) give for the predicted state.
 void print_closures(const closures::ClosureValues& values, Console& console) {
-    console.line("By the formulas of Badetti et al. (2018), from these values:");
+    console.line("Values by the formulas of Badetti et al. (2018), from these predictions:");
     const std::pair<const char*, double> rows[] = {
         {"stress ratio of dry grains", values.dry_stress_ratio},
         {"stress ratio of contact forces", values.contact_stress_ratio},
@@ -143,11 +143,12 @@ std::string spoken(std::string name) {
 /// Prints a note on the part of a curve that is left out, since the known runs do not support it.
 void note_left_out(const PredictionCurve& curve, int points, Console& console) {
     if (curve.left_out > 0) {
-        console.note(fmt::format(
-            "{} of {} states are left out, since the known runs do not support them ({}). Kept is "
-            "{} {:.4g} to {:.4g}. 'pendular simulate' and 'pendular campaign' extend the range.",
-            curve.left_out, points, curve.why_left_out, spoken(curve.variable), curve.at.front(),
-            curve.at.back()));
+        console.note(
+            fmt::format("{} of {} states are left out, since the known runs do not support them "
+                        "({}). The curve covers {} {:.4g} to {:.4g}. 'pendular simulate' and "
+                        "'pendular campaign' extend the range.",
+                        curve.left_out, points, curve.why_left_out, spoken(curve.variable),
+                        curve.at.front(), curve.at.back()));
     }
 }
 
@@ -173,11 +174,9 @@ int predict(const std::vector<std::string>& arguments) {
         "Predicts the observables of steady shear at once, with standard errors, "
         "from the runs of the\n"
         "atlas and of the store. Refuses a state that these runs do not support: outside of their "
-        "convex hull,\n"
-        "with a standard error above 15 % of the stress ratio or 2 % of the solid fraction, or "
-        "with "
-        "values that\n"
-        "no flow has. With --along, a curve as CSV and figure, as far as it is supported.",
+        "convex hull,\nwith a standard error above 15 % of the stress ratio or 2 % of the solid "
+        "fraction, or with impossible\nvalues. With --along, writes a curve as CSV and figure, as "
+        "far as the runs support it.",
         "  pendular predict --friction 0.09\n"
         "  pendular predict --friction 0.09 --reduced-pressure 1 --liquid-content 0.03\n"
         "  pendular predict --reduced-pressure 3 --bridge-volume 0.004 --json -\n"
@@ -194,19 +193,20 @@ int predict(const std::vector<std::string>& arguments) {
                 "shear rate times sqrt(m/(a s22)) [1] (default 0, the quasi-static limit)");
     options.add("reduced-pressure", &pressure, "P* = a^2 s22/F0 of wet beads [1] (default: dry)");
     options.add("bridge-volume", &volume, "volume of a liquid bridge over a^3 [1]");
-    options.add("liquid-content", &content, "liquid volume over bead volume [1], instead of that");
+    options.add("liquid-content", &content,
+                "liquid volume over bead volume [1], instead of --bridge-volume");
     options.add(
         "stiffness-number", &stiffness_number,
         "stiffness number (E/(1 - nu^2)/s22)^(2/3) of the contacts [1], for which the solid "
         "fraction is predicted (default: the fidelity's)");
     std::string along;
     int points = 60;
-    options.add("along", &along, "NAME=FROM:TO of the one number to vary");
-    options.add("points", &points, "states along it (default 60)");
+    options.add("along", &along, "NAME=FROM:TO: quantity to vary, with its first and last value");
+    options.add("points", &points, "number of states along the curve (default 60)");
     bool simulate = false;
     options.add_switch("simulate", &simulate,
-                       "where the known runs do not support the state, simulate it at the "
-                       "--fidelity, keep the run in the store and answer from it");
+                       "if the known runs do not support the state, simulate it at the --fidelity, "
+                       "keep the run in the store and print its averages");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

@@ -26,19 +26,19 @@ const std::vector<Group> groups = {
        import},
       {"calibrate", "fit the intergranular friction to the dry readings, predict the wet ones",
        calibrate},
-      {"compare", "put model and measurement side by side: misfit and figures", compare}}},
+      {"compare", "compare model and measurement: misfit and figures", compare}}},
     {"Find the missing physical effect",
      {{"diagnose", "test which physical effect is missing from the model", diagnose},
-      {"next", "plan the measurement that tells most", next},
-      {"add", "add an effect to the model; error before and after", add},
-      {"drop", "remove an effect from the model; error before and after", drop},
+      {"next", "plan the most informative next measurement", next},
+      {"add", "add an effect to the model, show the error before and after", add},
+      {"drop", "remove an effect from the model, show the error before and after", drop},
       {"effects", "list the known effects, or describe one", effects}}},
     {"Simulate",
      {{"predict", "predict a state of steady shear at once from known runs, with errors", predict},
       {"simulate", "shear one sample of grains by the discrete-element method", simulate},
       {"campaign", "simulate many states; resumable, also on a cluster", campaign},
       {"runs", "list, compare, plot, export, import, merge and prune stored runs", runs},
-      {"virtual-lab", "write recordings of an instrument with a hidden truth", virtual_lab},
+      {"virtual-lab", "simulate recordings of an instrument with hidden effects", virtual_lab},
       {"reproduce", "compare the simulations with a published study, figures included",
        reproduce}}}};
 
@@ -98,7 +98,7 @@ int run_command(const std::vector<std::string>& arguments) {
 }  // namespace
 
 int run_program(const std::vector<std::string>& arguments) {
-    // Ceres logs what goes wrong inside of a fit; users read messages of commands.
+    // Ceres logs problems inside a fit; the user is to read only the messages of commands.
     FLAGS_minloglevel = google::GLOG_FATAL;
     const int code = run_command(arguments);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

@@ -34,17 +34,19 @@ double positive(const std::string& words, const char* unit, const std::string& o
 RunEffects::RunEffects(Options& options, const std::vector<std::string>& arguments)
     : options_([&]() -> EffectOptions {
           options.begin_section("Scale of effects that have parameters in SI units");
-          options.add("diameter", &diameter_, "of the beads, with its unit (default 500 um)");
-          options.add("density", &density_, "of the beads, with its unit (default 1050 kg/m^3)");
+          options.add("diameter", &diameter_,
+                      "diameter of the beads, with its unit (default 500 um)");
+          options.add("density", &density_,
+                      "density of the beads, with its unit (default 1050 kg/m^3)");
           options.add("normal-stress", &normal_stress_,
-                      "of dry beads, with its unit (default 1 kPa); that of wet ones is P* pi "
-                      "Gamma/a");
+                      "normal stress on dry beads, with its unit (default 1 kPa); on wet beads it "
+                      "is P* pi Gamma/a");
           options.add("surface-tension", &surface_tension_,
-                      "Gamma of the liquid of wet beads, with its unit (default 20.6 mN/m)");
-          return {
-              options, arguments,
-              "Effects on beads and liquid (numbers with their unit, or plain in the one named)",
-              why_no_run_has};
+                      "surface tension Gamma of the liquid, with its unit (default 20.6 mN/m)");
+          return {options, arguments,
+                  "Effects on beads and liquid (values with a unit, or numbers in the unit in "
+                  "brackets)",
+                  why_no_run_has};
       }()) {}
 
 void RunEffects::read_scale(const dem::RunParameters& run, const Options& options) {

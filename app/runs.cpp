@@ -315,17 +315,15 @@ int runs(const std::vector<std::string>& arguments) {
         "runs list|show|compare|plot|export|import|merge|prune|learn [words] [options]",
         "Lists, shows, compares, draws, exports, adds and removes runs of the store.\n"
         "  list              one line per run\n"
-        "  show ID...        one run in full; with --out, a figure of its course\n"
+        "  show ID...        one run in full; with --out, a figure of its time series\n"
         "  compare ID ID     two runs side by side\n"
         "  plot              a figure of one column against another, in the folder --out\n"
         "  export FILE.csv   write the runs as a table\n"
         "  import FILE.csv   add the runs of such a table\n"
         "  merge STORE...    add the runs of other stores\n"
-        "  prune             remove the runs of --where\n"
-        "  learn FILE.csv    fit the emulator's hyperparameters; as emulator.csv beside an atlas "
-        "they "
-        "spare\n"
-        "                    other commands the fit",
+        "  prune             remove the runs that --where selects\n"
+        "  learn FILE.csv    fit the emulator's hyperparameters; other commands use them from "
+        "emulator.csv\n                    beside the atlas",
         "  pendular runs list --where \"friction = 0.09 AND reduced_pressure IS NULL\"\n"
         "  pendular runs list --atlas\n"
         "  pendular runs list --where \"effects IS NULL\"\n"
@@ -337,8 +335,8 @@ int runs(const std::vector<std::string>& arguments) {
     options.set_out("folder for figures (default: here)");
     options.add("where", &request.condition,
                 "only runs for which this SQL condition on the columns holds");
-    options.add("x", &request.x, "column along the plot (default inertial_number)");
-    options.add("y", &request.y, "column up the plot (default stress_ratio)");
+    options.add("x", &request.x, "column on the x axis of the plot (default inertial_number)");
+    options.add("y", &request.y, "column on the y axis of the plot (default stress_ratio)");
     options.add_switch("atlas", &request.atlas, "the runs that come with pendular, not the store");
     options.add_switch("yes", &request.yes, "remove without asking");
     const auto common = options.parse(arguments);

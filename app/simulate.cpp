@@ -313,8 +313,8 @@ int simulate(const std::vector<std::string>& arguments) {
         "Shears a random sample of monosized beads, dry or joined by liquid bridges, at "
         "constant normal\n"
         "stress until it is steady, and prints time averages with standard errors. "
-        "Numbers are raw: at the\n"
-        "stiffness number simulated. Physical effects make the beads or the liquid others.",
+        "Results hold for the\nsimulated stiffness number, without correction. Options "
+        "--EFFECT.PARAMETER add physical effects.",
         "  pendular simulate --friction 0.09 --inertial-number 0.003\n"
         "  pendular simulate --reduced-pressure 3 --bridge-volume 0.002\n"
         "  pendular simulate --fidelity quick --friction 0.3 --json run.json\n"
@@ -324,8 +324,7 @@ int simulate(const std::vector<std::string>& arguments) {
         "  pendular simulate --normal-stress \"3 kPa\" " +
             example_of_run() + "\n",
         false);
-    options.set_threads(1,
-                        "threads of this one run; it is the same for the same number of threads");
+    options.set_threads(1, "threads of this run; equal numbers of threads give identical results");
     options.set_out(
         "folder for run.json, profiles and distributions as CSV and figures, and snapshots "
         "(default: no files)");
@@ -353,18 +352,17 @@ int simulate(const std::vector<std::string>& arguments) {
     options.add("bridge-volume", &wetting.bridge_volume,
                 "volume of a liquid bridge over a^3 [1] (default 0.002)");
     options.add("bridge-force", &bridge_force,
-                "form of the bridge force: derived (default) or as_printed");
+                "formula of the bridge force: derived (default) or as_printed");
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random initial state (default 1)");
     Extras extras;
-    options.add(
-        "start", &extras.start,
-        "stored run whose final state to start from in place of a random one, by number, or "
-        "'nearest' (a random one where the store has none): shortens the transient");
+    options.add("start", &extras.start,
+                "number of the stored run whose final state is the initial state, or 'nearest' "
+                "(random if the store has no run): shortens the transient");
     options.add("snapshot-every", &extras.snapshot_every,
                 "strain between snapshots for OVITO and ParaView in the folder of --out [1]");
     options.add("checkpoint", &extras.checkpoint,
-                "file in which the run is kept while it goes on; the same command resumes it");
+                "file for the state of the running simulation; the same command resumes the run");
     options.add("checkpoint-every", &extras.checkpoint_minutes,
                 "time between checkpoints [min] (default 10)");
     RunEffects effects(options, arguments);

@@ -28,10 +28,8 @@ std::int64_t run_number(const std::string& word) {
     std::int64_t id = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
     if (error != std::errc() || end != word.data() + word.size()) {
-        throw InputError(
-            fmt::format("'{}' is no number of a run; 'pendular runs list' shows those "
-                        "there are",
-                        word));
+        throw InputError(fmt::format(
+            "'{}' is no number of a run; 'pendular runs list' lists the stored runs", word));
     }
     return id;
 }

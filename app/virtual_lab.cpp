@@ -108,27 +108,30 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
 
 void declare(Options& options, LabPlan& plan, Words& words) {
     options.add("friction", &plan.friction,
-                "the hidden intergranular friction coefficient [1] (default 0.09)");
+                "hidden intergranular friction coefficient [1] (default 0.09)");
     options.add(
         "noise", &plan.instrument.noise,
         "factor on the scatter of a step's means [1]; 1 (default): 1 % in torque and 0.2 % in "
         "solid fraction");
     options.add("drift", &plan.instrument.drift,
-                "of torque and solid fraction over a recording, in the same units (default 0)");
+                "standard deviation of the drift of torque and solid fraction over a recording, in "
+                "the same unit as --noise (default 0)");
     options.add("dry-normal-stresses", &words.dry_normal_stresses,
-                "with their unit (default \"0.3, 1, 3 kPa\")");
+                "normal stresses of dry recordings, with a unit (default \"0.3, 1, 3 kPa\")");
     options.add("wet-normal-stresses", &words.wet_normal_stresses,
-                "with their unit (default \"0.3, 0.6, 1, 3 kPa\")");
+                "normal stresses of wet recordings, with a unit (default \"0.3, 0.6, 1, 3 kPa\")");
     options.add("liquid-contents", &words.liquid_contents,
-                "liquid over bead volume [1] (default \"0.007, 0.03\")");
+                "liquid volume over bead volume [1] (default \"0.007, 0.03\")");
     options.add("inertial-numbers", &words.inertial_numbers,
                 "shear rate times sqrt(m/(a s22)) [1] (default \"0.003, 0.03\")");
-    options.add("replicates", &plan.replicates, "recordings of each liquid content (default 2)");
-    options.add("rows", &plan.instrument.rows, "samples recorded of each step (default 400)");
+    options.add("replicates", &plan.replicates,
+                "number of recordings of each liquid content (default 2)");
+    options.add("rows", &plan.instrument.rows,
+                "number of recorded rows of each step (default 400)");
     options.add("bead-mass", &words.bead_mass,
                 "mass of beads in the cell, with its unit (default \"60 g\")");
     options.add("surface-tension", &words.surface_tension,
-                "of the liquid, with its unit (default \"20.6 mN/m\")");
+                "surface tension of the liquid, with its unit (default \"20.6 mN/m\")");
 }
 
 std::string examples() {
@@ -153,15 +156,12 @@ int virtual_lab(const std::vector<std::string>& arguments) {
     Words words;
     Options options(
         "virtual-lab OUT [options]",
-        "Writes a study to the new folder OUT as an annular cell with a hidden truth would have "
-        "recorded it,\n"
-        "from simulations that no calibration makes: recordings, study.toml, and truth.json, which "
-        "the program\n"
-        "never reads. Beads of 500 um and 1050 kg/m^3 in a cell of 21 and 45 mm, contact angle 0, "
-        "no weight,\n"
-        "unless hidden effects make it otherwise: the study lists none, and its set points are "
-        "what "
-        "the\n"
+        "Simulates recordings of an annular cell whose friction and effects are known, and writes "
+        "them to the\nnew folder OUT with study.toml and truth.json. study.toml lists no effects; "
+        "truth.json states the\nhidden friction and effects, and no command reads it. The "
+        "simulations share no run with a calibration.\nBeads of 500 um and 1050 kg/m^3 are in a "
+        "cell with radii of 21 and 45 mm. The contact angle is 0 and\nthe weight of the beads is "
+        "neglected, unless a hidden effect changes this. Set points are values that\nthe "
         "instrument shows.",
         examples(), true);
     declare(options, plan, words);
@@ -170,7 +170,8 @@ int virtual_lab(const std::vector<std::string>& arguments) {
     bool dry = false;
     options.add_switch("dry", &dry, "no wet recordings");
     const EffectOptions effects(
-        options, arguments, "Hidden effects (numbers with their unit, or plain in the one named)");
+        options, arguments,
+        "Hidden effects (values with a unit, or numbers in the unit in brackets)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

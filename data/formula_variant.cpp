@@ -21,7 +21,7 @@ const std::string& to_string(FormulaVariant form) {
 FormulaVariant formula_variant_named(std::string_view name) {
     const auto found = std::ranges::find(formula_variant_names(), name);
     if (found == formula_variant_names().end()) {
-        throw InputError(fmt::format("unknown form '{}'; {}", name,
+        throw InputError(fmt::format("unknown variant '{}' of a formula; {}", name,
                                      did_you_mean(name, formula_variant_names())));
     }
     return static_cast<FormulaVariant>(found - formula_variant_names().begin());

@@ -73,8 +73,8 @@ std::string advice_on_added(const std::string& effect, const LadderStep& before,
     if (const std::string which = left_out_rose(before, after); !which.empty()) {
         return fmt::format(
             "The fit improved, but the error of {} rose at conditions left out of the fit: {} "
-            "describes the fitted readings and not others. Measure at further conditions before "
-            "you trust it; {}.",
+            "describes only the fitted readings. Measure at further conditions before you trust "
+            "it; {}.",
             which, effect, undo);
     }
     return "";

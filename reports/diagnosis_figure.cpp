@@ -61,7 +61,7 @@ Panel drop_panel(const Diagnosis& diagnosis, const std::vector<const Finding*>& 
 Panel size_panel(const std::vector<const Finding*>& findings, const ModelSpace& space) {
     Panel panel{.x_label = "", .y_label = "amplitude / smallest of interest", .zero_line = true};
     Curve estimates{.label = "estimate, ± 1 standard error", .colour = measured_colour},
-        detectable{.label = "seen with a power of 0.8 from here on",
+        detectable{.label = "smallest amplitude revealed with a power of 0.8",
                    .colour = calibrated_colour,
                    .symbol = {Shape::triangle, Filling::hollow}};
     for (std::size_t k = 0; k < findings.size(); ++k) {

@@ -158,12 +158,13 @@ std::string inconclusive_line(const Diagnosis& d) {
                "measured.";
     }
     return fmt::format(
-        "No effect is missing as far as these readings show, but {} effect{} of a size of interest "
-        "would not show in them: {}.",
+        "No effect is missing as far as these readings show, but they would not reveal {} effect{} "
+        "of the smallest size of interest: {}.",
         d.effects.size(), d.effects.size() == 1 ? "" : "s", some_of(d.effects));
 }
 
-/// Estimate with its error; one without error is held by a bound of the parameter.
+/// Text of an estimate with its error; an estimate without error was fitted at a bound of the
+/// parameter.
 std::string estimate_of(const Finding& finding, const std::string& unit) {
     return finding.standard_error > 0
                ? with_error(finding.value, finding.standard_error, unit)
@@ -301,19 +302,20 @@ namespace {
 /// studies that would reveal it.
 std::string unseen_line(const Finding& finding, const EffectParameter& p,
                         const std::string& effect) {
-    return p.is_switch()
-               ? fmt::format("  {} would be seen in {:.0f} of 100 such studies.", effect,
-                             100 * finding.power)
-               : fmt::format("  {} would be seen from {} on; the smallest size of interest is {}.",
-                             effect, with_unit(finding.detectable, p.unit),
-                             with_unit(p.smallest_of_interest, p.unit));
+    return p.is_switch() ? fmt::format("  {} would be revealed by {:.0f} of 100 such studies.",
+                                       effect, 100 * finding.power)
+                         : fmt::format(
+                               "  {} would be revealed at {} or more from its neutral value; the "
+                               "smallest size of interest is {}.",
+                               effect, with_unit(finding.detectable, p.unit),
+                               with_unit(p.smallest_of_interest, p.unit));
 }
 
 }  // namespace
 
 std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& space) {
     if (d.verdict != Verdict::inconclusive || d.effects.empty()) return {};
-    std::vector<std::string> lines = {"Effects that would not show in these readings:"};
+    std::vector<std::string> lines = {"Effects that these readings would not reveal:"};
     for (const std::string& effect : d.effects) {
         const Finding& finding = finding_of(d, space, effect);
         lines.push_back(unseen_line(finding, parameter_of(space, finding), effect));

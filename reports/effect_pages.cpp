@@ -24,7 +24,7 @@ constexpr std::array<Group, 5> groups = {{
     {"beads-and-liquid", "the beads and the liquid", true, true},
     {"grains", "the grains, in the simulation", true, true},
     {"closure", "closures, of base = \"rumpf\"", false, false},
-    {"flow", "what the beads show", false, false},
+    {"flow", "the flow of the beads", false, false},
 }};
 
 std::size_t group_index(const Effect& effect) {
@@ -255,7 +255,7 @@ std::string manual_page(const EffectEntry& entry, const std::string& figure) {
         text += fmt::format(" It grows with `{}`.", fmt::join(effect.acts_through, "`, `"));
     }
     if (!effect.directly.empty()) {
-        text += fmt::format(" Measured by itself it is by {}: `[[direct]]` in a study.",
+        text += fmt::format(" It can be measured directly by {}: `[[direct]]` in a study.",
                             markdown(effect.directly));
     }
     text +=

@@ -321,8 +321,8 @@ Figure signature_figure(const Effect& effect, const Study& study,
 std::string signature_caption(const Effect& effect, const Study& study) {
     const AnnularCell cell = study.cell.value();
     std::string text = fmt::format(
-        "What {} ({}) changes in readings of beads of {:g} µm and {:g} kg/m³ with friction {:g} in "
-        "a cell of radii {:g} and {:g} mm, as the emulator predicts it: shear stress above, solid "
+        "Changes by {} ({}) of readings of beads of {:g} µm and {:g} kg/m³ with friction {:g} in a "
+        "cell of radii {:g} and {:g} mm, as the emulator predicts them: shear stress above, solid "
         "fraction below.",
         effect.name, size_text(effect, study), 1e6 * study.grains.diameter, study.grains.density,
         friction, 1e3 * cell.inner_radius, 1e3 * cell.outer_radius);
@@ -334,10 +334,11 @@ std::string signature_caption(const Effect& effect, const Study& study) {
         text += fmt::format(" Base `{}`.", effect.base());
     }
     text += fmt::format(
-        " Where they do not vary: {:g} kPa, I = {:g}, liquid content {:g} (wet), {:g} g of beads, "
-        "{:g} s since the first recording began. The liquid's surface tension is {:g} mN/m. "
-        "Against the reduced pressure, dry readings stand at the normal stress of the wet "
-        "ones. The panels at {:g} kPa share one scale.",
+        " Quantities that do not vary in a panel are {:g} kPa, I = {:g}, liquid content {:g} "
+        "(wet), {:g} g of beads, {:g} s since the first recording began. The liquid's surface "
+        "tension is {:g} mN/m. "
+        "In the panels against reduced pressure, dry readings are drawn at the normal stress of "
+        "the wet readings. The panels at {:g} kPa share one scale.",
         usual_stress / 1000, usual_inertial_number, usual_content,
         1e3 * cell.bead_volume * study.grains.density, time_of_readings,
         1e3 * study.liquid.value().surface_tension, usual_stress / 1000);

@@ -60,9 +60,9 @@ std::vector<std::string> checks_table(const Checks& checks) {
     }
     lines.insert(
         lines.begin(),
-        lines.empty()
-            ? fmt::format("None of {} checks finds where the model fails (p {} for all together).",
-                          checks.all.size(), p_text(checks.p))
+        lines.empty() ? fmt::format("None of {} checks of the residuals shows a failure of the "
+                                    "model (p {} for all together).",
+                                    checks.all.size(), p_text(checks.p))
         : checks.p < significant
             ? fmt::format("Where the model fails ({} checks, p {} for all together):",
                           checks.all.size(), p_text(checks.p))

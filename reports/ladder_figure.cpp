@@ -55,7 +55,7 @@ Panel chi2_panel(const Ladder& ladder) {
         values.push_back(value);
     }
     panel.references = new_starts(ladder);
-    panel.references.push_back({"where all is right", 1, 0, false, calibrated_colour});
+    panel.references.push_back({"expected for a correct model", 1, 0, false, calibrated_colour});
     panel.curves = {starts, changes};
     panel.log_y = spans_decade(values);
     panel.headroom = 0.06;

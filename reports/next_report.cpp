@@ -124,7 +124,7 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
         }
     }
     if (const auto left = pair_names(next, false); !left.empty()) {
-        lines.push_back(fmt::format("Not told apart by these: {}.", joined(left)));
+        lines.push_back(fmt::format("These measurements do not tell apart: {}.", joined(left)));
     }
     return lines;
 }
@@ -165,7 +165,7 @@ std::vector<std::string> next_lines(const NextMeasurement& next) {
 
 Figure next_figure(const NextMeasurement& next) {
     Figure figure{.name = "next",
-                  .title = "What the rivals say, and where to measure",
+                  .title = "Predictions of the rival models, and suggested readings",
                   .panels = {},
                   .stacked = true};
     if (next.plans.empty()) {
@@ -202,7 +202,7 @@ Figure next_figure(const NextMeasurement& next) {
     }
     if (steps.empty()) stresses.push_back(at.normal_stress);
     if (stresses.empty()) {
-        figure.title = "What the rivals say of readings; a direct measurement tells them apart";
+        figure.title = "Predictions of the rival models; a direct measurement tells them apart";
     }
     for (const std::size_t o : {0u, 1u}) {
         Panel panel{.x_label = "normal stress σ_{22} [Pa]",

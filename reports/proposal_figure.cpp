@@ -13,7 +13,7 @@ struct ShapeAxis {
     std::vector<double> at;  ///< value of each reading
 };
 
-/// Horizontal axis: quantity along which the first change that varies does so.
+/// Horizontal axis: the quantity with which the first varying change of the proposal varies.
 ShapeAxis axis_of(const Proposal& proposal, const std::vector<Reading>& readings) {
     static const std::map<std::string, const char*, std::less<>> labels = {
         {"normal_stress", "normal stress σ_{22} [Pa]"},
@@ -42,8 +42,8 @@ Figure proposal_figure(const Proposal& proposal, const std::vector<Reading>& rea
     Figure figure{.name = "proposal", .title = "Change of unknown cause"};
     for (const Eigen::Index observable : {0, 1}) {
         Panel panel{.x_label = axis.label,
-                    .y_label = observable == 0 ? "shear stress off the model [%]"
-                                               : "solid fraction off the model [%]",
+                    .y_label = observable == 0 ? "deviation of shear stress from the model [%]"
+                                               : "deviation of solid fraction from the model [%]",
                     .log_x = spans_decade(axis.at),
                     .zero_line = true,
                     .key = observable == 0 ? Key::top_left : Key::none,

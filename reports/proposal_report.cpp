@@ -113,18 +113,19 @@ std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, 
     lines.push_back(fmt::format(
         "{} {}. This brings chi2/dof from {:.3g} to {:.3g}.",
         best.fits() ? "A change of unknown cause would explain the readings:"
-                      : "A change of unknown cause would explain most of the misfit, not all:",
+                    : "A change of unknown cause would explain most of the misfit, not all:",
         sentence_on(best), chi2 / dof, best.explanation.chi2 / fit.dof));
     if (!best.alike.empty()) {
         std::vector<std::string> phrases;
         for (const FittedShape& each : best.alike) {
             phrases.push_back(phrase_on(each));
         }
-        lines.push_back(fmt::format("These readings hardly tell it from another: {}.",
-                                    fmt::join(phrases, "; or ")));
+        lines.push_back(
+            fmt::format("These readings can hardly distinguish this change from another: {}.",
+                        fmt::join(phrases, "; or ")));
     }
     for (std::size_t k = 1; k < proposals.size(); ++k) {
-        lines.push_back(fmt::format("{} would do so as well: {}.",
+        lines.push_back(fmt::format("{} would explain the readings as well: {}.",
                                     k == 1 ? "A second change" : "A third change",
                                     sentence_on(proposals[k])));
     }

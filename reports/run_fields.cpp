@@ -112,7 +112,7 @@ std::string title(const std::string& what, const dem::RunResult& run) {
 
 Figure profiles_figure(const dem::RunResult& run) {
     const auto panel = [&](Field which, const std::string& label) {
-        Panel result{.x_label = "place across the gradient x_2/H",
+        Panel result{.x_label = "position along the gradient x_2/H",
                      .y_label = label,
                      .curves = {contacts(run, which)},
                      .x_range = {{0.0, 1.0}}};
@@ -132,7 +132,7 @@ Figure profiles_figure(const dem::RunResult& run) {
     solid.headroom = 0.12;
     return {
         .name = "profiles",
-        .title = title("Profiles across the gradient", run),
+        .title = title("Profiles along the velocity gradient", run),
         .panels = {velocity, solid,
                    panel(Field::granular_temperature, "granular temperature ⟨δv^2⟩/(3a^2γ̇^2)")}};
 }

@@ -106,8 +106,8 @@ std::vector<std::string> predictions_table(const Comparison& comparison, bool wo
             m.normalised(0), m.reading.value(1), m.predicted(1), m.normalised(1), m.chi2.sum()));
     }
     lines.push_back(
-        "  (sigma: measured minus model, over the standard error of the difference; the two of a "
-        "reading may be correlated)");
+        "  (sigma: measured minus model, over the standard error of the difference; the two values "
+        "of a reading may be correlated)");
     for (const DirectMisfit& direct : comparison.direct) {
         const DirectMeasurement& m = direct.measurement;
         lines.push_back(fmt::format(

@@ -35,15 +35,15 @@ struct Contender {
 constexpr std::size_t most_contenders = 3;
 /// Difference of Akaike's criterion to the best model up to which a model is in the running [1].
 constexpr double near_enough = 6;
-/// Share of the excess chi2 of the study's model from which on a simpler model than the best one
-/// stays in the running, however much worse it fits [1].
+/// Smallest share of the excess chi2 of the study's model that a simpler model than the best one
+/// must explain to stay in the running, however much worse it fits [1].
 constexpr double nearly_all = 0.9;
 
 /// Models in the running, the best first: refitted models, or the study's model, whose criterion
 ///     chi2/s^2 + 2 (number of effects),  s^2 = chi2/dof of the best model, at least 1,
-/// is near that of the best. The best one with fewer effects stays in the running if it explains
-/// nearly all of the misfit: that it fails may be an error of the emulator, on which the next runs
-/// decide, and runs for other models would never correct this error.
+/// is near that of the best. The best model with fewer effects stays in the running if it explains
+/// nearly all of the misfit: its remaining misfit may be an error of the emulator. Only runs for
+/// this model can correct such an error.
 /// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002),
 /// sections 2.5, 2.6.
 std::vector<Contender> contenders(const Diagnosis& diagnosis) {
@@ -110,8 +110,8 @@ class Confirming {
     }
 
   private:
-    /// Diagnosis with all runs known so far. Only the first one reports its progress: later ones
-    /// take as long, and their verdict is told by `report`.
+    /// Diagnosis with all runs known so far. Only the first diagnosis reports its progress; the
+    /// verdicts of later ones are reported by `report`.
     StudyDiagnosis diagnosed() {
         const auto start = Clock::now();
         SessionOptions session = session_;
@@ -172,10 +172,10 @@ class Confirming {
         const auto expected = expected_seconds(runs, known_.runs, session_.threads);
         tell(session_.listener,
              {.kind = Event::Kind::stage,
-              .text = fmt::format("Simulations confirm the verdict. They take at most {:.0f} s and "
-                                  "end sooner if the verdict is firm; the first {} runs take about "
-                                  "{:.0f} s",
-                                  budget_.seconds_left(), runs.size(), expected.value_or(0))});
+              .text = fmt::format(
+                  "Simulations test the verdict. They take at most {:.0f} s and end sooner if the "
+                  "verdict is firm; the first {} runs take about {:.0f} s",
+                  budget_.seconds_left(), runs.size(), expected.value_or(0))});
     }
 
     /// Carries out runs and adds them to the known ones.
@@ -210,7 +210,7 @@ class Confirming {
     KnownRuns known_;
     std::vector<dem::RunResult> made_;  ///< runs made so far
     double reserved_ = 0;               ///< time to reserve for the last diagnosis [s]
-    bool same_ = false;                 ///< whether the last runs left the verdict as it was
+    bool same_ = false;                 ///< whether the verdict stayed the same with the last runs
     double p_ = 1;                      ///< p-value of the agreement of the last runs
     double excess_ = 1;  ///< factor by which the variance from the noise of the runs is too large
     Confirmation confirmation_;

@@ -242,10 +242,8 @@ Calibration parse_calibration(const Json& json, const ResolvedStudy& resolved,
     });
     if (!same_readings || !same_basis) {
         throw InputError(where,
-                         "this fit was made from other readings, direct measurements, grains, "
-                         "liquid or model than "
-                         "the study holds "
-                         "now; run 'pendular calibrate' again");
+                         "the readings, direct measurements, grains, liquid or model of the study "
+                         "have changed since this fit; run 'pendular calibrate' again");
     }
     Calibration c;
     c.grains = study.grains;

@@ -96,9 +96,8 @@ Ladder read_ladder(const std::filesystem::path& file) {
         throw;
     } catch (const std::exception& error) {
         throw InputError({file.string()},
-                         fmt::format("not the ladder of a study, or cut off ({}); nothing was "
-                                     "changed: put back a whole one, or move this file away to "
-                                     "begin a new ladder",
+                         fmt::format("not a complete ladder of a study ({}); nothing was changed: "
+                                     "restore the file, or move it away to begin a new ladder",
                                      error.what()));
     }
 }

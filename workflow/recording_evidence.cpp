@@ -73,8 +73,9 @@ std::string recordings_line(const std::vector<RecordingEvidence>& evidence) {
     if (all.size() > most_sentences)
         line += fmt::format(" {} more; 'pendular import' lists them.", all.size() - most_sentences);
     if (evidence.front().explains_most())
-        line += fmt::format(" This explains {:.0f} % of the misfit: mend it before an effect.",
-                            100 * evidence.front().explains);
+        line += fmt::format(
+            " This explains {:.0f} % of the misfit: correct it before you add an effect.",
+            100 * evidence.front().explains);
     return line;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 using Effects = std::vector<std::string>;
 
-/// Difference of Akaike's criterion from which on a rival counts as ruled out [1].
+/// Smallest difference of Akaike's criterion at which a rival counts as ruled out [1].
 constexpr double little_support = 7;
 
 std::vector<Effects> rivals_in_text(const std::string& text, const Effects& listed,
@@ -73,7 +73,7 @@ std::vector<Effects> rivals_in(const std::filesystem::path& file, const Study& s
     try {
         return rivals_in_text(read_text(file), names_of(study.model.effects), effect);
     } catch (const std::exception&) {
-        return {};  // another version's file, or none of a diagnosis
+        return {};  // the file is from another version or is not of a diagnosis
     }
 }
 
@@ -124,7 +124,7 @@ std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
     return fmt::format("Other models fit as well as the present one (chi2 {:.2f}) or better: {}.{}",
                        chi2, fmt::join(models, "; "),
                        methods.empty() ? ""
-                                       : fmt::format(" What can be measured directly: {}.",
+                                       : fmt::format(" Effects that can be measured directly: {}.",
                                                      fmt::join(methods, "; ")));
 }
 

@@ -81,8 +81,8 @@ VariedQuantity VariedQuantity::parsed(const std::string& text, int points) {
     };
     const auto from = number(equals + 1, colon), to = number(colon + 1, text.size());
     if (std::ranges::find(names, name) == names.end()) {
-        throw InputError(fmt::format("--along {}: nothing to vary is called '{}'; {}", text, name,
-                                     did_you_mean(name, names)));
+        throw InputError(fmt::format("--along {}: '{}' is no quantity that can be varied; {}", text,
+                                     name, did_you_mean(name, names)));
     }
     if (!from || !to || !(*from < *to) || points < 2) {
         throw InputError(fmt::format(

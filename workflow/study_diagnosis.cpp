@@ -91,7 +91,8 @@ void weigh_proposals(StudyDiagnosis& result) {
     diagnosis.leaders.reset();
 }
 
-/// Callback that tells the user of a session how far work is, and ends it where the user stops it.
+/// Callback that reports the progress of work to the listener of a session, and ends the work where
+/// the user stops it.
 std::function<void(std::string_view, std::size_t, std::size_t)> progress_of(
     const SessionOptions& session) {
     return [&session](std::string_view what, std::size_t at, std::size_t of) {
@@ -116,8 +117,8 @@ void check_readings(const std::vector<Reading>& readings, const Study& study,
     }
     if (replicate_groups(readings).size() < 2) {
         throw InputError({study.file.string()},
-                         "all readings are at one condition, where every effect looks like every "
-                         "other: measure at two normal stresses at least");
+                         "all readings are at one condition, where no effect can be told from "
+                         "another: measure at two or more normal stresses");
     }
 }
 
@@ -206,8 +207,9 @@ std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& d, const SessionO
                    .progress = progress_of(session)});
 }
 
-/// Ratio of a likely discrepancy to the RMS misfit from which on the misfit varies more quickly
-/// with the conditions than a discrepancy does [1]: only an excessive one could then describe it.
+/// Smallest ratio of a likely discrepancy to the RMS misfit at which the misfit varies more quickly
+/// with the conditions than a discrepancy does [1]: only an excessive discrepancy could then
+/// describe the misfit.
 constexpr double rougher = 3;
 
 double remaining_discrepancy(const StudyDiagnosis& d, double stated) {

@@ -49,9 +49,10 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
     }
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         if (!out_of_range(fit, parameters, k)) continue;
-        belief.reasons.push_back(fmt::format(
-            "The fitted {} ended at {:.3g}, the bound of its range or of the training runs.",
-            parameters[k].name, fit.parameters(static_cast<Eigen::Index>(k))));
+        belief.reasons.push_back(
+            fmt::format("The fitted {} is {:.3g}, at the end of its range or of the range of the "
+                        "training runs.",
+                        parameters[k].name, fit.parameters(static_cast<Eigen::Index>(k))));
     }
     for (std::size_t k = 0; k < std::min(most_doubts, measurements.doubts.size()); ++k) {
         belief.reasons.push_back(measurements.doubts[k].what);
@@ -73,8 +74,9 @@ std::size_t doubts_that_set_aside(const Measurements& measurements) {
 std::string error_basis(const Measurements& measurements) {
     const auto assumed = std::ranges::count_if(measurements.readings, &Reading::error_assumed);
     if (assumed > 0) {
-        return fmt::format("errors of 2 % assumed for {} of {} readings: nothing was repeated",
-                           assumed, measurements.readings.size());
+        return fmt::format(
+            "errors of 2 % are assumed for {} of {} readings, since no reading was repeated",
+            assumed, measurements.readings.size());
     }
     if (measurements.scatter.stated) return "errors as stated in [scatter] of the study";
     const auto repeated = std::ranges::count_if(measurements.readings,

@@ -33,8 +33,8 @@ constexpr int most_wet_turns = 4;
 void check_wet(const Reading& reading, const Study& study, const Fidelity& fidelity) {
     const Condition& condition = reading.condition;
     const double reduced = reduced_pressure(condition.normal_stress, study.grains, *study.liquid);
-    // A grain has 4 to 12 bridges whatever the friction, pressure and liquid content, also at the
-    // offsets of planned runs.
+    // A grain has 4 to 12 bridges at every friction, pressure and liquid content, including those
+    // of planned runs.
     for (const double bridges : {4.0, 12.0}) {
         try {
             check_run({.stiffness_number = fidelity.stiffness_number,
@@ -92,8 +92,8 @@ void check_effects(const std::vector<const Effect*>& effects, const CalibrationR
     const auto grains = std::ranges::find_if(effects, &Effect::of_grains);
     if (request.known.runs.empty() && grains != effects.end()) {
         throw InputError(
-            fmt::format("a fit that begins without known runs has no effects on grains, such as "
-                        "{}: leave out --cold",
+            fmt::format("a fit without known runs cannot include effects on grains, such as {}: "
+                        "leave out --cold",
                         (*grains)->name));
     }
 }
@@ -185,10 +185,10 @@ void check_range(const std::vector<Reading>& readings, const Study& study,
         if (kappa && *kappa < softest_corrected) {
             throw InputError(
                 reading.origin,
-                fmt::format(
-                    "at {:.3g} Pa these beads have a stiffness number of {:.3g}; the correction "
-                    "to the study's stiffness holds from {} on: check youngs_modulus and its unit",
-                    reading.condition.normal_stress, *kappa, softest_corrected));
+                fmt::format("at {:.3g} Pa these beads have a stiffness number of {:.3g}; the "
+                            "correction to the study's stiffness is valid only from {} upwards: "
+                            "check youngs_modulus and its unit",
+                            reading.condition.normal_stress, *kappa, softest_corrected));
         }
         if (reading.condition.inertial_number > dem::largest_inertial_number) {
             throw InputError(

@@ -24,8 +24,9 @@ namespace {
 constexpr double uniform_reduced_pressure = 0.5;
 /// Advice on lowering the model's errors where the training runs are too few near the readings.
 std::string remedy(const Calibration& c) {
-    return c.orders.empty() ? "simulations there help: 'calibrate' and 'add --confirm' make them"
-                            : "a higher fidelity helps";
+    return c.orders.empty() ? "more simulations at these states, by 'calibrate' or "
+                              "'add --confirm', reduce the error"
+                            : "a higher fidelity reduces the error";
 }
 
 /// Note that names the readings whose predictions the known runs do not support; empty if there are
@@ -56,8 +57,8 @@ std::optional<std::string> unsupported_note(const Calibration& c, const RunPlann
         c.readings.size(), fmt::join(readings, "; "),
         count > named ? fmt::format("; and {} more", count - named) : "",
         planner.orders_more()
-            ? "More runs there help ('pendular campaign'), or leave these readings out"
-            : "'pendular calibrate' without --no-confirm simulates there");
+            ? "Make runs at these states with 'pendular campaign', or leave these readings out"
+            : "'pendular calibrate' without --no-confirm simulates these states");
 }
 
 /// Note on an observable for which the noise of the runs exceeds the errors of the fitted readings;
@@ -74,8 +75,8 @@ std::optional<std::string> unsure_note(const Calibration& c) {
                      measured = rms_percent(readings.covariance, first);
         if (simulated > measured) {
             return fmt::format(
-                "The model predicts the {} of the readings to {:.2g} %, while the readings are "
-                "known to {:.2g} %: {}",
+                "The model predicts the {} with an error of {:.2g} %, more than the error of the "
+                "readings, {:.2g} %; {}",
                 observable, simulated, measured, remedy(c));
         }
     }
@@ -90,8 +91,8 @@ std::optional<std::string> exhausted_note(const Calibration& c, const RunPlanner
         return std::nullopt;
     }
     return fmt::format(
-        "The time for simulations has ended, and the noise of the runs enlarges {}. 'pendular "
-        "calibrate --confirm' goes on from the stored runs",
+        "The time for simulations ended while the noise of the runs still enlarged {}. 'pendular "
+        "calibrate --confirm' continues from the stored runs",
         text_of(enlarged));
 }
 
@@ -111,8 +112,8 @@ std::string bound_note(const Parameter& parameter, double value, const ResolvedS
         if (!stays_on && std::abs(value - neutral) <= close) {
             const auto folder = study.file.parent_path();
             return fmt::format(
-                "The readings show no sign of {0}: {1} ended at {2:.3g}, where it has no effect, "
-                "and is not needed. To leave it out: pendular drop {3} {0}",
+                "The readings show no sign of {0}: the fit gives {1} = {2:.3g}, where the effect "
+                "vanishes. To remove the effect: pendular drop {3} {0}",
                 name, parameter.name, neutral, folder.empty() ? "." : folder.string());
         }
     }
@@ -163,7 +164,7 @@ std::vector<std::string> notes_on(const Calibration& c, const ResolvedStudy& stu
     }
     if (!wet_known) {
         notes.push_back(
-            "The errors of the wet predictions are not small compared with those of the wet "
+            "The errors of the wet predictions are not small compared with the errors of the wet "
             "readings: " +
             remedy(c));
     }

@@ -179,24 +179,21 @@ std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& re
     std::vector<CohesionLine> result;
     const double limit = options.lowest_reduced_pressure;
     for (const WetGroup& group : wet_groups(readings)) {
-        const auto note = [&](const std::string& text) {
-            notes.push_back(
-                fmt::format("{} cohesion line, {}: {}", task.source, name_of(group), text));
-        };
         const Points all = points_of(group, readings, task, grains, liquid);
         const Split which = split(all, options);
         if (!has_two_distinct(all.only(which.fitted))) {
             std::vector<Eigen::Index> every = which.fitted;
             every.insert(every.end(), which.below.begin(), which.below.end());
-            note(
-                fmt::format("none, it needs two reduced pressures 2 % apart at or above {:.3g}; "
-                            "there are {}",
-                            limit, list_of_pressures(all, every)));
+            notes.push_back(fmt::format(
+                "There is no {} cohesion line for {}: it needs two reduced pressures 2 % apart at "
+                "or above {:.3g}; there are {}",
+                task.source, name_of(group), limit, list_of_pressures(all, every)));
             continue;
         }
         if (!which.below.empty())
-            note(fmt::format("leaves out the reduced pressures below {:.3g}: {}", limit,
-                             list_of_pressures(all, which.below)));
+            notes.push_back(fmt::format(
+                "The {} cohesion line for {} leaves out the reduced pressures below {:.3g}: {}",
+                task.source, name_of(group), limit, list_of_pressures(all, which.below)));
         CohesionLine line = line_through(all, which);
         line.source = task.source;
         line.liquid_content = group.liquid_content;

@@ -42,8 +42,8 @@ StudyModels::StudyModels(const ResolvedStudy& study, std::vector<Condition> cond
         if (!has_runs(*listed[k])) {
             throw InputError(
                 study_.study().model.effects[k].position,
-                fmt::format("'effects': no known run has {} alone, so that the emulator cannot "
-                            "predict its effect; 'pendular campaign' makes such runs",
+                fmt::format("'effects': no known run has {} as its only effect, so that the "
+                            "emulator cannot predict it; make such runs with 'pendular campaign'",
                             listed[k]->name));
         }
     }
@@ -52,8 +52,8 @@ StudyModels::StudyModels(const ResolvedStudy& study, std::vector<Condition> cond
             throw InputError(
                 stated.effect_position,
                 fmt::format(
-                    "'effect': no known run has {} alone, so that the emulator cannot predict its "
-                    "effect; make such runs with 'pendular campaign', or leave this entry out",
+                    "'effect': no known run has {} as its only effect, so that the emulator cannot "
+                    "predict it; make such runs with 'pendular campaign', or leave this entry out",
                     stated.effect));
         }
     }
@@ -92,7 +92,8 @@ void StudyModels::add_candidate(const Effect& effect) {
         left_aside_.push_back({effect.name, *why});
     } else if (!has_runs(effect)) {
         left_aside_.push_back(
-            {effect.name, "no known run has it alone; 'pendular campaign' makes such runs", true});
+            {effect.name,
+             "no known run has it as its only effect; 'pendular campaign' makes such runs", true});
     } else {
         Candidate candidate{effect.name, effect.parameters, group_of(effect)};
         // An effect that the liquid switches on is neutral at the value that the liquid gives.

@@ -43,14 +43,14 @@ class LineSplitter {
         return from;
     }
 
-    /// Column of a byte, in characters from 1. Bytes must be asked for from left to right.
+    /// Column of a byte, in characters from 1. Successive calls must proceed from left to right.
     int column(std::size_t byte) {
         column_ += characters(line_.substr(counted_, byte - counted_));
         counted_ = byte;
         return column_ + 1;
     }
 
-    /// Text from `begin` to the next delimiter, behind which `next_` is set.
+    /// Text from `begin` to the next delimiter; sets `next_` to the byte after that delimiter.
     std::string plain_cell(std::size_t begin) {
         const std::size_t end = std::min(line_.find(delimiter_, begin), line_.size());
         std::string_view text = line_.substr(begin, end - begin);
@@ -81,9 +81,9 @@ class LineSplitter {
     }
 
     [[noreturn]] void refuse_quote(std::size_t byte) {
-        throw InputError({at_.file, at_.line, characters(line_.substr(0, byte)) + 1},
-                         "a quote that does not close, or stands within a cell; close it on this "
-                         "line or take it out");
+        throw InputError(
+            {at_.file, at_.line, characters(line_.substr(0, byte)) + 1},
+            "a quote is not closed, or is inside a cell; close it on this line or remove it");
     }
 
     std::string_view line_;
@@ -124,16 +124,16 @@ constexpr std::size_t most_columns = 1000;
 void check_header(const Table& table) {
     const auto& cells = table.header.cells;
     if (cells.size() > most_columns)
-        throw InputError(table.at_header(most_columns),
-                         fmt::format("{} columns, and at most {} are read; remove those that are "
-                                     "not needed",
-                                     cells.size(), most_columns));
+        throw InputError(
+            table.at_header(most_columns),
+            fmt::format("{} columns, more than the limit of {}; remove columns that are not needed",
+                        cells.size(), most_columns));
     for (std::size_t i = 0; i < cells.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (cells[i].text.empty() || cells[i].text != cells[j].text) continue;
             throw InputError(
                 table.at_header(i),
-                fmt::format("column '{}' stands twice; rename or remove one", cells[i].text));
+                fmt::format("column '{}' occurs twice; rename or remove one", cells[i].text));
         }
     }
     const bool numbers = std::all_of(cells.begin(), cells.end(), [](const Cell& cell) {
@@ -141,8 +141,8 @@ void check_header(const Table& table) {
     });
     if (numbers)
         throw InputError(table.at_header(0),
-                         "numbers where the header is needed; put a line with the columns' names "
-                         "and units first, like 'Time [s],Torque [mN m]'");
+                         "numbers in place of the header; begin the file with a line of the "
+                         "columns' names and units, like 'Time [s],Torque [mN m]'");
 }
 
 void check_length(const Table& table, const Row& row, bool last) {

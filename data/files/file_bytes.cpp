@@ -44,7 +44,7 @@ class OpenFile {
         if (!S_ISREG(status.st_mode) || of_kernel)
             throw InputError({path_.string()},
                              "is not a regular file but a pipe, a device or a file of the system; "
-                             "copy what it holds to a file and name that file");
+                             "copy its content to a regular file and name that file");
         return static_cast<std::uintmax_t>(status.st_size);
     }
 
@@ -81,8 +81,8 @@ std::string read_bytes(const fs::path& path, std::uintmax_t largest) {
     const std::uintmax_t size = file.size();
     if (size > largest)
         throw InputError({path.string()},
-                         fmt::format("has {}, and at most {} are read; split it into several files "
-                                     "or leave out what is not needed",
+                         fmt::format("has {}, more than the limit of {}; split it into several "
+                                     "files or leave out what is not needed",
                                      size_text(size), size_text(largest)));
     std::string bytes(static_cast<std::size_t>(size), '\0');
     bytes.resize(file.read_into(bytes.data(), bytes.size()));

@@ -29,8 +29,9 @@ std::optional<double> parse_number(std::string_view text) {
 std::optional<std::string> beyond_measure(double number) {
     if (!std::isfinite(number)) return "must be finite";
     if (std::abs(number) <= largest_magnitude) return std::nullopt;
-    return fmt::format("is {:.3g} in SI units, more than any measurement ({:g}); correct it",
-                       number, largest_magnitude);
+    return fmt::format(
+        "is {:.3g} in SI units, larger than any possible measurement ({:g}); correct it", number,
+        largest_magnitude);
 }
 
 bool has_decimal_comma(std::string_view text) {

@@ -70,10 +70,11 @@ const std::vector<Quantity>& table() {
          "number of the step of constant set points",
          {"step", "segment", "interval number", "step number"}},
         // Origin of a reading.
-        {"sampled_seconds", "", "s", "length of the steady part a reading was averaged over"},
+        {"sampled_seconds", "", "s",
+         "duration of the steady part over which a reading was averaged"},
         {"replicates", "", "1", "readings of the same condition, this one included"},
         {"error_assumed", "", "1", "1 where an error was assumed rather than measured"},
-        {"line", "", "1", "line of the file a reading was made from"},
+        {"line", "", "1", "line of the file from which a reading was made"},
         {"file", "", "", "file a reading was made from"}};
     return all;
 }

@@ -90,8 +90,9 @@ std::string split_torque(const std::string& word) {
 std::string normalised_word(const std::string& word, std::string_view spelling) {
     if (const auto trap = case_traps.find(word); trap != case_traps.end())
         throw std::invalid_argument(
-            fmt::format("'{}' is not a unit to rely on, since case matters; write '{}'", spelling,
-                        trap->second));
+            fmt::format("'{}' is not a safe spelling of a unit, since upper and lower case differ "
+                        "in meaning; write '{}'",
+                        spelling, trap->second));
     if (const auto known = words.find(word); known != words.end()) return known->second;
     return split_torque(word);
 }

@@ -14,11 +14,10 @@ Word required(const StudyTable& table, std::string_view key, const char* what) {
 }
 
 StatedDirect read_one(const StudyTable& table) {
-    const Word
-        effect = required(
-            table, "effect",
-            "the effect that was or can be measured, effect = \"torque-offset\" for example"),
-        error = required(table, "error", "the standard error with its unit");
+    const Word effect = required(
+                   table, "effect",
+                   "the effect that was or can be measured, such as effect = \"torque-offset\""),
+               error = required(table, "error", "the standard error with its unit");
     StatedDirect stated;
     stated.effect = effect.text, stated.effect_position = effect.position;
     stated.error = error.text, stated.error_position = error.position;
@@ -31,8 +30,8 @@ std::vector<StatedDirect> read_direct(const StudyTable& root) {
     std::vector<StatedDirect> all;
     for (const StudyTable& table : root.tables("direct", {"effect", "value", "error"})) {
         all.push_back(read_one(table));
-        const Word value = required(table, "value", "what was measured, with its unit");
-        if (value.text.empty()) table.refuse("value", "is empty; write what was measured");
+        const Word value = required(table, "value", "the measured value with its unit");
+        if (value.text.empty()) table.refuse("value", "is empty; write the measured value");
         all.back().value = value.text, all.back().value_position = value.position;
     }
     return all;

@@ -71,7 +71,8 @@ Unit parameter_unit(const StudyTable& table) {
     try {
         Unit unit(table.text("unit").value_or("1"));
         if (unit.to_si(0) != 0)
-            table.refuse("unit", "has a zero of its own; choose the SI unit, K for temperatures");
+            table.refuse("unit",
+                         "has another zero than the SI unit; use the SI unit, K for temperatures");
         return unit;
     } catch (const std::invalid_argument& error) {
         table.refuse("unit", error.what());
@@ -104,7 +105,7 @@ void read_bounds(const StudyTable& table, WrittenEffect& effect) {
     effect.unit = si_spelling(unit);
     effect.lower = required_bound(table, "lower", unit);
     effect.upper = required_bound(table, "upper", unit);
-    if (effect.lower >= effect.upper) table.refuse("lower", "must be below 'upper'");
+    if (effect.lower >= effect.upper) table.refuse("lower", "must be less than 'upper'");
     effect.neutral = table.quantity_in("neutral", unit).value_or(0);
     if (effect.neutral < effect.lower || effect.neutral > effect.upper)
         table.refuse("neutral",
@@ -150,8 +151,8 @@ std::vector<Formula> read_formulas(const StudyTable& table, const WrittenEffect&
     }
     if (formulas.empty())
         throw InputError(effect.position,
-                         fmt::format("[[effect]] '{}' has no formula; add what the instrument "
-                                     "shows, torque = \"torque + {}\" for example",
+                         fmt::format("[[effect]] '{}' has no formula; add one for a quantity that "
+                                     "the instrument shows, such as torque = \"torque + {}\"",
                                      effect.name, effect.parameter));
     return formulas;
 }
@@ -209,8 +210,9 @@ std::vector<WrittenEffect> read_written_effects(const StudyTable& root) {
         const WrittenEffect effect = read_effect(table);
         const auto earlier = std::ranges::find(effects, effect.name, &WrittenEffect::name);
         if (earlier != effects.end())
-            table.refuse("name", fmt::format("\"{}\" is written in line {} already; choose another",
-                                             effect.name, earlier->position.line));
+            table.refuse("name",
+                         fmt::format("\"{}\" is already defined in line {}; choose another name",
+                                     effect.name, earlier->position.line));
         effects.push_back(effect);
     }
     return effects;

@@ -61,7 +61,7 @@ std::optional<Rig> read_rig(const StudyTable& root, const GrainProperties& grain
     for (const double content : rig.liquid_contents) {
         if (content < 0) table->refuse("liquid_contents", "must not be negative");
         if (content > 0 && !has_liquid)
-            table->refuse("liquid_contents", "has one above 0, but the study has no [liquid]");
+            table->refuse("liquid_contents", "has a value above 0, but the study has no [liquid]");
     }
     for (const double mass : table->quantities("bead_mass", "kg")) {
         if (!(mass > 0)) table->refuse("bead_mass", "must be positive");

@@ -40,9 +40,9 @@ constexpr double right_angle = 1.5707963267948966;
 /// Path of study.toml, from the path of this file or of its folder.
 /// @throws InputError if the file does not exist
 std::filesystem::path study_file(const std::filesystem::path& study) {
-    std::error_code error;  // of a link to itself, for example
+    std::error_code error;  // set for a link to itself, for example
     if (!std::filesystem::exists(study, error))
-        throw InputError({study.string()}, "is not there; name a study folder or its study.toml");
+        throw InputError({study.string()}, "does not exist; name a study folder or its study.toml");
     if (!std::filesystem::is_directory(study, error)) return study;
     if (!std::filesystem::exists(study / "study.toml", error))
         throw InputError({study.string()}, "has no study.toml; name a folder that has one");
@@ -52,7 +52,7 @@ std::filesystem::path study_file(const std::filesystem::path& study) {
 GrainProperties read_grains(const StudyTable& root) {
     const auto table = root.table("grains", grains_keys);
     if (!table)
-        throw InputError(root.position(), "[grains] is missing; it holds diameter and density");
+        throw InputError(root.position(), "[grains] is missing; add it with diameter and density");
     GrainProperties grains;
     grains.diameter = table->positive_quantity("diameter", "m");
     grains.density = table->positive_quantity("density", "kg/m^3");
@@ -71,8 +71,9 @@ std::optional<Liquid> read_liquid(const StudyTable& root) {
     liquid.surface_tension = table->positive_quantity("surface_tension", "N/m");
     liquid.contact_angle = table->required_quantity("contact_angle", "rad");
     if (liquid.contact_angle < 0 || liquid.contact_angle >= right_angle)
-        table->refuse("contact_angle",
-                      "must lie between 0 and 90 deg, below which a liquid pulls beads together");
+        table->refuse(
+            "contact_angle",
+            "must lie between 0 and 90 deg: above 90 deg a liquid does not attract the beads");
     liquid.viscosity = table->quantity("viscosity", "Pa s").value_or(0);
     if (liquid.viscosity < 0) table->refuse("viscosity", "must not be negative");
     return liquid;
@@ -119,7 +120,7 @@ std::vector<std::filesystem::path> files_of(const StudyTable& table, const std::
                                  "read, or copy it to the study",
                                  path));
     };
-    // Before the search, which would open folders of the whole disk.
+    // Checked before the search, which could open folders of the whole disk.
     const std::filesystem::path normal = std::filesystem::path(pattern).lexically_normal();
     const bool elsewhere = normal.is_absolute() && !is_within(normal.parent_path(), study.folder);
     if (elsewhere || (!normal.empty() && *normal.begin() == ".."))
@@ -217,8 +218,9 @@ ImportSettings read_import(const StudyTable& root) {
     choice.keep_implausible = table->flag("keep_implausible").value_or(choice.keep_implausible);
     choice.least_strain = table->quantity("least_strain", "1").value_or(choice.least_strain);
     if (choice.least_strain < 0.5)
-        table->refuse("least_strain",
-                      "must be 0.5 or more: grains in less are not in steady shear yet");
+        table->refuse(
+            "least_strain",
+            "must be 0.5 or more: after smaller strains, grains are not yet in steady shear");
     return choice;
 }
 
@@ -233,7 +235,7 @@ std::optional<StatedScatter> read_scatter(const StudyTable& root) {
     for (const auto& key : scatter_keys) {
         const double value = table->quantity(key, "1").value_or(0);
         if (value < 0 || value > largest_scatter)
-            table->refuse(key, "must lie between 0 and 50 %, of the value");
+            table->refuse(key, "must lie between 0 and 50 % of the value");
     }
     return scatter;
 }
@@ -275,7 +277,8 @@ ModelSettings read_model(const StudyTable& root) {
     model.base = table->choice("base", {"dem", "rumpf"});
     model.calibrate = table->words("calibrate", model.calibrate);
     if (model.calibrate != Keys{"friction"})
-        table->refuse("calibrate", "must be [\"friction\"], the one parameter there is so far");
+        table->refuse("calibrate",
+                      "must be [\"friction\"], the only parameter that can be calibrated");
     model.fit_to = table->choice("fit_to", {"dry", "all"});
     model.effects = read_listed_effects(*table);
     model.bridge_force = form(*table, "bridge_force");

@@ -96,8 +96,8 @@ EffectCatalogue::EffectCatalogue(const Study& study) : EffectCatalogue() {
         if (std::ranges::find(built_in_effects(), written.name, &Effect::name) !=
             built_in_effects().end()) {
             throw InputError(written.name_position,
-                             fmt::format("'name': \"{0}\" comes with the program; call yours "
-                                         "otherwise, say \"my-{0}\"",
+                             fmt::format("'name': \"{0}\" is the name of a built-in effect; choose "
+                                         "another name, such as \"my-{0}\"",
                                          written.name));
         }
         effects_.push_back(effect_from(written));

@@ -24,7 +24,7 @@ const ChangeInstrument& change_of(const ActiveEffect& active) {
 }
 
 /// Returns the scale of each value of a state, by which residuals are divided; never 0.
-CellState hyperparameters_of(const CellState& shown) {
+CellState scales_of(const CellState& shown) {
     const auto size = [](double value, double at_rest) {
         return std::max(std::abs(value), at_rest);
     };
@@ -43,7 +43,7 @@ CellState hyperparameters_of(const CellState& shown) {
 class Equations {
   public:
     Equations(const InstrumentMap& map, const CellState& shown)
-        : map_(map), shown_(shown), scales_(hyperparameters_of(shown)) {}
+        : map_(map), shown_(shown), scales_(scales_of(shown)) {}
 
     Vector first_guess() const { return scaled(shown_); }
 
@@ -192,7 +192,7 @@ Condition true_condition(const Condition& shown, const CellState& truth, const I
     if (map.empty()) {
         return shown;
     }
-    // In ratios of true to shown, which are 1 to the last bit where no effect acts.
+    // Computed from ratios of true to shown values, which are exactly 1 where no effect acts.
     const CellState seen = map.show(truth);
     const double force = truth.normal_force / seen.normal_force;
     Condition condition = shown;

@@ -186,8 +186,8 @@ class ShownValue {
         }
         if (!compiled_.uses(effect.parameter)) {
             refuse(
-                fmt::format("does not mention the parameter '{}'; without it nothing can be "
-                            "fitted or switched off",
+                fmt::format("does not contain the parameter '{}', so that nothing can be fitted or "
+                            "switched off",
                             effect.parameter));
         }
     }
@@ -378,8 +378,8 @@ void check_parameter(const WrittenEffect& written) {
     }
     if (std::ranges::find(taken, written.parameter) != taken.end()) {
         throw InputError(written.parameter_position,
-                         fmt::format("'parameter': formulas know another '{0}'; call the "
-                                     "parameter otherwise, say '{0}_change'",
+                         fmt::format("'parameter': '{0}' is already a variable or function of "
+                                     "formulas; choose another name, such as '{0}_change'",
                                      written.parameter));
     }
 }

@@ -14,8 +14,8 @@
 
 namespace pendular::dem {
 
-/// Coordinate of which a field, a quantity that a run measures, is a function; `coordinates` lists
-/// the name, unit and meaning of each coordinate.
+/// Coordinate on which a field depends. A field is a quantity that a run measures; `coordinates`
+/// lists the name, unit and meaning of each coordinate.
 enum class Coordinate { height, angle, relative_force, gap };
 
 /// Quantity that a run measures as a function of one coordinate; `fields` lists the name, unit and
@@ -38,14 +38,14 @@ struct CoordinateAbout {
     std::string_view table;    ///< name of the CSV file of all fields of this coordinate
 };
 constexpr std::array coordinates = std::to_array<CoordinateAbout>(
-    {{"height", "1", "place across the velocity gradient over the sample's height", "profiles"},
+    {{"height", "1", "position along the velocity gradient over the sample's height", "profiles"},
      {"angle", "degree",
       "angle of a pair's normal in the plane of flow and gradient, from the flow towards the "
       "gradient",
       "orientations"},
      {"relative_force", "1", "elastic normal force of a contact over the mean of all contacts",
       "contact_forces"},
-     {"gap", "1", "gap of a bridge without contact over the bead diameter", "gaps"}});
+     {"gap", "1", "gap of a bridge without contact over the grain diameter", "gaps"}});
 
 struct FieldAbout {
     std::string_view name;  ///< name in JSON and in headers of CSV files
@@ -57,7 +57,7 @@ struct FieldAbout {
 constexpr std::array fields = std::to_array<FieldAbout>(
     {{"velocity", Coordinate::height, "1", "velocity along the flow over shear rate times height"},
      {"solid_fraction", Coordinate::height, "1",
-      "volume of the beads' slices within the bin over the bin's"},
+      "volume of the grains inside the bin over the volume of the bin"},
      {"granular_temperature", Coordinate::height, "1",
       "mean square of one component of velocity about the bin's mean over (diameter times shear "
       "rate)^2"},

@@ -22,7 +22,7 @@ Effect bead_loss() {
                                            },
                                        .where = ChangeInstrument::Where::transducers},
             .acts_through = {"bead_volume"},
-            .directly = "the beads weighed before and after",
+            .directly = "weighing the beads before and after",
             .references = {"Schulze, Powders and Bulk Solids (2008): loss of bulk solid from the "
                            "gaps of shear cells"}};
 }

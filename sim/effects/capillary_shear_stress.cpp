@@ -7,7 +7,7 @@ namespace pendular {
 Effect capillary_shear_stress() {
     return {
         .summary =
-            "adds the shear stress of capillary forces to Rumpf's cohesion (base rumpf only)",
+            "Rumpf's cohesion includes the shear stress of capillary forces (base rumpf only)",
         .equation =
             "mu* = mu*_0 + (mu*_0 Phi_S Z*/pi - a^2 s12cap/F0)/P*      eq:strength2 in place "
             "of eq:strength3",

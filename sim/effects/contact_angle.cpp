@@ -16,7 +16,7 @@ constexpr double degree = std::numbers::pi / 180;
 /// since bridges do not attract above 90 degrees and a negative sum has no meaning. A negative
 /// value of the effect's angle is useful where the study's angle is too large.
 Effect contact_angle() {
-    return {.summary = "the contact angle of the liquid differs from the study's",
+    return {.summary = "the contact angle of the liquid differs from the angle in the study",
             .equation = "F0 = pi a Gamma cos(theta + angle)      0 <= theta + angle <= 89 degrees",
             .parameters = {{.name = "angle",
                             .unit = "rad",
@@ -33,7 +33,7 @@ Effect contact_angle() {
             }},
             .touches = Touches::wet,
             .acts_through = {"1/reduced_pressure"},
-            .directly = "a drop on the beads' material, less the study's angle",
+            .directly = "a drop on the material of the beads (minus the study's angle)",
             .references = {
                 "de Gennes, Brochard-Wyart and Quere, Capillarity and Wetting Phenomena (2004)",
                 "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "

@@ -24,7 +24,7 @@ void pull(const dem::PairBatch& batch, const dem::PairContext& context) {
 /// weaker, by the ratio of Hamaker constants, and is neglected: the effect acts only in contacts
 /// without a bridge.
 Effect dry_adhesion() {
-    return {.summary = "touching beads attract each other without a liquid",
+    return {.summary = "beads in contact attract each other without a liquid",
             .equation = "F_N -> F_N - force  in contacts without a bridge",
             .parameters = {{.name = "force",
                             .unit = "N",

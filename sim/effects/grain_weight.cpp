@@ -3,9 +3,9 @@
 namespace pendular {
 
 /// Every layer of beads carries the layers above, so that the normal stress rises by M g/A from lid
-/// to bottom, with M the true mass of the beads in the cell. The average state of the beads is that
-/// at mid-height, where the normal stress exceeds the stress under the lid, which the load cell
-/// measures, by M g/(2 A).
+/// to bottom, with M the true mass of the beads in the cell. The average state of the beads is the
+/// state at mid-height. There the normal stress exceeds the stress under the lid, which the load
+/// cell measures, by M g/(2 A).
 Effect grain_weight() {
     return {
         .summary =
@@ -13,7 +13,7 @@ Effect grain_weight() {
             "lid",
         .equation =
             "F_shown = F_N - M g/2      F_N at mid-height, M the mass of the beads in the cell",
-        .parameters = {on_switch("0: weightless, 1: the weight of the beads counts")},
+        .parameters = {on_switch("1: the weight of the beads is included, 0: it is neglected")},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            shown.normal_force -= v["on"] * shown.weight() / 2;

@@ -8,10 +8,10 @@ namespace pendular {
 /// too low.
 Effect lid_slip() {
     return {
-        .summary = "beads slip along the lid, so that they are sheared more slowly than it turns",
+        .summary = "beads slip along the lid and are sheared more slowly than the lid turns",
         .equation =
-            "omega_shown = omega/(1 - fraction)      omega: the lid that would shear the beads so "
-            "without slip",
+            "omega_shown = omega/(1 - fraction)      omega: angular velocity of a lid that shears "
+            "the beads equally fast without slip",
         .parameters = {{.name = "fraction",
                         .unit = "1",
                         .lower = 0,

@@ -35,7 +35,7 @@ Effect liquid_loss() {
                                    .where = ChangeInstrument::Where::transducers},
         .touches = Touches::wet,
         .acts_through = {"time"},
-        .directly = "the cell weighed before and after",
+        .directly = "weighing the cell before and after",
         .references = {"Mitarai and Nori, Adv. Phys. 55 (2006) 1: wet granular materials"}};
 }
 

@@ -6,7 +6,7 @@ namespace pendular {
 /// Stress ratios have a relative error of -force/F_N, largest at the smallest load. Inertial
 /// numbers have half of this error.
 Effect normal_force_offset() {
-    return {.summary = "a load cell out of tare adds a constant normal force",
+    return {.summary = "a wrong tare of the load cell adds a constant normal force",
             .equation = "F_shown = F_N + force",
             .parameters = {{.name = "force",
                             .unit = "N",
@@ -14,7 +14,7 @@ Effect normal_force_offset() {
                             .upper = 10,
                             .neutral = 0,
                             .smallest_of_interest = 0.05,
-                            .meaning = "reading of the load cell without load"}},
+                            .meaning = "normal force that the unloaded load cell shows"}},
             .change = ChangeInstrument{.show =
                                            [](CellState shown, const Values& v) {
                                                shown.normal_force += v["force"];

@@ -25,7 +25,7 @@ void spread(std::span<double> diameters, std::mt19937_64& random, const Values& 
 /// resembles a loss of beads or a wrong gap. By symmetry the response of the readings grows with
 /// the square of the deviation.
 Effect polydispersity() {
-    return {.summary = "the beads are not all of one size",
+    return {.summary = "the beads differ in size",
             .equation = "diameters uniform over a (1 +- sqrt(3) deviation)",
             .parameters = {{.name = "deviation",
                             .unit = "1",

@@ -53,7 +53,7 @@ double effective_amplitude(double coefficient, double friction) {
 /// alone, dry beads follow one curve of stress ratio against solid fraction; with rolling
 /// resistance the stress ratio is higher at the same solid fraction.
 Effect rolling_resistance() {
-    return {.summary = "contacts resist rolling, as those of rough beads do",
+    return {.summary = "contacts of rough beads resist rolling",
             .equation = "|M_rolling| <= coefficient (a/2) F_N",
             .parameters = {{.name = "coefficient",
                             .unit = "1",

@@ -40,7 +40,7 @@ double arm(const CellState& cell) {
 /// the torque on the lid exceeds the torque at mid-height by
 ///     k (H/w) F (Re^2 + Ri^2)/(Re + Ri)
 /// of which k (H/w) F (Re + Ri)/2 is the limit of a narrow annulus (12 % less at 21 and 45 mm).
-/// That F rises towards the lid is of second order in k H/w.
+/// The increase of F towards the lid changes this only in second order in k H/w.
 ///
 /// Friction cannot be fully mobilised in both directions at once. The coefficient is the mobilised
 /// part, assumed equal in both directions.
@@ -70,7 +70,7 @@ Effect wall_friction() {
                                            },
                                        .where = ChangeInstrument::Where::grains},
             .acts_through = {"height"},
-            .directly = "beads glued to a sled on the material of the walls",
+            .directly = "a sled with beads glued to it, pulled over the material of the walls",
             .references = {
                 "Janssen, Z. Ver. dt. Ing. 39 (1895) 1045: silo pressure",
                 "Schulze, Powders and Bulk Solids (2008): wall friction in ring shear testers"}};

@@ -5,23 +5,24 @@ namespace pendular {
 /// A liquid film lubricates surfaces, or makes them rougher where it swells or cleans them: the
 /// friction of wet beads differs from that of dry beads.
 Effect wet_friction() {
-    return {.summary = "wet beads have another friction coefficient than dry ones",
-            .equation = "mu_wet = mu + difference",
-            .parameters = {{.name = "difference",
-                            .unit = "1",
-                            .lower = -0.5,
-                            .upper = 0.5,
-                            .neutral = 0,
-                            .smallest_of_interest = 0.01,
-                            .meaning = "friction coefficient of wet beads less that of dry ones"}},
-            .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
-                condition.friction_difference += v["difference"];
-                return condition;
-            }},
-            .touches = Touches::wet,
-            .acts_through = {"liquid_content"},
-            .references = {"Bowden and Tabor, The Friction and Lubrication of Solids (1950): "
-                           "boundary lubrication"}};
+    return {
+        .summary = "the friction coefficient of wet beads differs from that of dry beads",
+        .equation = "mu_wet = mu + difference",
+        .parameters = {{.name = "difference",
+                        .unit = "1",
+                        .lower = -0.5,
+                        .upper = 0.5,
+                        .neutral = 0,
+                        .smallest_of_interest = 0.01,
+                        .meaning = "friction coefficient of wet beads minus that of dry beads"}},
+        .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
+            condition.friction_difference += v["difference"];
+            return condition;
+        }},
+        .touches = Touches::wet,
+        .acts_through = {"liquid_content"},
+        .references = {"Bowden and Tabor, The Friction and Lubrication of Solids (1950): "
+                       "boundary lubrication"}};
 }
 
 }  // namespace pendular

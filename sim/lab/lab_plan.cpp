@@ -32,11 +32,10 @@ void demand_distinct(const std::vector<double>& values, const std::string& what)
         }
         for (std::size_t k = 0; k < i; ++k) {
             if (std::abs(values[i] / values[k] - 1) < 0.05) {
-                throw InputError(
-                    fmt::format("{} {:g} and {:g} are too close: what differs by less than 5 % "
-                                "may pass for the same; leave one out, or raise --replicates to "
-                                "measure it more often",
-                                what, values[k], values[i]));
+                throw InputError(fmt::format(
+                    "{} {:g} and {:g} are too close: values that differ by less than 5 % count as "
+                    "equal; leave one out, or raise --replicates to measure it more often",
+                    what, values[k], values[i]));
             }
         }
     }
@@ -96,9 +95,9 @@ bool is_simulated(const Effect& effect) {
     return effect.of_instrument() || effect.of_grains() || effect.of_condition();
 }
 
-/// Whether an effect of type ChangeCondition leaves every run unchanged, as a negative contact
-/// angle does that is limited to 0. An effect that is always on may have its present value: returns
-/// false.
+/// Whether an effect of type ChangeCondition leaves every run unchanged, such as a negative contact
+/// angle, which is limited to 0. Returns false for an effect that is always on, which may have its
+/// present value.
 bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
     if (!active.effect->of_condition() || active.effect->given_by_liquid) {
         return false;
@@ -122,8 +121,8 @@ void check_effects(const LabPlan& plan) {
         const std::string what = to_string(active);
         if (!is_simulated(*active.effect)) {
             throw InputError(
-                fmt::format("{} changes how a model predicts, not how beads flow, so that a "
-                            "laboratory cannot have it; leave it out",
+                fmt::format("{} changes the prediction of a model and not the flow of beads, so "
+                            "that a laboratory cannot have it; leave it out",
                             what));
         }
         if (active.effect->touches == Touches::wet && plan.liquid_contents.empty()) {
@@ -257,7 +256,7 @@ dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condi
 
 void check_plan(const LabPlan& plan) {
     if (plan.dry_normal_stresses.empty() || plan.inertial_numbers.empty()) {
-        throw InputError("nothing to measure: name normal stresses and inertial numbers");
+        throw InputError("there is nothing to measure: give normal stresses and inertial numbers");
     }
     demand_distinct(plan.dry_normal_stresses, "dry normal stress");
     demand_distinct(plan.wet_normal_stresses, "wet normal stress");

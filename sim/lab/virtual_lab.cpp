@@ -68,7 +68,7 @@ class Runs {
                             "friction or fidelity",
                             what, attempt - 1));
         }
-        notes_.push_back(what + "; it was made again with another seed");
+        notes_.push_back(what + "; it was repeated with another seed");
     }
 
     std::uint64_t seed_;
@@ -169,11 +169,12 @@ void note_scatter(LabResult& result) {
     const double torque = typical_error(result, dem::Observable::stress_ratio);
     const double fraction = typical_error(result, dem::Observable::solid_fraction);
     if (torque > noise * torque_scatter || fraction > noise * solid_fraction_scatter) {
-        result.notes.push_back(fmt::format(
-            "the simulations alone scatter by {:.2g} % in torque and {:.2g} % in solid fraction, "
-            "where --noise {:g} asks for {:g} and {:g} % in all; a higher fidelity scatters less",
-            100 * torque, 100 * fraction, noise, 100 * noise * torque_scatter,
-            100 * noise * solid_fraction_scatter));
+        result.notes.push_back(
+            fmt::format("the simulations alone cause a scatter of {:.2g} % in torque and {:.2g} % "
+                        "in solid fraction, whereas --noise {:g} requests a total of {:g} % and "
+                        "{:g} %; a higher fidelity reduces the scatter",
+                        100 * torque, 100 * fraction, noise, 100 * noise * torque_scatter,
+                        100 * noise * solid_fraction_scatter));
     }
 }
 

@@ -199,7 +199,7 @@ std::vector<Point> sobol_points(const StudyTable& table) {
         throw InputError(table.position(), "[[sobol]] has no range; write key = [least, greatest]");
     }
     boost::random::sobol sequence(ranges.size());
-    sequence.discard(ranges.size());  // the point where all values are least
+    sequence.discard(ranges.size());  // skips the point at which all values are smallest
     const double scale = std::ldexp(1.0, -64);
     std::vector<Point> points(wanted);
     for (Point& point : points) {
@@ -261,9 +261,9 @@ class Reader {
         try {
             check_run(run);
         } catch (const std::invalid_argument& error) {
-            throw InputError(table.position(), fmt::format("asks for a run that cannot be "
-                                                           "simulated: {}",
-                                                           error.what()));
+            throw InputError(
+                table.position(),
+                fmt::format("requests a run that cannot be simulated: {}", error.what()));
         }
         if (there_.insert(run_description(run)).second) {
             runs_.push_back(run);
@@ -297,7 +297,7 @@ std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file)
     if (runs.empty()) {
         throw InputError(
             root.position(),
-            "asks for no run; add [[grid]], [[list]] or [[sobol]] ('pendular campaign --help')");
+            "requests no run; add [[grid]], [[list]] or [[sobol]] ('pendular campaign --help')");
     }
     return runs;
 }

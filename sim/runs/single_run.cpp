@@ -56,7 +56,7 @@ std::string why_no_run_has(const Effect& effect) {
         return "it acts on the closures of base \"rumpf\", which are no part of a run";
     }
     if (std::holds_alternative<ChangeFlow>(effect.change)) {
-        return "it acts on what a run yields, and is no part of it";
+        return "it changes the result of a run by a formula and cannot be simulated";
     }
     return "";
 }

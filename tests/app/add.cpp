@@ -119,7 +119,7 @@ TEST_F(StudyChanges, AreRefusedWhereTheLadderIsBroken) {
     const std::string path = study(cell).string();
     fs::create_directories(folder_.path() / "out");
     const auto ladder = folder_.write("out/ladder.json", "{\"rungs\": [{\"step\"");
-    expect_refused_whole("add " + path + " torque-gain", "ladder.json: not the ladder of a study");
+    expect_refused_whole("add " + path + " torque-gain", "ladder.json: not a complete ladder of a study");
     EXPECT_EQ(content_of(ladder), "{\"rungs\": [{\"step\"");
 }
 

@@ -165,7 +165,7 @@ TEST(CampaignCommand, RefusesBeforeItSimulates) {
                              const std::string& why) {
         expect_refused("campaign " + folder.write("runs.toml", text).string() + " " + words, why);
     };
-    refused("[[grid]]\nbeads = 12\n", "", "runs.toml:1:1: asks for a run that cannot be simulated");
+    refused("[[grid]]\nbeads = 12\n", "", "runs.toml:1:1: requests a run that cannot be simulated");
     refused("[[gird]]\nbeads = 100\n", "", "did you mean 'grid'");
     refused(eight_runs, "--shard 3/2", "write i/n");
     refused(eight_runs, "--shard 2/3x", "write i/n");
@@ -246,7 +246,7 @@ TEST(CampaignCommand, EstimatesItsDurationWithoutMakingAStore) {
     ASSERT_EQ(fresh.code, 0) << fresh.errors;
     EXPECT_FALSE(fs::exists(store));
     EXPECT_THAT(fresh.errors, HasSubstr("0 of 9 runs are in"));
-    EXPECT_THAT(fresh.errors, HasSubstr("Estimated duration of the 9 runs to do"));
+    EXPECT_THAT(fresh.errors, HasSubstr("Estimated duration of the 9 remaining runs"));
     EXPECT_THAT(fresh.errors, HasSubstr("another machine"));
     EXPECT_GT(json::parse(fresh.output)["estimated_seconds"], 0);
     const Outcome rest = run_pendular(words + whole(folder).string());

@@ -71,7 +71,7 @@ TEST_F(DiagnoseCommand, SaysWhatCannotBeDiagnosed) {
     const Outcome run = run_pendular("diagnose " + path);
     EXPECT_EQ(run.code, 2);
     EXPECT_THAT(run.errors, AllOf(HasSubstr("study.toml"), HasSubstr("at one condition"),
-                                  HasSubstr("measure at two normal stresses")));
+                                  HasSubstr("measure at two or more normal stresses")));
 }
 
 TEST_F(DiagnoseCommand, SaysWhatToMeasureNext) {

@@ -98,7 +98,7 @@ TEST(Effects, AreJson) {
 TEST(Effects, PointToTheNearestName) {
     expect_refused("effects torque-ofset", "did you mean 'torque-offset'?");
     expect_refused("effects torque-offset other", "too many arguments");
-    expect_refused("effects --study /nowhere/at/all", "not there");
+    expect_refused("effects --study /nowhere/at/all", "does not exist");
 }
 
 /// Text of a page without the signs that keep words from being Markdown.

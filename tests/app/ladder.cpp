@@ -210,8 +210,8 @@ TEST(Ladder, RefusesAFileThatIsCutOrSomethingElse) {
           std::string("null"), std::string("{\"rungs\": [{\"step\": \"one\"}]}"), strange.dump()}) {
         folder.write("ladder.json", broken);
         const std::string message = input_error([&] { read_ladder(file); });
-        EXPECT_THAT(message, HasSubstr("ladder.json: not the ladder of a study")) << broken;
-        EXPECT_THAT(message, HasSubstr("move this file away"));
+        EXPECT_THAT(message, HasSubstr("ladder.json: not a complete ladder of a study")) << broken;
+        EXPECT_THAT(message, HasSubstr("move it away"));
         EXPECT_EQ(content_of(file), broken);  // nothing is lost
     }
 }

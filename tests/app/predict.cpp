@@ -129,7 +129,7 @@ TEST(Predict, LeavesOutThePartOfACurveThatRunsDoNotSupport) {
     EXPECT_EQ(said["left_out"], 7);
     EXPECT_EQ(said["states"].size(), 13u);
     EXPECT_THAT(run.errors, HasSubstr("7 of 20 states are left out"));
-    EXPECT_THAT(run.errors, HasSubstr("Kept is reduced pressure 0.5456 to 10"));
+    EXPECT_THAT(run.errors, HasSubstr("The curve covers reduced pressure 0.5456 to 10"));
     EXPECT_EQ(std::ranges::count(content_of(folder.path() / "prediction.csv"), '\n'), 14);
     expect_refused("predict --along friction=0.8:0.9" + out, "friction 0.8 is above 0.6");
 }

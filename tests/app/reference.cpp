@@ -96,12 +96,14 @@ constexpr std::array<std::array<const char*, 2>, 22> other_terms = {{
     {"contact history",
      "numbers that a pair of grains keeps from step to step, such as its "
      "tangential force"},
-    {"direct measurement", "an effect measured by itself, such as the torque of the empty cell"},
+    {"direct measurement",
+     "a measurement of an effect's parameter without shearing grains, such as the torque of the "
+     "empty cell"},
     {"effect", "a physical property of instrument, beads, liquid or grains that a model may lack"},
-    {"effect set", "effects that a model has together"},
+    {"effect set", "the effects that one model contains"},
     {"emulator", "Gaussian processes that predict simulations, trained on runs"},
     {"filling", "beads poured into the cell once; its steps share an error"},
-    {"grain", "a sphere of the simulation; the experimenter's are called beads"},
+    {"grain", "a sphere of the simulation; beads are what the experimenter pours"},
     {"hyperparameters", "amplitudes and lengths of the emulator's Gaussian processes"},
     {"ladder step", "one state of a study's model: its effects, its fit and its errors"},
     {"lack of fit", "misfit of the means of replicates, beyond their scatter"},
@@ -115,8 +117,8 @@ constexpr std::array<std::array<const char*, 2>, 22> other_terms = {{
     {"score test", "test of an effect from the residuals, without a refit"},
     {"share imitated by the calibrated parameters",
      "share of an effect's change of the readings that a change of friction can imitate"},
-    {"smallest effect of interest", "size of an effect from which on a user would care"},
-    {"training runs", "simulations from which the emulator predicts"},
+    {"smallest effect of interest", "smallest size of an effect that matters to the user"},
+    {"training runs", "simulations on which the emulator is trained"},
 }};
 
 TEST(ReferencePages, OfTermsHoldTheTableOfQuantities) {

@@ -105,7 +105,7 @@ TEST_F(ReadTable, RefusesAnUnclosedQuoteOnItsLine) {
 }
 
 TEST_F(ReadTable, RefusesAColumnNameThatStandsTwice) {
-    EXPECT_THAT(error("a,b,a\n1,2,3\n"), HasSubstr(at(":1:5: column 'a' stands twice")));
+    EXPECT_THAT(error("a,b,a\n1,2,3\n"), HasSubstr(at(":1:5: column 'a' occurs twice")));
 }
 
 TEST_F(ReadTable, RefusesWhatIsNoText) {

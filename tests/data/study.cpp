@@ -122,7 +122,8 @@ TEST_F(ReadStudy, TakesAFolderWithPatternCharactersInItsName) {
 }
 
 TEST_F(ReadStudy, RefusesWhatIsNotThere) {
-    EXPECT_THAT(input_error([&] { read_study(folder_.path() / "none"); }), HasSubstr("not there"));
+    EXPECT_THAT(input_error([&] { read_study(folder_.path() / "none"); }),
+                HasSubstr("does not exist"));
     EXPECT_THAT(input_error([&] { read_study(folder_.path()); }), HasSubstr("no study.toml"));
 }
 

@@ -151,12 +151,12 @@ TEST_F(StudyEffects, RefuseNamesThatAreNone) {
         EXPECT_THAT(error(drag_with("parameter", "parameter = \"" + std::string(name) + "\"")),
                     AllOf(at(":8:13: 'parameter': "), HasSubstr("one word")));
     EXPECT_THAT(error(drag + drag),
-                at(":14:8: 'name': \"speed-drag\" is written in line 6 already"));
+                at(":14:8: 'name': \"speed-drag\" is already defined in line 6"));
 }
 
 TEST_F(StudyEffects, RefuseImpossibleBounds) {
     EXPECT_THAT(error(drag_with("lower", "lower = nan")), at(":10:9: 'lower': must be finite"));
-    EXPECT_THAT(error(drag_with("lower", "lower = 50.0")), at(":10:9: 'lower': must be below"));
+    EXPECT_THAT(error(drag_with("lower", "lower = 50.0")), at(":10:9: 'lower': must be less than"));
     EXPECT_THAT(error(drag_with("lower", "lower = 1")),
                 AllOf(at(":6:1: 'neutral': "), HasSubstr("0 where 'neutral' is left out")));
     EXPECT_THAT(error(drag + "neutral = 60\n"), at(":13:11: 'neutral': "));

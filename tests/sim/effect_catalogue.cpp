@@ -83,7 +83,8 @@ TEST_F(Catalogue, RefusesTheNameOfABuiltInEffect) {
     std::string text = drag;
     text.replace(text.find("speed-drag"), 10, "torque-offset");
     EXPECT_THAT(active_error(grains + readings + text),
-                AllOf(at(":7:8: 'name': "), HasSubstr("\"torque-offset\" comes with the program")));
+                AllOf(at(":7:8: 'name': "),
+                      HasSubstr("\"torque-offset\" is the name of a built-in effect")));
 }
 
 TEST_F(Catalogue, RefusesAWrittenEffectThatIsNotSwitchedOnToo) {

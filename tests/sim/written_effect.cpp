@@ -216,7 +216,7 @@ TEST(WrittenEffect, TakesComparisonsForWhatTheyAre) {
 TEST(WrittenEffect, RefusesAFormulaWithoutItsParameter) {
     EXPECT_THAT(
         error("torque = \"1.02*torque\""),
-        AllOf(StartsWith("study.toml:6:10: "), HasSubstr("does not mention the parameter 'x'")));
+        AllOf(StartsWith("study.toml:6:10: "), HasSubstr("does not contain the parameter 'x'")));
 }
 
 TEST(WrittenEffect, RefusesAUnitThatDoesNotFitItsFormula) {

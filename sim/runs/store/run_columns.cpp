@@ -34,12 +34,12 @@ template <typename Number>
 Number whole(const RunCell& cell) {
     const auto* number = std::get_if<std::int64_t>(&cell);
     if (!number) {
-        throw std::invalid_argument("holds something else than the whole number that is needed");
+        throw std::invalid_argument("holds something other than a whole number");
     }
     if constexpr (std::is_same_v<Number, bool>) {
         return *number != 0;
     } else {
-        // A seed is kept as the signed number of the same bits.
+        // A seed is stored as the signed number with the same bits.
         if (sizeof(Number) < sizeof *number && !std::in_range<Number>(*number)) {
             throw std::invalid_argument(fmt::format("{} is out of range", *number));
         }

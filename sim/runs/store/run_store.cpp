@@ -78,7 +78,7 @@ RunCell cell_of(const SQLite::Column& column) {
 }
 
 /// Returns the run of a row of "id, physics_version, columns...".
-/// @throws InputError where a cell holds what no run has
+/// @throws InputError where a cell holds a value that no run can have
 StoredRun run_of(SQLite::Statement& row, const std::filesystem::path& file) {
     StoredRun stored{row.getColumn(0).getInt64(), row.getColumn(1).getInt(), {}};
     int at = 2;
@@ -119,8 +119,8 @@ void bind_blob(SQLite::Statement& statement, int at, const std::string& bytes) {
     statement.bind(at, bytes.data(), static_cast<int>(bytes.size()));
 }
 
-/// Checks that a command of SQL is one, without another behind it.
-/// @throws InputError where the condition ends the command
+/// Checks that an SQL text is a single command, without a second command after it.
+/// @throws InputError where a second command follows
 void refuse_more_commands(SQLite::Database& database, const std::string& command,
                           const std::string& condition) {
     sqlite3_stmt* statement = nullptr;
@@ -129,10 +129,9 @@ void refuse_more_commands(SQLite::Database& database, const std::string& command
         sqlite3_prepare_v2(database.getHandle(), command.c_str(), -1, &statement, &rest);
     sqlite3_finalize(statement);
     if (status == SQLITE_OK && rest && *rest != '\0') {
-        throw InputError(
-            fmt::format("condition '{}': has more than the condition; leave out ';' "
-                        "and what follows",
-                        condition));
+        throw InputError(fmt::format(
+            "condition '{}': contains more than one condition; remove ';' and the text after it",
+            condition));
     }
 }
 
@@ -264,7 +263,8 @@ void RunStore::query(const std::string& columns, const std::string& condition,
                      const std::function<void(SQLite::Statement&)>& take) const {
     const std::lock_guard lock(mutex_);
     explained(file_, [&] {
-        // On a line of its own, so that a comment in the condition ends with it.
+        // The bracket closes on the next line, so that a comment in the condition does not extend
+        // to it.
         const std::string where = condition.empty() ? "" : " WHERE (" + condition + "\n)";
         const std::string command = columns + " FROM runs" + where + " ORDER BY id";
         const SizeLimit limit(*database_, most_in_condition);
@@ -314,7 +314,7 @@ StoredRun RunStore::get(std::int64_t id) const {
         query.bind(1, id);
         if (!query.executeStep()) {
             throw InputError(
-                fmt::format("store {} has no run {}; 'pendular runs list' shows those there are",
+                fmt::format("store {} has no run {}; 'pendular runs list' lists the stored runs",
                             file_.string(), id));
         }
         StoredRun stored = run_of(query, file_);
@@ -323,14 +323,14 @@ StoredRun RunStore::get(std::int64_t id) const {
             if (!query.getColumn(column).isBlob()) return;
             try {
                 if (dem::restore(expanded(blob_of(query.getColumn(column))), into)) return;
-            } catch (const std::runtime_error&) {  // corrupt, too
+            } catch (const std::runtime_error&) {  // the run is corrupt
             }
             refuse_run(file_, id, "its trace or final state cannot be read");
         };
         expand(at, stored.run.trace);
         expand(at + 1, stored.run.final_state);
         if (!can_be_state(stored.run.final_state)) {
-            refuse_run(file_, id, "its final state is none of such a run");
+            refuse_run(file_, id, "its final state does not belong to such a run");
         }
         return stored;
     });
