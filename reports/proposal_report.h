@@ -14,8 +14,8 @@ std::string sentence_on(const FittedShape& shape);
 std::string sentence_on(const Proposal& proposal);
 
 /// Lines for a diagnosis on the changes that would explain the readings, the best with the
-/// reduction of chi2 that it brings; empty where there are none. `chi2`, `dof`: of the model
-/// without them.
+/// reduction of chi2 that it brings; empty where there are none. `chi2` and `dof` are those of the
+/// model without these changes.
 std::vector<std::string> proposal_lines(const std::vector<Proposal>& proposals, double chi2,
                                         int dof);
 

@@ -14,11 +14,11 @@ namespace pendular {
 Figure trace_figure(const StoredRun& run);
 
 /// Figure of column `y` of `run_columns()` (the values listed for each simulation run) against
-/// column `x`, one point per run that did not fail, with standard errors of `y` where a column has
-/// them. Dry runs and wet runs by range of reduced pressure differ in colour, runs with effects in
+/// column `x`, one point per successful run, with standard errors of `y` where a column has them.
+/// Dry runs and wet runs by range of reduced pressure differ in colour, runs with effects in
 /// symbol.
-/// @throws InputError for a column that does not exist or holds no numbers, and where no run that
-///         did not fail has numbers in both columns
+/// @throws InputError for a column that does not exist or holds no numbers, and where no successful
+///         run has numbers in both columns
 Figure runs_figure(const std::vector<StoredRun>& runs, const std::string& x, const std::string& y);
 
 }  // namespace pendular

@@ -30,7 +30,7 @@ std::vector<RivalModel> rivals_alive(const StudyDiagnosis& diagnosis, const Reso
                                      const Ladder& ladder);
 
 /// Sentence on rival models that the readings do not rule out, with how to measure the effects
-/// directly; empty without rivals. `chi2`: of the study's model [1].
+/// directly; empty without rivals. `chi2` is that of the study's model [1].
 std::string rivals_line(const std::vector<RivalModel>& rivals, double chi2,
                         const EffectCatalogue& catalogue);
 

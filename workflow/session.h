@@ -83,9 +83,9 @@ class Session {
     /// @throws dem::Interrupted where the user stops the work
     StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {},
                             std::size_t repetitions = 0) const;
-    /// Plans the next measurement to make, from the diagnosis of this session's study: it tells
-    /// apart the models that fit or, where there is one only, determines its parameters best. The
-    /// session and the diagnosis must outlive the result.
+    /// Plans the next measurement to make, from the diagnosis of this session's study: the
+    /// measurement tells apart the models that fit or, if only one fits, determines the parameters
+    /// of this model best. The session and the diagnosis must outlive the result.
     /// @throws InputError where the known runs support a prediction at none of the rig's conditions
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;

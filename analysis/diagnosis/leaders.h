@@ -23,7 +23,7 @@ struct Leaders {
 double share_explained(double chi2, int dof, const Explanation& by);
 
 /// Finds the effects that explain most of a misfit where none of the refitted models `tried` fits;
-/// empty where there are none. `chi2`, `dof`: of the model without further effects.
+/// empty where there are none. `chi2` and `dof` are those of the model without further effects.
 ///
 /// Repetitions of the experiment are drawn: errors e change chi2 of model m by 2 s r_m' e, with its
 /// whitened residuals r_m. The misfit that even the best model leaves is taken as a sign that all

@@ -35,8 +35,9 @@ struct ShapeOfChange {
     std::string name() const;
 };
 
-/// Quantities that may change in a study with these readings: those of the flow and of the grains;
-/// with a cell, also those that the instrument shows; with wet readings, also those of the liquid.
+/// Quantities that may change in a study with these readings: quantities of the flow and of the
+/// grains; in a study with a cell, also the quantities that the instrument shows; with wet
+/// readings, also the surface tension of the liquid.
 std::vector<ChangedQuantity> quantities_that_may_change(const ResolvedStudy& study,
                                                         const std::vector<Reading>& readings);
 

@@ -34,7 +34,7 @@ class RunPlanner {
     /// over friction and inertial number at once, if runs may be requested
     /// (`KnownRuns::orders_more`).
     /// @param conditions conditions of the study's readings, which are to be predicted
-    /// @param budget time that runs may take which are not those first ones
+    /// @param budget time limit of all runs except these first runs
     /// @throws std::invalid_argument where no known run can serve as a training run, or conditions
     ///         are wet but the study has no liquid
     /// @throws dem::SimulationError where none of these first dry runs succeeds

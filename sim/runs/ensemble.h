@@ -57,9 +57,9 @@ double expected_cost(const dem::RunParameters& run);
 
 /// Returns the wall time [s] that `runs` are expected to take on `threads` threads, one run per
 /// thread, from their `expected_cost` and the median wall time per cost of `measured`, runs already
-/// carried out. For each run the median is over measured runs that are wet or dry, and with or
-/// without effects, as the run is; if there are none, over all. The time is at least that of the
-/// longest run; empty if no measured run succeeded.
+/// carried out. For each run, the median is taken over the measured runs of the same kind (wet or
+/// dry, with or without effects) or, if there are none, over all measured runs. The time is at
+/// least that of the longest run; empty if no measured run succeeded.
 std::optional<double> expected_seconds(const std::vector<dem::RunParameters>& runs,
                                        const std::vector<dem::RunResult>& measured, int threads);
 

@@ -17,8 +17,8 @@ constexpr int store_format = 1;  ///< version of the store's file format
 /// Name of a store that is kept in memory only, without a file.
 constexpr const char* store_in_memory = ":memory:";
 
-/// Opens the SQLite file of a store, which somebody else may have made: no code in its schema is
-/// run, neither views nor triggers nor functions.
+/// Opens the SQLite file of a store, which somebody else may have made: views, triggers and
+/// functions in its schema are not run.
 /// @param file absolute path, or `store_in_memory`
 /// @param must_exist true: a missing file is an error, and a file that cannot be written is opened
 ///         for reading only; false: a missing file is created, with its folder
