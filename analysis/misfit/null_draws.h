@@ -42,8 +42,7 @@ struct ErrorKnowledge {
     /// the entries by exp(z v), for each vector v of this list and one standard normal z.
     std::vector<Eigen::VectorXd> log_sizes;
 
-    /// Returns the knowledge that the sizes of the errors of n entries are exactly known, without
-    /// shared errors.
+    /// Returns the knowledge on n entries whose errors have exactly known sizes and are not shared.
     static ErrorKnowledge known(Eigen::Index n);
 };
 

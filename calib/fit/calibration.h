@@ -25,7 +25,7 @@ struct Calibration {
     std::size_t fitted = 0;
     std::vector<DirectMeasurement> direct = {};  ///< measured parameters of effects, fitted too
     GrainProperties grains;                      ///< grains of the study when it was fitted
-    std::optional<Liquid> liquid;                ///< liquid of the study when it was fitted
+    std::optional<Liquid> liquid;                ///< liquid of the study at the time of the fit
     ModelSettings model;                         ///< model settings of the study when it was fitted
     /// Effects that the study defined by formulas ([[effect]] in study.toml) when it was fitted.
     std::vector<WrittenEffect> written_effects;

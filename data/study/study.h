@@ -23,7 +23,7 @@ namespace pendular {
 struct Source {
     enum class Kind { recording, readings };
     Kind kind = Kind::recording;
-    std::string pattern;  ///< pattern of the paths, relative to the study's folder
+    std::string pattern;  ///< pattern of file paths, relative to the study's folder
     std::vector<std::filesystem::path> files;  ///< files that match the pattern, sorted by path
     /// Volume of liquid over volume of grains [1], if the entry has it.
     std::optional<double> liquid_content;

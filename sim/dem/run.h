@@ -90,8 +90,8 @@ constexpr double crystal_solid_fraction = 0.645;
 constexpr double localised_above = 0.05;
 
 /// Simulates a sample in steady shear and returns its time averages over `parameters.strain`, or
-/// over less where they reach `parameters.precision`. The preceding transient is detected, not
-/// assumed. `effects` must be the effects on grains that `parameters` names.
+/// over a shorter strain once the averages reach `parameters.precision`. The preceding transient is
+/// detected, not assumed. `effects` must be the effects on grains that `parameters` names.
 /// @throws std::invalid_argument where `check_run_parameters` does, for an impossible number of
 /// threads, and for a start state with another number of grains
 /// @throws SimulationError where the state is not finite, or the sample does not reach or hold its

@@ -20,7 +20,7 @@ struct LabPlan {
     Liquid liquid = {.surface_tension = 20.6e-3};
     AnnularCell cell = {.inner_radius = 21e-3, .outer_radius = 45e-3, .bead_volume = 60e-3 / 1050};
     std::vector<double> dry_normal_stresses = {300, 1000, 3000};       ///< for dry recordings [Pa]
-    std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};  ///< for wet recordings [Pa]
+    std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};  ///< of wet recordings [Pa]
     /// Liquid contents Phi_L/Phi_S of the wet recordings [1]; empty: dry recordings only.
     std::vector<double> liquid_contents = {0.007, 0.03};
     std::vector<double> inertial_numbers = {3e-3, 3e-2};  ///< of all recordings [1]
