@@ -22,7 +22,7 @@ Eigen::Matrix2d expected_noise(const Emulator& emulator, const Fidelity& fidelit
     return sum / (static_cast<double>(emulator.runs().size()) * fidelity.grains * fidelity.strain);
 }
 
-bool alike(double x, double y) {
+bool similar(double x, double y) {
     constexpr double same = 0.05;
     return std::abs(x - y) <= same * std::max(std::abs(x), std::abs(y));
 }
@@ -30,13 +30,13 @@ bool alike(double x, double y) {
 }  // namespace
 
 bool near(const FlowState& a, const FlowState& b) {
-    return alike(a.friction, b.friction) && alike(a.inertial_number, b.inertial_number) &&
-           alike(a.inverse_pressure, b.inverse_pressure) &&
-           alike(a.bridge_volume, b.bridge_volume) &&
+    return similar(a.friction, b.friction) && similar(a.inertial_number, b.inertial_number) &&
+           similar(a.inverse_pressure, b.inverse_pressure) &&
+           similar(a.bridge_volume, b.bridge_volume) &&
            std::ranges::equal(a.effects, b.effects,
                               [](const EffectValues& one, const EffectValues& other) {
                                   return one.effect == other.effect &&
-                                         std::ranges::equal(one.values, other.values, alike);
+                                         std::ranges::equal(one.values, other.values, similar);
                               });
 }
 

@@ -119,11 +119,10 @@ StudyModels StudyModels::offering(const std::vector<Effect>& more) const {
     return models;
 }
 
-std::shared_ptr<const EffectModel> StudyModels::exchanged(
-    const std::string& removed, const std::vector<std::string>& added) const {
-    std::vector<const Effect*> effects = study_.effects();
-    std::erase_if(effects, [&](const Effect* effect) { return effect->name == removed; });
-    for (const std::string& name : added) {
+std::shared_ptr<const EffectModel> StudyModels::with_only(
+    const std::vector<std::string>& names) const {
+    std::vector<const Effect*> effects;
+    for (const std::string& name : names) {
         const Effect& effect = study_.catalogue().find(name);
         if (!has_runs(effect)) {
             throw std::invalid_argument("no known run has " + name + " alone");
@@ -131,6 +130,16 @@ std::shared_ptr<const EffectModel> StudyModels::exchanged(
         effects.push_back(&effect);
     }
     return assemble_model(study_, simulation_, effects);
+}
+
+std::shared_ptr<const EffectModel> StudyModels::exchanged(
+    const std::string& removed, const std::vector<std::string>& added) const {
+    std::vector<std::string> names;
+    for (const Effect* effect : study_.effects()) {
+        if (effect->name != removed) names.push_back(effect->name);
+    }
+    names.insert(names.end(), added.begin(), added.end());
+    return with_only(names);
 }
 
 std::shared_ptr<const Model> StudyModels::with(const EffectSet& chosen) const {

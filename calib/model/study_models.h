@@ -39,6 +39,11 @@ class StudyModels : public ModelSpace {
     /// Returns the study's model with the candidates `chosen` added (indices into candidates()), as
     /// a predictor for any conditions.
     std::shared_ptr<const EffectModel> predictor(const EffectSet& chosen) const;
+    /// Returns the study's model with exactly these effects instead of those that the study lists,
+    /// as a predictor for any conditions.
+    /// @throws std::invalid_argument where the catalogue has no effect with one of these names, and
+    ///         where no known run has an effect on grains alone
+    std::shared_ptr<const EffectModel> with_only(const std::vector<std::string>& effects) const;
     /// Returns the study's model with the effects `added` in place of the listed effect `removed`,
     /// as a predictor for any conditions.
     /// @throws std::invalid_argument where the catalogue has no effect with one of these names, and

@@ -1,0 +1,88 @@
+#include "calib/fit/nearby_fit.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace pendular {
+namespace {
+
+/// Largest number of steps with one covariance.
+constexpr int most_steps = 12;
+/// Length of a step, in standard errors, that ends a search [1].
+constexpr double short_step = 1e-3;
+/// Largest number of times that a step is halved.
+constexpr int most_halvings = 5;
+
+/// Tangent of a model at parameter values, with the bounds of the model.
+class Tangent : public Model {
+  public:
+    Tangent(const Model& model, Eigen::VectorXd at, Prediction prediction)
+        : model_(model), at_(std::move(at)), prediction_(std::move(prediction)) {}
+
+    const std::vector<Parameter>& parameters() const override { return model_.parameters(); }
+    Prediction predict(const Eigen::VectorXd& parameters, PredictionPart what) const override {
+        Prediction result{.value = prediction_.value + prediction_.jacobian * (parameters - at_)};
+        if (what != PredictionPart::values) result.jacobian = prediction_.jacobian;
+        return result;
+    }
+    ParameterBounds bounds() const override { return model_.bounds(); }
+
+  private:
+    const Model& model_;
+    Eigen::VectorXd at_;
+    Prediction prediction_;
+};
+
+/// chi2 of a model at parameter values; infinite where the readings are impossible there.
+double chi2_at(const Model& model, const Measured& measured,
+               const Eigen::LLT<Eigen::MatrixXd>& root, const Eigen::VectorXd& parameters) {
+    try {
+        const Eigen::VectorXd misfit =
+            measured.value - model.predict(parameters, PredictionPart::values).value;
+        return root.matrixL().solve(misfit).squaredNorm();
+    } catch (const std::domain_error&) {
+        return INFINITY;
+    }
+}
+
+/// Steps to the minimum with the covariance at the start, from parameters that are replaced by the
+/// result.
+void descend(const Model& model, const Measured& measured, Eigen::VectorXd& at) {
+    Prediction here = model.predict(at);
+    const Eigen::MatrixXd covariance = measured.covariance + here.covariance;
+    const Eigen::LLT<Eigen::MatrixXd> root(covariance);
+    if (root.info() != Eigen::Success) {
+        throw std::logic_error("the covariance of the readings is not positive definite");
+    }
+    double chi2 = root.matrixL().solve(measured.value - here.value).squaredNorm();
+    for (int turn = 0; turn < most_steps; ++turn) {
+        if (turn > 0) here = model.predict(at, PredictionPart::slopes);
+        const Eigen::MatrixXd slopes = here.jacobian;
+        Eigen::VectorXd step =
+            best_parameters(Tangent(model, at, std::move(here)), measured, covariance, at, {}) - at;
+        double lower = chi2_at(model, measured, root, at + step);
+        for (int halving = 0; !(lower <= chi2) && halving < most_halvings; ++halving) {
+            step /= 2;
+            lower = chi2_at(model, measured, root, at + step);
+        }
+        if (!(lower <= chi2)) return;
+        at += step;
+        chi2 = lower;
+        if (root.matrixL().solve(slopes * step).norm() < short_step) return;
+    }
+}
+
+}  // namespace
+
+Fit nearby_fit(const Model& model, const Measured& measured, const Eigen::VectorXd& start) {
+    const ParameterBounds bounds = model.bounds();
+    Eigen::VectorXd at = start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+    descend(model, measured, at);
+    descend(model, measured, at);
+    return fit(model, measured, at,
+               {.most_steps = 0, .tolerance = 1e-6, .settled = short_step, .elsewhere = false});
+}
+
+}  // namespace pendular

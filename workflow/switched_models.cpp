@@ -1,0 +1,218 @@
+#include "workflow/switched_models.h"
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/diagnosis/side_by_side.h"
+#include "analysis/misfit/live_misfit.h"
+#include "calib/fit/calibrate_study.h"
+#include "calib/fit/nearby_fit.h"
+#include "calib/fit/reading_order.h"
+#include "workflow/rival_effects.h"
+
+namespace pendular {
+namespace {
+
+using Effects = std::vector<std::string>;
+
+/// Part of the standard error of a reading by which the expanded predictions may be off [1].
+constexpr double trusted_part = 0.1;
+
+void add_once(Effects& names, const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+}
+
+/// Names of the candidate effects by rank: those of the verdict, of models that fit, and of the
+/// refits with the largest reduction of chi2.
+Effects leading(const StudyDiagnosis& d) {
+    const auto& candidates = d.models->candidates();
+    const Diagnosis& diagnosis = d.diagnosis;
+    Effects names;
+    for (const std::string& effect : diagnosis.effects) {
+        const bool is_candidate =
+            std::ranges::find(candidates, effect, &Candidate::name) != candidates.end();
+        if (is_candidate) add_once(names, effect);
+    }
+    for (const Explanation& each : diagnosis.confidence_set) {
+        for (const std::size_t k : each.chosen) {
+            if (k < candidates.size()) add_once(names, candidates[k].name);
+        }
+    }
+    std::vector<const Finding*> refitted;
+    for (const Finding& finding : diagnosis.scan) {
+        if (finding.refitted_reduction) refitted.push_back(&finding);
+    }
+    std::ranges::stable_sort(refitted, std::ranges::greater(),
+                             [](const Finding* f) { return *f->refitted_reduction; });
+    for (const Finding* finding : refitted) {
+        add_once(names, candidates[finding->candidate].name);
+    }
+    for (const Finding& finding : diagnosis.scan) {
+        add_once(names, candidates[finding.candidate].name);
+    }
+    return names;
+}
+
+/// Values of a model's parameters where its fit starts: those of a fit with fewer effects, and the
+/// usual start of all other parameters.
+Eigen::VectorXd start_from(const Calibration& fewer, const std::vector<Parameter>& parameters) {
+    Eigen::VectorXd start(static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        const auto same = std::ranges::find(fewer.parameters, parameters[k].name, &Parameter::name);
+        start(static_cast<Eigen::Index>(k)) =
+            same == fewer.parameters.end()
+                ? parameters[k].start
+                : fewer.fit.parameters(std::distance(fewer.parameters.begin(), same));
+    }
+    return start;
+}
+
+/// Fits the first `count` readings of a calibration.
+Fit fit_first(std::size_t count, const SwitchedModel& model, const ResolvedStudy& study,
+              const Eigen::VectorXd& start) {
+    const auto readings = part(model.calibration.readings, 0, count);
+    return nearby_fit(ModelOfReadings(model.predictor, conditions_of(readings), study.direct()),
+                      stack(readings, study.direct()), start);
+}
+
+/// Fits the model of a calibration as `calibrate_study` does without new simulations: a joint fit
+/// of the friction alone begins at the optimum of the dry readings.
+/// @param fewer fit with fewer effects; null: none
+Fit fit_as_added(const SwitchedModel& model, const ResolvedStudy& study, const Calibration* fewer) {
+    const Calibration& c = model.calibration;
+    Eigen::VectorXd start = start_from(fewer ? *fewer : Calibration{}, c.parameters);
+    const std::size_t dry = dry_count(c.readings);
+    if (c.fitted > dry && dry > 0 && c.parameters.size() == 1) {
+        start = fit_first(dry, model, study, start).parameters;
+    }
+    return fit_first(c.fitted, model, study, start);
+}
+
+Eigen::VectorXd standard_errors(const Fit& fit) {
+    Eigen::VectorXd errors(fit.parameters.size());
+    for (Eigen::Index k = 0; k < errors.size(); ++k) {
+        errors(k) = fit.standard_error(k);
+    }
+    return errors;
+}
+
+/// Adds what a page needs to let a fitted model's parameters move.
+void expand(SwitchedModel& model, const ResolvedStudy& study) {
+    const Calibration& c = model.calibration;
+    const ModelOfReadings all(model.predictor, conditions_of(c.readings), study.direct());
+    const Measured measured = stack(c.readings, study.direct());
+    const Eigen::VectorXd errors = standard_errors(c.fit);
+    model.response = respond(all, c.fit.parameters, errors);
+    const auto readings = 2 * static_cast<Eigen::Index>(c.readings.size());
+    model.trusted =
+        trusted_box(all, model.response,
+                    trusted_part * measured.covariance.diagonal().head(readings).cwiseSqrt(),
+                    errors, all.bounds());
+    Eigen::MatrixXd simulation =
+        Eigen::MatrixXd::Zero(measured.value.size(), measured.value.size());
+    simulation.topLeftCorner(readings, readings) = c.prediction.covariance;
+    model.chi2_form = chi2_form(measured, simulation, model.response);
+    const auto fitted = part(c.readings, 0, c.fitted);
+    model.without_each = without_each(stack(fitted, study.direct()), c.fit.prediction, c.fitted);
+}
+
+/// Fits the study with exactly these effects. `fewer`: fit with fewer effects; null: none.
+SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
+                          const StudyDiagnosis& d, const SessionOptions& session,
+                          const Calibration* fewer) {
+    Study changed = study;
+    changed.model.effects.clear();
+    for (const std::string& name : effects) {
+        changed.model.effects.push_back({name, {study.study().file.string()}});
+    }
+    const ResolvedStudy with = study.changed_to(std::move(changed));
+    SwitchedModel result{.predictor = d.models->with_only(effects)};
+    Calibration& c = result.calibration;
+    c.readings = d.readings;
+    c.fitted = fitted_count(with, c.readings);
+    if (c.fitted == 0) c.fitted = c.readings.size();  // a study without dry readings
+    c.direct = with.direct();
+    c.grains = with.study().grains;
+    c.liquid = with.study().liquid;
+    c.model = with.study().model;
+    c.written_effects = with.study().written_effects;
+    c.fidelity = session.fidelity;
+    c.seed = session.seed;
+    c.parameters = result.predictor->parameters();
+    c.fit = fit_as_added(result, with, fewer);
+    c.prediction = predict_readings(*result.predictor, c);
+    result.comparison = compare(c);
+    expand(result, with);
+    return result;
+}
+
+/// Fit with the least chi2 of all combinations with one effect fewer; null where there is none, and
+/// for single effects, which start as `calibrate_study` starts.
+const Calibration* best_with_fewer(const SwitchedModels& all, std::size_t index) {
+    const SwitchedModel* best = nullptr;
+    if (std::popcount(index) < 2) return nullptr;
+    for (std::size_t k = 0; k < all.switches.size(); ++k) {
+        if (((index >> k) & 1) == 0) continue;
+        const auto& fewer = all.models[index ^ (std::size_t(1) << k)];
+        if (fewer && (!best || fewer->comparison.total.chi2 < best->comparison.total.chi2)) {
+            best = &*fewer;
+        }
+    }
+    return best ? &best->calibration : nullptr;
+}
+
+}  // namespace
+
+SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,
+                               const SessionOptions& session, std::size_t most) {
+    SwitchedModels result{.study = study};
+    const Effects listed = names_of(study.study().model.effects);
+    result.switches = listed;
+    for (const std::string& name : leading(diagnosis)) {
+        add_once(result.switches, name);
+    }
+    for (std::size_t k = most; k < listed.size(); ++k) {
+        result.always.push_back(listed[k]);
+    }
+    result.switches.resize(std::min(result.switches.size(), most));
+    result.current = (std::size_t(1) << std::min(listed.size(), most)) - 1;
+    result.models.resize(std::size_t(1) << result.switches.size());
+    result.why_not.resize(result.models.size());
+    std::size_t finished = 0;
+    const auto report = [&](std::size_t) {
+        if (session.stop.stop_requested()) throw interrupted_with(session.store);
+        tell(session.listener, {.kind = Event::Kind::refits,
+                                .text = "combinations of effects",
+                                .number = finished,
+                                .total = result.models.size()});
+    };
+    const auto fit_one = [&](std::size_t index) {
+        Effects effects = result.always;
+        for (std::size_t k = 0; k < result.switches.size(); ++k) {
+            if ((index >> k) & 1) effects.push_back(result.switches[k]);
+        }
+        try {
+            result.models[index] =
+                fitted_with(effects, study, diagnosis, session, best_with_fewer(result, index));
+        } catch (const std::logic_error& error) {
+            // Readings that are impossible with these effects, or no run with one of them.
+            result.why_not[index] = error.what();
+        }
+    };
+    // In the order of the number of effects, so that each fit begins near a fit with fewer.
+    for (std::size_t on = 0; on <= result.switches.size(); ++on) {
+        std::vector<std::size_t> level;
+        for (std::size_t index = 0; index < result.models.size(); ++index) {
+            if (static_cast<std::size_t>(std::popcount(index)) == on) level.push_back(index);
+        }
+        side_by_side(level.size(), static_cast<std::size_t>(session.threads), report,
+                     [&](std::size_t k) { fit_one(level[k]); });
+        finished += level.size();
+    }
+    return result;
+}
+
+}  // namespace pendular
