@@ -32,6 +32,7 @@ int calibrate(const std::vector<std::string>& arguments);
 int compare(const std::vector<std::string>& arguments);
 int diagnose(const std::vector<std::string>& arguments);
 int next(const std::vector<std::string>& arguments);
+int report(const std::vector<std::string>& arguments);
 int add(const std::vector<std::string>& arguments);
 int drop(const std::vector<std::string>& arguments);
 int effects(const std::vector<std::string>& arguments);

@@ -9,20 +9,30 @@ packages=(
   libceres-dev libeigen3-dev libboost-dev libboost-program-options-dev libboost-iostreams-dev
   libboost-filesystem-dev libboost-system-dev libicu-dev libudunits2-dev libtomlplusplus-dev
   nlohmann-json3-dev libcereal-dev libfmt-dev libgnuplot-iostream-dev
-  libsqlite3-dev libsqlitecpp-dev libopenmpi-dev openmpi-bin libmuparser-dev
+  libkainjow-mustache-dev libsqlite3-dev libsqlitecpp-dev libopenmpi-dev openmpi-bin libmuparser-dev
   # figures
   gnuplot-nox fonts-dejavu-core
   # tests, benchmarks, style
   libgtest-dev libgmock-dev libvalijson-dev libbenchmark-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev libomp-14-dev doxygen codespell
-  sqlite3 python3 locales
+  sqlite3 python3 locales chromium
 )
+
+# Node drives the browser of the tests; any version from 18 on will do.
+command -v npm >/dev/null || packages+=(nodejs npm)
 
 missing=()
 for package in "${packages[@]}"; do
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
 done
+browser=$(dirname "${BASH_SOURCE[0]}")/../tests/browser
+# Without it, the tests of the page are left out.
+install_driver() {
+  [ -d "$browser/node_modules/playwright-core" ] || npm --prefix "$browser" ci --no-audit --no-fund --silent ||
+    echo "npm cannot install what drives the browser: the tests of the page will be left out." >&2
+}
 if [ ${#missing[@]} -eq 0 ]; then
   echo "All packages are installed."
+  install_driver
   exit 0
 fi
 
@@ -34,3 +44,4 @@ fi
 echo "Installing ${missing[*]}"
 "${as_root[@]}" apt-get update -q
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+install_driver

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -99,13 +100,43 @@ Eigen::VectorXd standard_errors(const Fit& fit) {
     return errors;
 }
 
+/// Rows of a response.
+Response rows_of(const Response& all, const std::vector<Eigen::Index>& rows) {
+    return {.at = all.at,
+            .value = all.value(rows),
+            .first = all.first(rows, Eigen::all),
+            .second = all.second(rows, Eigen::all)};
+}
+
+std::vector<Eigen::Index> counted(Eigen::Index from, Eigen::Index to) {
+    std::vector<Eigen::Index> result(static_cast<std::size_t>(to - from));
+    std::iota(result.begin(), result.end(), from);
+    return result;
+}
+
+/// Sets the expansions of a fitted model, at the readings and along further conditions.
+void respond_at(SwitchedModel& model, const ResolvedStudy& study, const Eigen::VectorXd& errors,
+                const std::vector<Condition>& along) {
+    const Calibration& c = model.calibration;
+    std::vector<Condition> conditions = conditions_of(c.readings);
+    conditions.insert(conditions.end(), along.begin(), along.end());
+    const Response all = respond(ModelOfReadings(model.predictor, conditions, study.direct()),
+                                 c.fit.parameters, errors);
+    const auto readings = 2 * static_cast<Eigen::Index>(c.readings.size());
+    const Eigen::Index further = readings + 2 * static_cast<Eigen::Index>(along.size());
+    std::vector<Eigen::Index> measured = counted(0, readings);
+    std::ranges::copy(counted(further, all.value.size()), std::back_inserter(measured));
+    model.response = rows_of(all, measured);
+    model.along = rows_of(all, counted(readings, further));
+}
+
 /// Adds what a page needs to let a fitted model's parameters move.
-void expand(SwitchedModel& model, const ResolvedStudy& study) {
+void expand(SwitchedModel& model, const ResolvedStudy& study, const std::vector<Condition>& along) {
     const Calibration& c = model.calibration;
     const ModelOfReadings all(model.predictor, conditions_of(c.readings), study.direct());
     const Measured measured = stack(c.readings, study.direct());
     const Eigen::VectorXd errors = standard_errors(c.fit);
-    model.response = respond(all, c.fit.parameters, errors);
+    respond_at(model, study, errors, along);
     const auto readings = 2 * static_cast<Eigen::Index>(c.readings.size());
     model.trusted =
         trusted_box(all, model.response,
@@ -122,7 +153,7 @@ void expand(SwitchedModel& model, const ResolvedStudy& study) {
 /// Fits the study with exactly these effects. `fewer`: fit with fewer effects; null: none.
 SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
                           const StudyDiagnosis& d, const SessionOptions& session,
-                          const Calibration* fewer) {
+                          const std::vector<Condition>& along, const Calibration* fewer) {
     Study changed = study;
     changed.model.effects.clear();
     for (const std::string& name : effects) {
@@ -145,7 +176,7 @@ SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
     c.fit = fit_as_added(result, with, fewer);
     c.prediction = predict_readings(*result.predictor, c);
     result.comparison = compare(c);
-    expand(result, with);
+    expand(result, with, along);
     return result;
 }
 
@@ -167,7 +198,8 @@ const Calibration* best_with_fewer(const SwitchedModels& all, std::size_t index)
 }  // namespace
 
 SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,
-                               const SessionOptions& session, std::size_t most) {
+                               const SessionOptions& session, const SwitchOptions& options) {
+    const std::size_t most = options.most;
     SwitchedModels result{.study = study};
     const Effects listed = names_of(study.study().model.effects);
     result.switches = listed;
@@ -195,8 +227,8 @@ SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis&
             if ((index >> k) & 1) effects.push_back(result.switches[k]);
         }
         try {
-            result.models[index] =
-                fitted_with(effects, study, diagnosis, session, best_with_fewer(result, index));
+            result.models[index] = fitted_with(effects, study, diagnosis, session, options.along,
+                                               best_with_fewer(result, index));
         } catch (const std::logic_error& error) {
             // Readings that are impossible with these effects, or no run with one of them.
             result.why_not[index] = error.what();

@@ -23,8 +23,9 @@ struct SwitchedModel {
     /// Fit of the model, with the readings that it uses. Has no training runs.
     Calibration calibration;
     Comparison comparison;  ///< comparison of the fit with all readings
-    /// Predictions of all readings and direct measurements as the parameters move from the fit.
-    Response response;
+    /// Predictions of all readings and direct measurements, and of the conditions of
+    /// `SwitchOptions::along`, as the parameters move from the fit.
+    Response response, along;
     /// Range around the fit in which `response` differs from the model by at most a tenth of the
     /// standard error of each reading.
     ParameterBounds trusted;
@@ -32,6 +33,13 @@ struct SwitchedModel {
     /// Fall of chi2 [1] and shifts of the parameters when a fitted reading is left out, a row for
     /// each (`without_each`).
     Eigen::MatrixXd without_each;
+};
+
+/// Options of `switched_models`.
+struct SwitchOptions {
+    std::size_t most = 6;  ///< largest number of switches; 2^most models are fitted
+    /// Further conditions to predict, such as points of curves.
+    std::vector<Condition> along = {};
 };
 
 /// All combinations of the leading effects of a study, each fitted to its readings.
@@ -51,9 +59,8 @@ struct SwitchedModels {
 /// Fits a study with each combination of its leading effects: those that the study lists, then
 /// those that the verdict names, those of other models that fit, and those whose refits reduce chi2
 /// most. Nothing is simulated.
-/// @param most largest number of switches; 2^most models are fitted
 /// @throws dem::Interrupted where the user stops the work
 SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis& diagnosis,
-                               const SessionOptions& session, std::size_t most = 6);
+                               const SessionOptions& session, const SwitchOptions& options = {});
 
 }  // namespace pendular

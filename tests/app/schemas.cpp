@@ -202,6 +202,7 @@ TEST_F(JsonOutput, OfAWetStudyIsAsTheSchemasSay) {
     const std::string study = copied("wet"), out = study + "/out/";
     expect_output("import " + study, "import");
     const std::string fit = expect_output("calibrate " + study + " --no-confirm --profile", "fit");
+    expect_output("report " + study + " --switches 1", "report");
     EXPECT_EQ(content_of(out + "fit.json"), fit);
     EXPECT_LT(fit.size(), 100'000u);  // the runs stand elsewhere
     const std::string compared = expect_output("compare " + study, "compare");

@@ -32,7 +32,7 @@ class SwitchedModelsTest : public testing::Test {
     }
     SwitchedModels models(std::size_t most) const {
         const Session session(study, options);
-        return switched_models(session.resolved(), session.diagnose(), options, most);
+        return switched_models(session.resolved(), session.diagnose(), options, {.most = most});
     }
 };
 

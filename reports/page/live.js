@@ -1,0 +1,324 @@
+// The page: all combinations of effects are embedded with second-order expansions of the predictions;
+// switches choose a combination, sliders move its parameters.
+
+// Numbers of an array that the program wrote (page_data.h).
+class Reader {
+  constructor(base64) {
+    const text = atob(base64), bytes = new Uint8Array(text.length);
+    for (let k = 0; k < text.length; ++k) bytes[k] = text.charCodeAt(k);
+    this.view = new DataView(bytes.buffer);
+    this.at = 0;
+  }
+  float() { this.at += 4; return this.view.getFloat32(this.at - 4, true); }
+  floats(count) { return Float64Array.from({length: count}, () => this.float()); }
+  scaled(count) {
+    const unit = this.float() / 32767;
+    return Float64Array.from({length: count}, () => { this.at += 2; return unit * this.view.getInt16(this.at - 2, true); });
+  }
+}
+
+// A fitted combination of effects. `d`: distances of the parameters from the fit in standard errors.
+class Model {
+  constructor(json, readings, points) {
+    Object.assign(this, json);
+    this.count = readings.length + points;
+    this.readings = readings;
+  }
+  unpack() {
+    if (this.values) return;
+    const reader = new Reader(this.response), p = this.parameters.length;
+    this.values = [reader.floats(this.count), reader.floats(this.count)];
+    this.coefficients = Array.from({length: p + p * (p + 1) / 2}, () => [reader.scaled(this.count), reader.scaled(this.count)]);
+    const errors = new Reader(this.errors);
+    this.sigma = [errors.floats(this.readings.length), errors.floats(this.readings.length)];
+  }
+  terms(d) {
+    const terms = [...d];
+    for (let i = 0; i < d.length; ++i) for (let j = i; j < d.length; ++j) terms.push(d[i] * d[j]);
+    return terms;
+  }
+  // Stress ratio (0) or solid fraction (1) at all readings, then at the points of curves.
+  predict(d, which) {
+    this.unpack();
+    const result = Float64Array.from(this.values[which]), terms = this.terms(d);
+    terms.forEach((t, k) => { if (t !== 0) this.coefficients[k][which].forEach((c, n) => { result[n] += t * c; }); });
+    return result;
+  }
+  chi2At(d) {
+    const t = [1, ...this.terms(d)];
+    let sum = 0, at = 0;
+    for (let i = 0; i < t.length; ++i) for (let j = i; j < t.length; ++j) sum += (i === j ? 1 : 2) * this.form[at++] * t[i] * t[j];
+    return sum;
+  }
+  // RMS of predicted/measured - 1 over all readings [%].
+  rmsAt(d, which) {
+    const predicted = this.predict(d, which);
+    let sum = 0;
+    this.readings.forEach((r, k) => { sum += (predicted[k] / r.values[which] - 1) ** 2; });
+    return 100 * Math.sqrt(sum / this.readings.length);
+  }
+}
+
+// Text of a number with its standard error: as many digits as the error has two.
+function withError(value, error) {
+  if (!(error > 0) || !isFinite(error)) return value.toPrecision(4);
+  const power = Math.floor(Math.log10(error)), digits = 1 - power;
+  if (digits > 6 || Math.abs(value) >= 1e6) {
+    const exponent = Math.floor(Math.log10(Math.max(Math.abs(value), error)));
+    const scale = Math.pow(10, exponent), places = Math.max(0, exponent - power + 1);
+    return `(${(value / scale).toFixed(places)} ± ${(error / scale).toFixed(places)})e${exponent}`;
+  }
+  const places = Math.max(0, digits);
+  return `${value.toFixed(places)} ± ${error.toFixed(places)}`;
+}
+const unitText = unit => unit === "1" ? "" : " " + unit;
+const three = value => Math.abs(value) >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(3)));
+
+class Page {
+  constructor(data) {
+    Object.assign(this, {data, marked: new Set(), here: -1, out: -1, plots: []});
+    this.models = data.models.map(m => m.why_not === undefined ? new Model(m, data.readings, data.points) : m);
+    this.index = data.current;
+    this.order = data.switches.map((_, k) => k).filter(k => this.isOn(k));
+    this.d = [];
+    this.makeSwitches();
+    this.choose(this.models[this.index].why_not === undefined ? this.index : this.models.findIndex(m => m.why_not === undefined));
+    this.makePlots();
+    this.makeReadings();
+    this.update();
+  }
+  get model() { return this.models[this.index]; }
+  isOn(k) { return (this.index >> k & 1) === 1; }
+
+  makeSwitches() {
+    const field = document.getElementById("switches");
+    if (this.data.always.length > 0) html("p", {class: "gain"}, field, "Always on: " + this.data.always.join(", "));
+    this.boxes = this.data.switches.map((s, k) => {
+      const label = html("label", {title: s.summary}, field);
+      const box = html("input", {type: "checkbox", "data-effect": s.name}, label);
+      label.append(" " + s.name + " ");
+      const gain = html("span", {class: "gain"}, label);
+      box.addEventListener("change", () => this.flip(k, box.checked));
+      return {box, gain};
+    });
+    if (this.boxes.length === 0) html("p", {}, field, "No known effect applies to this study.");
+  }
+  flip(k, on) {
+    const wanted = on ? this.index | 1 << k : this.index & ~(1 << k);
+    if (this.models[wanted].why_not !== undefined) {
+      this.boxes[k].box.checked = !on;
+      this.say(`This combination cannot be fitted: ${this.models[wanted].why_not}.`);
+      return;
+    }
+    this.order = this.order.filter(other => other !== k);
+    if (on) this.order.push(k);
+    this.choose(wanted);
+    this.update();
+  }
+  choose(index) {
+    this.index = index;
+    this.d = this.model.parameters.map(() => 0);
+    this.out = -1;
+    this.makeSliders();
+  }
+  makeSliders() {
+    const field = document.getElementById("sliders");
+    field.replaceChildren(html("legend", {}, null, "Parameters"));
+    this.sliders = this.model.parameters.map((p, k) => {
+      const label = html("label", {}, field), text = html("span", {}, label);
+      const [low, high] = p.trusted;
+      const slider = html("input", {type: "range", min: low, max: high, step: "any", value: p.value, "data-parameter": p.name,
+        "aria-label": p.name + unitText(p.unit)}, label);
+      slider.disabled = !(low < high);
+      slider.addEventListener("input", () => {
+        this.d[k] = p.error > 0 ? (Number(slider.value) - p.value) / p.error : 0;
+        this.update();
+      });
+      return {slider, text};
+    });
+    const back = html("button", {type: "button"}, field, "Back to the fit");
+    back.addEventListener("click", () => { this.choose(this.index); this.update(); });
+    html("p", {class: "note"}, field, "Within the range of each slider, curves differ from the program's by at most a tenth of a reading's error.");
+  }
+
+  makePlots() {
+    const figures = document.getElementById("figures"), {readings} = this.data;
+    const labels = ["stress ratio [1]", "solid fraction [1]"], names = ["stress-ratio", "solid-fraction"];
+    this.data.panels.forEach((panel, number) => [0, 1].forEach(which => {
+      this.plots.push(new Plot(figures, {name: `${panel.title.split(" ")[0].toLowerCase()}-${names[which]}`, title: `${panel.title}: ${["stress ratio", "solid fraction"][which]}`,
+        xLabel: panel.x_label, yLabel: labels[which], logX: panel.log_x}, () => this.seriesOf(number, which), this));
+    }));
+    const axes = [["normal_stress", "normal stress [Pa]"], ["inertial_number", "inertial number I [1]"], ["liquid_content", "liquid content [1]"], ["height", "height [mm]", 1e3],
+      Math.max(...readings.map(r => r.time)) < 600 ? ["time", "time [s]"] : ["time", "time [min]", 1 / 60]];
+    for (const [key, label, factor] of axes) {
+      const values = readings.map(r => r[key]).filter(v => v !== null);
+      const low = Math.min(...values), high = Math.max(...values);
+      if (values.length < readings.length || !(high > low * 1.02 + 1e-12)) continue;
+      this.plots.push(new Plot(figures, {name: "residuals-" + key.replace("_", "-"), title: "Residuals: " + label.replace(/ \[.*/, ""), xLabel: label,
+        yLabel: "(measured − model)/error [1]", logX: low > 0 && high > 5 * low, zero: true}, () => this.residuals(r => r[key] * (factor || 1)), this));
+    }
+    this.plots.push(new Plot(figures, {name: "quantiles", title: "Residuals against a normal distribution", xLabel: "expected from the normal distribution [1]",
+      yLabel: "(measured − model)/error [1]", zero: true}, () => this.quantiles(), this));
+    this.plots.push(new Plot(figures, {name: "ladder", title: "Error as effects are switched on", xLabel: "effects switched on, one after the other",
+      yLabel: "RMS error [%]", fromZero: true, names: () => ["none", ...this.order.map(k => "+ " + this.data.switches[k].name)]}, () => this.path(), this));
+  }
+  seriesOf(number, which) {
+    const panel = this.data.panels[number], predicted = this.model.predict(this.d, which), n = this.data.readings.length;
+    return panel.series.map(s => ({
+      label: s.label,
+      points: s.members.map(id => ({x: panel.x[id], y: this.data.readings[id].values[which], error: this.data.readings[id].errors[which], id})),
+      marks: s.members.map(id => ({x: panel.x[id], y: predicted[id]})),
+      curve: s.x.map((x, k) => [x, predicted[n + s.first + k]]).sort((a, b) => a[0] - b[0])
+    }));
+  }
+  normalised(which) {
+    const predicted = this.model.predict(this.d, which);
+    return this.data.readings.map((r, id) => (r.values[which] - predicted[id]) / this.model.sigma[which][id]);
+  }
+  residuals(xOf) {
+    return ["shear stress", "solid fraction"].map((label, which) => ({label, kind: "residual",
+      points: this.normalised(which).map((y, id) => ({x: xOf(this.data.readings[id]), y, id}))}));
+  }
+  quantiles() {
+    return ["shear stress", "solid fraction"].map((label, which) => {
+      const sorted = this.normalised(which).map((y, id) => ({y, id})).sort((a, b) => a.y - b.y), n = sorted.length;
+      const ends = [normalQuantile(.5 / n), normalQuantile(1 - .5 / n)];
+      return {label, kind: "residual", points: sorted.map(({y, id}, k) => ({x: normalQuantile((k + .5) / n), y, id})),
+        curve: which === 0 && n > 1 ? [[ends[0], ends[0]], [ends[1], ends[1]]] : []};
+    });
+  }
+  // Errors of the models on the way to the present one, in the order of the switches.
+  path() {
+    const steps = [0];
+    for (const k of this.order) steps.push(steps[steps.length - 1] | 1 << k);
+    const known = steps.map((index, x) => ({model: this.models[index], x})).filter(({model}) => model.why_not === undefined);
+    return ["shear stress", "solid fraction"].map((label, which) => {
+      const rms = known.map(({model, x}) => ({x, y: model === this.model ? model.rmsAt(this.d, which) : model.rms[which]}));
+      return {label, kind: "RMS error", points: rms.map(p => ({...p, id: -2})), curve: rms.map(p => [p.x, p.y])};
+    });
+  }
+
+  update() {
+    const {model} = this;
+    this.boxes.forEach(({box, gain}, k) => {
+      box.checked = this.isOn(k);
+      const other = this.models[this.index ^ 1 << k];
+      if (other.why_not !== undefined) { gain.textContent = "(cannot be fitted)"; return; }
+      const change = other.chi2 - model.chi2;
+      gain.textContent = this.isOn(k) ? `(without it chi2 = ${three(other.chi2)})` : change > -.05 ? "(with it chi2 does not fall)" : `(with it chi2 falls by ${three(-change)})`;
+    });
+    model.parameters.forEach((p, k) => {
+      const value = p.value + this.d[k] * p.error, moved = this.d[k] !== 0;
+      this.sliders[k].text.textContent = `${p.name} = ${moved ? Number(value.toPrecision(4)) + unitText(p.unit) + " (fit: " : ""}${withError(p.value, p.error)}${unitText(p.unit)}${moved ? ")" : ""}`;
+    });
+    this.score();
+    for (const plot of this.plots) plot.draw();
+    this.fillReadings();
+    this.fitTable();
+  }
+  score() {
+    const {model} = this, moved = this.d.some(d => d !== 0), chi2 = moved ? model.chi2At(this.d) : model.chi2;
+    const rms = [0, 1].map(which => moved ? model.rmsAt(this.d, which) : model.rms[which]);
+    const box = document.getElementById("score");
+    box.replaceChildren();
+    html("p", {class: "big", "data-chi2": chi2}, box, `chi2 = ${chi2.toFixed(2)} for ${model.dof} degrees of freedom`);
+    html("p", {"data-rms": rms.join(" ")}, box, `RMS error: ${rms[0].toFixed(2)} % in shear stress, ${rms[1].toFixed(2)} % in solid fraction`);
+    html("p", {}, box, moved ? "Parameters were moved away from the fit." : `p ${model.p < 1e-6 ? "< 1e-6" : "= " + model.p.toPrecision(2)}${model.converged ? "" : "; the fit did not converge"}`);
+    if (model.fitted < this.data.readings.length) html("p", {}, box, `${model.fitted} readings were fitted, ${this.data.readings.length - model.fitted} predicted.`);
+    if (this.out >= 0) {
+      const [fall, ...shifts] = model.without[this.out];
+      html("p", {"data-without": fall}, box, `Without reading ${this.out + 1}: chi2 falls by ${three(fall)}; ` +
+        model.parameters.map((p, k) => `${p.name} ${shifts[k] < 0 ? "falls" : "rises"} by ${three(Math.abs(shifts[k]))}${unitText(p.unit)} (${(Math.abs(shifts[k]) / p.error).toFixed(1)} errors)`).join(", ") + ".");
+    }
+  }
+
+  makeReadings() {
+    const table = document.getElementById("readings"), head = html("tr", {}, html("thead", {}, table));
+    for (const text of ["reading", "file", "normal stress [Pa]", "I [1]", "liquid content [1]", "stress ratio [1]", "model [1]", "solid fraction [1]", "model [1]", "residuals [errors]", "leave out"]) html("th", {scope: "col"}, head, text);
+    this.body = html("tbody", {}, table);
+    this.rows = this.data.readings.map((r, id) => {
+      const row = html("tr", {}, this.body);
+      html("td", {}, row, String(id + 1));
+      html("td", {}, row, `${r.file}:${r.line}`);
+      for (const v of [r.normal_stress, r.inertial_number, r.liquid_content]) html("td", {}, row, three(v));
+      html("td", {}, row, withError(r.values[0], r.errors[0]));
+      const ratio = html("td", {}, row);
+      html("td", {}, row, withError(r.values[1], r.errors[1]));
+      const fraction = html("td", {}, row), residuals = html("td", {}, row), last = html("td", {}, row);
+      const button = html("button", {type: "button", "aria-label": `Leave out reading ${id + 1}`}, last, "leave out");
+      button.addEventListener("click", () => { this.out = this.out === id ? -1 : id; this.update(); for (const plot of this.plots) plot.mark(); });
+      row.addEventListener("pointerenter", () => this.show(id));
+      return {row, ratio, fraction, residuals, button};
+    });
+  }
+  fillReadings() {
+    const predicted = [0, 1].map(which => this.model.predict(this.d, which)), off = [0, 1].map(which => this.normalised(which));
+    this.rows.forEach(({row, ratio, fraction, residuals, button}, id) => {
+      ratio.textContent = predicted[0][id].toFixed(4);
+      fraction.textContent = predicted[1][id].toFixed(4);
+      residuals.textContent = `${off[0][id].toFixed(1)}, ${off[1][id].toFixed(1)}`;
+      button.disabled = id >= this.model.without.length;
+      button.textContent = this.out === id ? "take in" : "leave out";
+      row.classList.toggle("out", this.out === id);
+      row.classList.toggle("marked", this.marked.has(id));
+    });
+  }
+  fitTable() {
+    const place = document.getElementById("fit-table"), {model} = this;
+    place.replaceChildren();
+    const table = html("table", {}, place);
+    html("caption", {}, table, `Fitted to ${model.fitted} readings: chi2 = ${model.chi2.toFixed(2)} of all readings for ${model.dof} degrees of freedom; reduced chi2 = ${(model.chi2 / model.dof).toFixed(3)}`);
+    const head = html("tr", {}, html("thead", {}, table)), body = html("tbody", {}, table);
+    for (const text of ["parameter", "unit", "value ± standard error", "relative error [%]", "least allowed", "largest allowed", "remark"]) html("th", {scope: "col"}, head, text);
+    for (const p of model.parameters) {
+      const row = html("tr", {}, body);
+      for (const text of [p.name, p.unit, withError(p.value, p.error), p.value ? (100 * p.error / Math.abs(p.value)).toPrecision(2) : "", three(p.lower), three(p.upper), p.at_bound ? "at an end of its range" : ""]) html("td", {}, row, text);
+    }
+    if (model.parameters.length < 2) return;
+    const second = html("table", {}, place);
+    html("caption", {}, second, "Correlations of the fitted parameters [1]");
+    const top = html("tr", {}, html("thead", {}, second)), rows = html("tbody", {}, second);
+    for (const text of ["parameter", ...model.parameters.map(p => p.name)]) html("th", {scope: "col"}, top, text);
+    model.correlations.forEach((values, k) => {
+      const row = html("tr", {}, rows);
+      html("td", {}, row, model.parameters[k].name);
+      for (const v of values) html("td", {}, row, v === null ? "" : v.toFixed(3));
+    });
+  }
+
+  show(id) {
+    if (id === this.here) return;
+    this.here = id;
+    for (const plot of this.plots) plot.mark();
+    if (id < 0) return;
+    const r = this.data.readings[id], predicted = [0, 1].map(which => this.model.predict(this.d, which)[id]), off = [0, 1].map(which => this.normalised(which)[id]);
+    this.say(`Reading ${id + 1}, ${r.file} line ${r.line}${r.step ? `, step ${r.step}` : ""}: ${three(r.normal_stress)} Pa, I = ${three(r.inertial_number)}` +
+      `${r.liquid_content ? `, liquid content ${three(r.liquid_content)}` : ", dry"}. Stress ratio ${withError(r.values[0], r.errors[0])}, model ${predicted[0].toFixed(4)} (${off[0].toFixed(1)} errors). ` +
+      `Solid fraction ${withError(r.values[1], r.errors[1])}, model ${predicted[1].toFixed(4)} (${off[1].toFixed(1)} errors).`);
+  }
+  say(text) { document.getElementById("reading").textContent = text; }
+  markOnly(ids) {
+    this.marked = new Set(ids.filter(id => id >= 0));
+    for (const plot of this.plots) plot.mark();
+    this.rows.forEach(({row}, id) => row.classList.toggle("marked", this.marked.has(id)));
+    if (this.marked.size > 1) this.say(`${this.marked.size} readings are marked: ${[...this.marked].sort((a, b) => a - b).map(id => id + 1).join(", ")}. Escape unmarks them.`);
+  }
+}
+
+// Quantile of the normal distribution by bisection of its distribution function.
+function normalQuantile(p) {
+  let low = -8, high = 8;
+  for (let k = 0; k < 60; ++k) { const middle = (low + high) / 2; if (normalShare(middle) < p) low = middle; else high = middle; }
+  return (low + high) / 2;
+}
+// Distribution function of the normal distribution, by its series or its continued fraction.
+function normalShare(x) {
+  if (x < 0) return 1 - normalShare(-x);
+  if (x > 6) return 1;
+  let sum = x, term = x;
+  for (let k = 1; k < 200; ++k) { term *= x * x / (2 * k + 1); sum += term; }
+  return .5 + sum * Math.exp(-x * x / 2) / Math.sqrt(2 * Math.PI);
+}
+
+const pageData = JSON.parse(document.getElementById("data").textContent);
+if (pageData.readings.length > 0) window.page = new Page(pageData);

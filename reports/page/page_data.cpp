@@ -1,0 +1,282 @@
+#include "reports/page/page_data.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace pendular {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Bytes of numbers, little-endian.
+class Bytes {
+  public:
+    void add(float value) { append(&value, sizeof value); }
+    void add(std::int16_t value) { append(&value, sizeof value); }
+    void add_floats(const Eigen::VectorXd& values) {
+        for (const double value : values) {
+            add(static_cast<float>(value));
+        }
+    }
+    /// Adds the largest magnitude as a scale, then all values as 16-bit parts of it.
+    void add_scaled(const Eigen::VectorXd& values) {
+        const double scale = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
+        add(static_cast<float>(scale));
+        for (const double value : values) {
+            add(static_cast<std::int16_t>(scale > 0 ? std::lround(32767 * value / scale) : 0));
+        }
+    }
+    std::string base64() const {
+        using namespace boost::archive::iterators;
+        using Encoder = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+        std::string text(Encoder(bytes_.begin()), Encoder(bytes_.end()));
+        text.append((3 - bytes_.size() % 3) % 3, '=');
+        return text;
+    }
+
+  private:
+    void append(const void* value, std::size_t size) {
+        const std::size_t at = bytes_.size();
+        bytes_.resize(at + size);
+        std::memcpy(bytes_.data() + at, value, size);
+    }
+    std::string bytes_;
+};
+
+/// Number of a page, with six significant digits; null where it is not finite.
+Json shortened(double value) {
+    if (!std::isfinite(value)) return nullptr;
+    return std::stod(fmt::format("{:.6g}", value));
+}
+
+Json all_shortened(const auto& values) {
+    Json array = Json::array();
+    for (const double value : values) {
+        array.push_back(shortened(value));
+    }
+    return array;
+}
+
+/// Entries of one observable (0: shear stress, 1: solid fraction) at n points; stresses over the
+/// normal stress of the point.
+Eigen::VectorXd observable(const Eigen::VectorXd& entries, Eigen::Index from, std::size_t which,
+                           const std::vector<Condition>& conditions) {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(conditions.size()));
+    for (Eigen::Index k = 0; k < result.size(); ++k) {
+        const double entry = entries(from + 2 * k + static_cast<Eigen::Index>(which));
+        result(k) =
+            which == 0 ? entry / conditions[static_cast<std::size_t>(k)].normal_stress : entry;
+    }
+    return result;
+}
+
+/// Entries of one observable at all readings, then at all points of curves.
+Eigen::VectorXd at_all_points(const Eigen::VectorXd& at_readings, const Eigen::VectorXd& along,
+                              std::size_t which, const std::vector<Condition>& readings,
+                              const std::vector<Condition>& points) {
+    Eigen::VectorXd both(static_cast<Eigen::Index>(readings.size() + points.size()));
+    both << observable(at_readings, 0, which, readings), observable(along, 0, which, points);
+    return both;
+}
+
+std::string response_of(const SwitchedModel& model, const std::vector<Condition>& points) {
+    const std::vector<Condition> readings = conditions_of(model.calibration.readings);
+    const Fit& fit = model.calibration.fit;
+    const Eigen::Index p = fit.parameters.size();
+    Eigen::VectorXd errors(p);
+    for (Eigen::Index k = 0; k < p; ++k) {
+        errors(k) = fit.standard_error(k);
+    }
+    const Eigen::VectorXd squares = products(errors);
+    const auto part = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::size_t which) {
+        return at_all_points(a, b, which, readings, points);
+    };
+    Bytes bytes;
+    for (const std::size_t which : {0u, 1u}) {
+        bytes.add_floats(part(model.response.value, model.along.value, which));
+    }
+    for (Eigen::Index k = 0; k < p + squares.size(); ++k) {
+        for (const std::size_t which : {0u, 1u}) {
+            const bool first = k < p;
+            const Eigen::VectorXd coefficients =
+                first
+                    ? part(model.response.first.col(k), model.along.first.col(k), which)
+                    : part(model.response.second.col(k - p), model.along.second.col(k - p), which);
+            bytes.add_scaled(coefficients * (first ? errors(k) : squares(k - p)));
+        }
+    }
+    return bytes.base64();
+}
+
+/// Standard errors of the differences of measured and predicted (stress ratio, solid fraction).
+std::string errors_of(const SwitchedModel& model) {
+    Bytes bytes;
+    for (const std::size_t which : {0u, 1u}) {
+        for (const ReadingMisfit& misfit : model.comparison.readings) {
+            const auto o = static_cast<Eigen::Index>(which);
+            const double variance =
+                misfit.reading.estimated_covariance()(o, o) + misfit.predicted_covariance(o, o);
+            const double scale = which == 0 ? misfit.reading.condition.normal_stress : 1;
+            bytes.add(static_cast<float>(std::sqrt(variance) / scale));
+        }
+    }
+    return bytes.base64();
+}
+
+/// Upper triangle of chi2 as a form of the parameters in units of their standard errors.
+Json form_of(const SwitchedModel& model) {
+    const Fit& fit = model.calibration.fit;
+    Eigen::VectorXd errors(fit.parameters.size());
+    for (Eigen::Index k = 0; k < errors.size(); ++k) {
+        errors(k) = fit.standard_error(k);
+    }
+    Eigen::VectorXd scale(model.chi2_form.rows());
+    scale << 1, errors, products(errors);
+    Json array = Json::array();
+    for (Eigen::Index i = 0; i < scale.size(); ++i) {
+        for (Eigen::Index j = i; j < scale.size(); ++j) {
+            array.push_back(shortened(model.chi2_form(i, j) * scale(i) * scale(j)));
+        }
+    }
+    return array;
+}
+
+Json parameters_of(const SwitchedModel& model) {
+    const Calibration& c = model.calibration;
+    Json array = Json::array();
+    for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        const Parameter& p = c.parameters[k];
+        array.push_back(
+            {{"name", p.name},
+             {"unit", p.unit},
+             {"value", shortened(c.fit.parameters(i))},
+             {"error", shortened(c.fit.standard_error(i))},
+             {"lower", shortened(p.lower)},
+             {"upper", shortened(p.upper)},
+             {"at_bound", static_cast<bool>(c.fit.at_bound[k])},
+             {"trusted", {shortened(model.trusted.lower(i)), shortened(model.trusted.upper(i))}}});
+    }
+    return array;
+}
+
+/// Correlations of the fitted parameters, row by row.
+Json correlations_of(const Fit& fit) {
+    const Eigen::VectorXd errors = fit.covariance.diagonal().cwiseSqrt();
+    Json rows = Json::array();
+    for (Eigen::Index i = 0; i < errors.size(); ++i) {
+        Json row = Json::array();
+        for (Eigen::Index j = 0; j < errors.size(); ++j) {
+            row.push_back(shortened(fit.covariance(i, j) / (errors(i) * errors(j))));
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+Json without_of(const SwitchedModel& model) {
+    Json rows = Json::array();
+    for (Eigen::Index k = 0; k < model.without_each.rows(); ++k) {
+        rows.push_back(all_shortened(Eigen::VectorXd(model.without_each.row(k))));
+    }
+    return rows;
+}
+
+Json model_json(const SwitchedModel& model, const std::vector<Condition>& points) {
+    const Comparison& comparison = model.comparison;
+    Json effects = Json::array();
+    for (const ListedEffect& effect : model.calibration.model.effects) {
+        effects.push_back(effect.name);
+    }
+    return {{"effects", effects},
+            {"parameters", parameters_of(model)},
+            {"correlations", correlations_of(model.calibration.fit)},
+            {"chi2", shortened(comparison.total.chi2)},
+            {"dof", comparison.total.dof},
+            {"p", shortened(comparison.total.p())},
+            {"rms", all_shortened(comparison.rms_percent)},
+            {"fitted", model.calibration.fitted},
+            {"converged", model.calibration.fit.converged},
+            {"form", form_of(model)},
+            {"without", without_of(model)},
+            {"errors", errors_of(model)},
+            {"response", response_of(model, points)}};
+}
+
+Json reading_json(const Reading& reading) {
+    const Condition& c = reading.condition;
+    const Eigen::Vector2d errors = reading.covariance.diagonal().cwiseSqrt();
+    return {{"file", std::filesystem::path(reading.origin.file).filename().string()},
+            {"line", reading.origin.line},
+            {"step", reading.step},
+            {"normal_stress", shortened(c.normal_stress)},
+            {"inertial_number", shortened(c.inertial_number)},
+            {"liquid_content", shortened(c.liquid_content)},
+            {"height", c.height ? shortened(*c.height) : Json(nullptr)},
+            {"time", shortened(c.time)},
+            {"values", {shortened(reading.stress_ratio()), shortened(reading.value(1))}},
+            {"errors", {shortened(errors(0) / c.normal_stress), shortened(errors(1))}}};
+}
+
+Json panels_json(const std::vector<PagePanel>& panels) {
+    Json result = Json::array();
+    std::size_t first = 0;
+    for (const PagePanel& panel : panels) {
+        Json series = Json::array();
+        for (const PageSeries& each : panel.series) {
+            series.push_back({{"label", each.label},
+                              {"members", each.members},
+                              {"x", all_shortened(each.x)},
+                              {"first", first}});
+            first += each.along.size();
+        }
+        result.push_back({{"title", panel.title},
+                          {"x_label", panel.x_label},
+                          {"log_x", panel.log_x},
+                          {"x", all_shortened(panel.x)},
+                          {"series", series}});
+    }
+    return result;
+}
+
+}  // namespace
+
+nlohmann::ordered_json page_data(const SwitchedModels& all, const std::vector<PagePanel>& panels) {
+    std::vector<Condition> points;
+    for (const PagePanel& panel : panels) {
+        for (const PageSeries& series : panel.series) {
+            points.insert(points.end(), series.along.begin(), series.along.end());
+        }
+    }
+    Json switches = Json::array(), models = Json::array(), readings = Json::array();
+    for (const std::string& name : all.switches) {
+        switches.push_back({{"name", name}, {"summary", all.study.catalogue().find(name).summary}});
+    }
+    for (std::size_t index = 0; index < all.models.size(); ++index) {
+        models.push_back(all.models[index] ? model_json(*all.models[index], points)
+                                           : Json{{"why_not", all.why_not[index]}});
+    }
+    const auto fitted =
+        std::ranges::find_if(all.models, [](const auto& m) { return m.has_value(); });
+    if (fitted != all.models.end()) {
+        for (const Reading& reading : (*fitted)->calibration.readings) {
+            readings.push_back(reading_json(reading));
+        }
+    }
+    return {{"switches", switches}, {"always", all.always},    {"current", all.current},
+            {"readings", readings}, {"points", points.size()}, {"panels", panels_json(panels)},
+            {"models", models}};
+}
+
+}  // namespace pendular

@@ -1,0 +1,269 @@
+"use strict";
+// Figures as inline SVG: axes, points with error bars, curves; brushing, CSV and SVG of what is shown.
+
+const SVG = "http://www.w3.org/2000/svg";
+const WIDTH = 460, HEIGHT = 320, LEFT = 66, RIGHT = 12, TOP = 12, BOTTOM = 48;
+// Okabe and Ito's colours, which stay apart for colour-blind readers, with a shape for each.
+const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b58900", "#56b4e9", "#8a8a8a", "#7a5195"];
+const SHAPES = ["circle", "square", "triangle", "diamond", "down", "plus", "cross", "ring"];
+
+function node(name, attributes, parent, text) {
+  const element = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes || {})) element.setAttribute(key, value);
+  if (text !== undefined) element.textContent = text;
+  if (parent) parent.append(element);
+  return element;
+}
+
+function html(name, attributes, parent, text) {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes || {})) element.setAttribute(key, value);
+  if (text !== undefined) element.textContent = text;
+  if (parent) parent.append(element);
+  return element;
+}
+
+function shapePath(shape, x, y, r) {
+  const p = (...points) => "M" + points.map(([a, b]) => (x + a * r).toFixed(1) + " " + (y + b * r).toFixed(1)).join("L");
+  switch (shape) {
+    case "square": return p([-.9, -.9], [.9, -.9], [.9, .9], [-.9, .9]) + "Z";
+    case "triangle": return p([0, -1.2], [1.1, .8], [-1.1, .8]) + "Z";
+    case "down": return p([0, 1.2], [1.1, -.8], [-1.1, -.8]) + "Z";
+    case "diamond": return p([0, -1.3], [1.1, 0], [0, 1.3], [-1.1, 0]) + "Z";
+    case "plus": return p([-1.2, 0], [1.2, 0]) + p([0, -1.2], [0, 1.2]);
+    case "cross": return p([-1, -1], [1, 1]) + p([-1, 1], [1, -1]);
+    default: return `M${(x - r).toFixed(1)} ${y.toFixed(1)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
+  }
+}
+
+// Round numbers between two values: about `count` ticks, or the powers of ten with 2 and 5.
+function ticksOf(low, high, log, count) {
+  if (log) {
+    const ticks = [];
+    for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); ++power) {
+      for (const factor of [1, 2, 5]) {
+        const tick = factor * Math.pow(10, power);
+        if (tick >= low * .999 && tick <= high * 1.001) ticks.push(tick);
+      }
+    }
+    return ticks.length > 7 ? ticks.filter(t => Math.abs(Math.log10(t) - Math.round(Math.log10(t))) < 1e-9) : ticks;
+  }
+  const raw = (high - low) / count, unit = Math.pow(10, Math.floor(Math.log10(raw)));
+  const step = unit * [1, 2, 5, 10].find(f => f * unit >= raw);
+  const ticks = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) ticks.push(k * step);
+  return ticks;
+}
+
+function tickText(value, step) {
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e5 || size < 1e-3) return value.toExponential(size < 1e-3 || size >= 1e5 ? 0 : 1).replace("e+", "e");
+  const digits = step ? Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9))) : 0;
+  return step ? value.toFixed(digits) : String(Number(value.toPrecision(2)));
+}
+
+// Smooth curve through points in the coordinates of the screen (monotone in each part).
+function curvePath(points) {
+  if (points.length < 3) return "M" + points.map(p => p.join(" ")).join("L");
+  const n = points.length, slopes = [], tangents = [];
+  for (let k = 0; k + 1 < n; ++k) slopes.push((points[k + 1][1] - points[k][1]) / (points[k + 1][0] - points[k][0]));
+  tangents.push(slopes[0]);
+  for (let k = 1; k + 1 < n; ++k) tangents.push(slopes[k - 1] * slopes[k] <= 0 ? 0 : 2 / (1 / slopes[k - 1] + 1 / slopes[k]));
+  tangents.push(slopes[n - 2]);
+  let path = `M${points[0][0].toFixed(1)} ${points[0][1].toFixed(2)}`;
+  for (let k = 0; k + 1 < n; ++k) {
+    const third = (points[k + 1][0] - points[k][0]) / 3;
+    path += `C${(points[k][0] + third).toFixed(1)} ${(points[k][1] + third * tangents[k]).toFixed(2)} ` +
+      `${(points[k + 1][0] - third).toFixed(1)} ${(points[k + 1][1] - third * tangents[k + 1]).toFixed(2)} ` +
+      `${points[k + 1][0].toFixed(1)} ${points[k + 1][1].toFixed(2)}`;
+  }
+  return path;
+}
+
+function save(name, type, text) {
+  const link = html("a", {download: name, href: URL.createObjectURL(new Blob([text], {type}))});
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+// A figure. `spec`: {name, title, xLabel, yLabel, logX, zero, fromZero, names()}; with names, these stand at
+// x = 0, 1, ... in place of numbers; `contents()` returns the series that are
+// shown now: {label, points: [{x, y, error, id}], curve: [[x, y], ...], marks: [{x, y}]}.
+class Plot {
+  constructor(parent, spec, contents, page) {
+    Object.assign(this, {spec, contents, page, at: -1});
+    this.figure = html("figure", {}, parent);
+    const caption = html("figcaption", {}, this.figure);
+    html("span", {}, caption, spec.title);
+    const buttons = html("span", {}, caption);
+    html("button", {type: "button", "aria-label": "Save the numbers of " + spec.title + " as CSV"}, buttons, "CSV")
+      .addEventListener("click", () => save(spec.name + ".csv", "text/csv", this.csv()));
+    buttons.append(" ");
+    html("button", {type: "button", "aria-label": "Save " + spec.title + " as SVG"}, buttons, "SVG")
+      .addEventListener("click", () => save(spec.name + ".svg", "image/svg+xml", this.svgText()));
+    this.svg = node("svg", {viewBox: `0 0 ${WIDTH} ${HEIGHT}`, tabindex: "0", role: "img",
+      "aria-label": spec.title + ". Arrow keys step through the readings.", "data-name": spec.name}, this.figure);
+    this.key = html("ul", {class: "key"}, this.figure);
+    this.svg.addEventListener("keydown", event => this.onKey(event));
+    this.svg.addEventListener("pointerdown", event => this.onDown(event));
+    this.svg.addEventListener("pointermove", event => this.onMove(event));
+    this.svg.addEventListener("pointerup", () => this.onUp());
+    this.svg.addEventListener("pointerleave", () => { if (!this.dragged) this.page.show(-1); });
+    this.draw();
+  }
+
+  range(values, log, pad) {
+    let low = Math.min(...values), high = Math.max(...values);
+    if (!(low < high)) { const d = Math.abs(low) * .05 || 1; low -= d; high += d; if (log) low = Math.max(low, high / 2); }
+    if (log) { const f = Math.pow(high / low, pad); return [low / f, high * f]; }
+    const d = (high - low) * pad;
+    return [low - d, high + d];
+  }
+
+  draw() {
+    const {spec} = this, series = this.contents();
+    this.shown = series;
+    const xs = [], ys = spec.zero ? [-2.5, 2.5] : [];
+    for (const s of series) {
+      for (const p of s.points) { xs.push(p.x); ys.push(p.y - (p.error || 0), p.y + (p.error || 0)); }
+      for (const c of [...(s.curve || []), ...(s.marks || []).map(m => [m.x, m.y])]) { xs.push(c[0]); ys.push(c[1]); }
+    }
+    this.svg.replaceChildren();
+    if (xs.length === 0) return;
+    if (spec.fromZero) ys.push(0);
+    const names = spec.names ? spec.names() : null;
+    const [x0, x1] = names ? [-.5, names.length - .5] : this.range(xs, spec.logX, .06), [y0, y1] = this.range(ys, false, .06);
+    const xOf = x => LEFT + (WIDTH - LEFT - RIGHT) * (spec.logX ? Math.log(x / x0) / Math.log(x1 / x0) : (x - x0) / (x1 - x0));
+    const yOf = y => HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * (y - y0) / (y1 - y0);
+    this.axes(x0, x1, y0, y1, xOf, yOf, names);
+    this.key.replaceChildren();
+    this.places = [];
+    series.forEach((s, index) => this.drawSeries(s, index, xOf, yOf));
+    this.mark();
+  }
+
+  axes(x0, x1, y0, y1, xOf, yOf, names) {
+    const {spec, svg} = this;
+    const text = {fill: "var(--ink)", "font-size": "12.5", "font-family": "system-ui, sans-serif"};
+    const xTicks = names ? names.map((_, k) => k) : ticksOf(x0, x1, spec.logX, 5), yTicks = ticksOf(y0, y1, false, 5);
+    const xStep = spec.logX ? 0 : xTicks[1] - xTicks[0], yStep = yTicks[1] - yTicks[0];
+    for (const x of xTicks) {
+      node("line", {x1: xOf(x), x2: xOf(x), y1: TOP, y2: HEIGHT - BOTTOM, stroke: "var(--grid)"}, svg);
+      node("text", {...text, x: xOf(x), y: HEIGHT - BOTTOM + 16, "text-anchor": "middle", ...(names && names.length > 3 ? {"font-size": "9.5"} : {})}, svg, names ? names[x] : tickText(x, xStep));
+    }
+    for (const y of yTicks) {
+      node("line", {x1: LEFT, x2: WIDTH - RIGHT, y1: yOf(y), y2: yOf(y), stroke: "var(--grid)"}, svg);
+      node("text", {...text, x: LEFT - 6, y: yOf(y) + 4, "text-anchor": "end"}, svg, tickText(y, yStep));
+    }
+    if (spec.zero) node("line", {x1: LEFT, x2: WIDTH - RIGHT, y1: yOf(0), y2: yOf(0), stroke: "var(--soft)", "stroke-width": 1.5}, svg);
+    node("rect", {x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM, fill: "none", stroke: "var(--soft)"}, svg);
+    node("text", {...text, x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle"}, svg, spec.xLabel);
+    const middle = (TOP + HEIGHT - BOTTOM) / 2;
+    node("text", {...text, x: 14, y: middle, "text-anchor": "middle", transform: `rotate(-90 14 ${middle})`}, svg, spec.yLabel);
+  }
+
+  drawSeries(s, index, xOf, yOf) {
+    const colour = COLOURS[index % COLOURS.length], shape = SHAPES[index % SHAPES.length];
+    if (s.curve && s.curve.length > 1) {
+      const line = s.curve.map(([x, y]) => [xOf(x), yOf(y)]);
+      node("path", {d: this.spec.names ? "M" + line.map(p => p.join(" ")).join("L") : curvePath(line), fill: "none", stroke: colour, "stroke-width": 2,
+        class: "curve", ...(index >= 8 ? {"stroke-dasharray": "5 3"} : {})}, this.svg);
+    }
+    for (const m of s.marks || []) {
+      const x = xOf(m.x), y = yOf(m.y);
+      node("path", {d: `M${(x - 5).toFixed(1)} ${y.toFixed(2)}h10`, stroke: colour, "stroke-width": 2, class: "mark"}, this.svg);
+    }
+    for (const p of s.points) {
+      const x = xOf(p.x), y = yOf(p.y);
+      if (p.error) node("path", {d: `M${x.toFixed(1)} ${yOf(p.y - p.error).toFixed(1)}V${yOf(p.y + p.error).toFixed(1)}`, stroke: colour, "stroke-width": 1.2}, this.svg);
+      const hollow = shape === "plus" || shape === "cross" || shape === "ring";
+      const point = node("path", {d: shapePath(shape, x, y, 4.2), fill: hollow ? "none" : colour, stroke: colour, "stroke-width": hollow ? 1.8 : 1, "data-id": p.id}, this.svg);
+      this.places.push({x, y, id: p.id, point});
+    }
+    if (s.label) {
+      const entry = html("li", {}, this.key);
+      const icon = node("svg", {viewBox: "0 0 16 12", width: 16, height: 12, style: "display:inline;width:16px;height:12px;vertical-align:-1px", "aria-hidden": "true"}, entry);
+      node("path", {d: shapePath(shape, 8, 6, 4), fill: ["plus", "cross", "ring"].includes(shape) ? "none" : colour, stroke: colour}, icon);
+      entry.append(" " + s.label);
+    }
+  }
+
+  // Shows which readings are marked, under the pointer, or left out.
+  mark() {
+    for (const {point, id} of this.places || []) {
+      const marked = this.page.marked.has(id), here = this.page.here === id, out = this.page.out === id;
+      point.setAttribute("opacity", out ? .25 : this.page.marked.size > 0 && !marked && !here ? .25 : 1);
+      if (here || marked) {
+        point.setAttribute("stroke", "var(--ink)");
+        point.setAttribute("stroke-width", 2.2);
+      } else {
+        const fill = point.getAttribute("fill");
+        if (fill !== "none") { point.setAttribute("stroke", fill); point.setAttribute("stroke-width", 1); }
+      }
+    }
+  }
+
+  position(event) {
+    const box = this.svg.getBoundingClientRect();
+    return [(event.clientX - box.left) * WIDTH / box.width, (event.clientY - box.top) * HEIGHT / box.height];
+  }
+  nearest(x, y) {
+    let best = {id: -1}, distance = 14;
+    for (const place of this.places || []) {
+      const d = Math.hypot(place.x - x, place.y - y);
+      if (d < distance) { best = place; distance = d; }
+    }
+    return best.id;
+  }
+  onKey(event) {
+    const step = {ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1}[event.key];
+    const places = [...this.places].sort((a, b) => a.x - b.x);
+    if (step && places.length > 0) {
+      this.at = (this.at + step + places.length) % places.length;
+      this.page.show(places[this.at].id);
+      event.preventDefault();
+    } else if (event.key === "Escape") { this.page.markOnly([]); this.page.show(-1); }
+  }
+  onDown(event) { this.dragged = {from: this.position(event), to: null}; }
+  onMove(event) {
+    const [x, y] = this.position(event);
+    if (!this.dragged) { this.page.show(this.nearest(x, y)); return; }
+    this.dragged.to = [x, y];
+    const [a, b] = this.dragged.from;
+    if (!this.brush) this.brush = node("rect", {fill: "var(--accent)", opacity: .18}, this.svg);
+    for (const [key, value] of Object.entries({x: Math.min(a, x), y: Math.min(b, y), width: Math.abs(x - a), height: Math.abs(y - b)})) this.brush.setAttribute(key, value);
+  }
+  onUp() {
+    if (!this.dragged) return;
+    const {from, to} = this.dragged;
+    this.dragged = null;
+    if (this.brush) this.brush.remove();
+    this.brush = null;
+    if (!to || Math.hypot(to[0] - from[0], to[1] - from[1]) < 5) {
+      const id = this.nearest(...from);
+      this.page.markOnly(id < 0 ? [] : [id]);
+      return;
+    }
+    const inside = (v, a, b) => v >= Math.min(a, b) && v <= Math.max(a, b);
+    this.page.markOnly(this.places.filter(p => inside(p.x, from[0], to[0]) && inside(p.y, from[1], to[1])).map(p => p.id));
+  }
+
+  csv() {
+    const quoted = text => /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
+    const rows = [["series", "kind", this.spec.xLabel, this.spec.yLabel, "standard error"].map(quoted)];
+    for (const s of this.shown) {
+      for (const p of s.points) rows.push([quoted(s.label), s.kind || "measured", p.x, p.y, p.error || ""]);
+      for (const m of s.marks || []) rows.push([quoted(s.label), "model at the reading", m.x, m.y, ""]);
+      for (const [x, y] of s.curve || []) rows.push([quoted(s.label), "model curve", x, y, ""]);
+    }
+    return rows.map(row => row.join(",")).join("\n") + "\n";
+  }
+  // The drawing as a file of its own, with the colours that are shown now.
+  svgText() {
+    const copy = this.svg.cloneNode(true), style = getComputedStyle(document.documentElement);
+    copy.setAttribute("xmlns", SVG);
+    copy.setAttribute("style", "background:" + style.getPropertyValue("--ground").trim());
+    return copy.outerHTML.replace(/var\((--[a-z]+)\)/g, (_, name) => style.getPropertyValue(name).trim());
+  }
+}

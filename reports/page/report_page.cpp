@@ -1,0 +1,299 @@
+#include "reports/page/report_page.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "analysis/diagnosis/study_evidence.h"
+#include "reports/diagnosis_report.h"
+#include "reports/failure_report.h"
+#include "reports/impact_report.h"
+#include "reports/page/page_data.h"
+#include "reports/page/page_files.h"
+#include "reports/proposal_report.h"
+#include "reports/with_error.h"
+#include "workflow/rival_effects.h"
+
+namespace pendular {
+namespace {
+
+using kainjow::mustache::data;
+using Cells = std::vector<std::string>;
+
+/// Table of a page: a caption, a heading and rows of cells.
+struct PageTable {
+    std::string caption;
+    Cells head;
+    std::vector<Cells> rows = {};
+};
+
+/// Section of a page: lines of text, commands to give, and tables.
+struct PageSection {
+    std::string id, title;
+    std::vector<std::string> lines = {}, commands = {};
+    std::vector<PageTable> tables = {};
+};
+
+/// Text with a real plus-minus sign.
+std::string typeset(std::string text) {
+    for (std::size_t at = 0; (at = text.find("+-", at)) != std::string::npos;) {
+        text.replace(at, 2, "±");
+    }
+    return text;
+}
+
+data list_of(const std::vector<std::string>& texts) {
+    data list{data::type::list};
+    for (const std::string& text : texts) {
+        list << typeset(text);
+    }
+    return list;
+}
+
+data to_data(const PageTable& table) {
+    data rows{data::type::list};
+    for (const Cells& cells : table.rows) {
+        rows << data{"cells", list_of(cells)};
+    }
+    data result;
+    result.set("caption", typeset(table.caption));
+    result.set("head", list_of(table.head));
+    result.set("rows", rows);
+    return result;
+}
+
+data to_data(const std::vector<PageSection>& sections) {
+    data result{data::type::list};
+    for (const PageSection& section : sections) {
+        data one, tables{data::type::list};
+        for (const PageTable& table : section.tables) {
+            if (!table.rows.empty()) tables << to_data(table);
+        }
+        one.set("id", section.id);
+        one.set("title", section.title);
+        one.set("lines", list_of(section.lines));
+        one.set("commands", list_of(section.commands));
+        one.set("tables", tables);
+        result << one;
+    }
+    return result;
+}
+
+std::string p_cell(double p) {
+    return p < 0.001 ? "< 0.001" : fmt::format("{:.3f}", p);
+}
+
+std::string trimmed(const std::string& line) {
+    const auto first = line.find_first_not_of(' ');
+    return first == std::string::npos ? "" : line.substr(first);
+}
+
+PageSection where_section(const PageContent& content) {
+    PageSection section{.id = "where", .title = "Where the model fails"};
+    for (const std::string& line : checks_table(content.checks)) {
+        section.lines.push_back(trimmed(line));
+    }
+    if (section.lines.empty()) section.lines = {"No check of the residuals fails."};
+    return section;
+}
+
+PageTable scan_table(const PageContent& content) {
+    PageTable table{.caption = "Known effects, the largest fall of chi2 first",
+                    .head = {"effect", "group", "estimate", "chi2 falls by", "refitted", "p",
+                             "power at the smallest size of interest", "decision"}};
+    const auto& candidates = content.diagnosis.models->candidates();
+    for (const Finding& finding : content.diagnosis.diagnosis.scan) {
+        const Candidate& candidate = candidates[finding.candidate];
+        const std::string size = candidate.is_switch()
+                                     ? "a switch"
+                                     : with_error(finding.value, finding.standard_error,
+                                                  candidate.parameters.front().unit);
+        table.rows.push_back(
+            {candidate.name, candidate.group, size,
+             fmt::format("{:.1f}", finding.test.predicted_reduction),
+             finding.refitted_reduction ? fmt::format("{:.1f}", *finding.refitted_reduction) : "",
+             p_cell(finding.p), fmt::format("{:.2f}", finding.power), finding.decision});
+    }
+    return table;
+}
+
+/// Models that explain the readings, side by side.
+PageTable rivals_table(const PageContent& content) {
+    PageTable table{.caption = "Models that explain the readings, side by side",
+                    .head = {"further effects", "chi2", "degrees of freedom", "friction",
+                             "p of lack of fit", "p of a further effect"}};
+    const Diagnosis& d = content.diagnosis.diagnosis;
+    const auto add = [&](const Explanation& each) {
+        Cells names;
+        for (const std::size_t k : each.chosen) {
+            names.push_back(content.diagnosis.models->candidates()[k].name);
+        }
+        if (each.suspect) {
+            names.push_back("an error of " +
+                            content.diagnosis.evidence.suspects[*each.suspect].name);
+        }
+        table.rows.push_back({names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                              fmt::format("{:.2f}", each.chi2), fmt::format("{}", each.fit.dof),
+                              with_error(each.fit.parameters(0), each.fit.standard_error(0)),
+                              p_cell(each.lack_of_fit_p), p_cell(each.further_p)});
+    };
+    for (const Explanation& each : d.confidence_set) {
+        add(each);
+    }
+    if (d.leaders) add(d.leaders->model);
+    return table;
+}
+
+PageSection effects_section(const PageContent& content) {
+    const StudyDiagnosis& d = content.diagnosis;
+    PageSection section{.id = "effects", .title = "Which effect"};
+    const auto add = [&](const std::vector<std::string>& lines) {
+        section.lines.insert(section.lines.end(), lines.begin(), lines.end());
+    };
+    add(proposal_lines(d.proposals, d.diagnosis.chi2, d.diagnosis.dof));
+    add(advice_on(d.diagnosis, *d.models, !d.proposals.empty()));
+    section.tables = {rivals_table(content), scan_table(content)};
+    return section;
+}
+
+PageSection impact_section(const PageContent& content) {
+    const ImpactTable& impacts = *content.impacts;
+    PageSection section{.id = "impacts", .title = "What it does to the friction"};
+    section.lines = impact_lines(impacts, content.diagnosis.diagnosis);
+    const double error = impacts.errors(0);
+    PageTable table{
+        .caption = fmt::format("Shift of the friction {} by each effect or error of measurement",
+                               with_error(impacts.fitted(0), error)),
+        .head = {"effect or error", "group", "at the smallest size of interest", "at the estimate",
+                 "by the estimate's error"}};
+    for (const Impact& impact : impacts.impacts) {
+        table.rows.push_back({impact_name(impact), impact.group,
+                              fmt::format("{:+.4f}", impact.at_interest.best()(0)),
+                              fmt::format("{:+.4f}", impact.at_estimate.best()(0)),
+                              fmt::format("{:.4f}", impact.by_error()(0))});
+    }
+    section.tables = {table};
+    return section;
+}
+
+PageSection ladder_section(const PageContent& content) {
+    PageSection section{.id = "ladder", .title = "Ladder of models"};
+    PageTable table{.caption = "Models of this study in the order of time",
+                    .head = {"step", "change", "effects", "chi2", "degrees of freedom",
+                             "RMS error of shear stress [%]", "RMS error of solid fraction [%]"}};
+    for (const LadderStep& step : content.ladder) {
+        table.rows.push_back(
+            {fmt::format("{}", step.step),
+             step.effect.empty() ? step.change : step.change + " " + step.effect,
+             step.effects.empty() ? "none" : fmt::format("{}", fmt::join(step.effects, ", ")),
+             fmt::format("{:.2f}", step.chi2), fmt::format("{}", step.dof),
+             fmt::format("{:.3f}", step.rms_percent[0]),
+             fmt::format("{:.3f}", step.rms_percent[1])});
+    }
+    section.tables = {table};
+    return section;
+}
+
+PageSection next_section(const PageContent& content) {
+    PageSection section{.id = "next", .title = "What to measure next"};
+    for (const std::string& line : content.next) {
+        if (!trimmed(line).empty()) section.lines.push_back(trimmed(line));
+    }
+    section.commands = {next_step(content.diagnosis.diagnosis, content.study_argument,
+                                  !content.diagnosis.proposals.empty())};
+    return section;
+}
+
+/// Names of all effects that the page shows: listed, switched or named by the verdict.
+std::vector<std::string> used_effects(const PageContent& content) {
+    std::set<std::string> names(content.switched.switches.begin(), content.switched.switches.end());
+    names.insert(content.switched.always.begin(), content.switched.always.end());
+    return {names.begin(), names.end()};
+}
+
+PageSection provenance_section(const PageContent& content) {
+    PageSection section{.id = "provenance", .title = "Provenance"};
+    section.lines = {
+        fmt::format("Made by Pendular {} from {} readings and {} stored simulation runs, fidelity "
+                    "{}, seed {}.",
+                    content.version, content.diagnosis.readings.size(), content.runs,
+                    content.options.fidelity.name, content.options.seed),
+        "Contact and capillary laws, closures and the friction's calibration follow Badetti, Fall, "
+        "Chevoir and Roux, Shear strength of wet granular materials: macroscopic cohesion and "
+        "effective stress (2018)."};
+    section.commands = {"pendular report " + content.study_argument};
+    PageTable table{.caption = "Sources of the effects on this page",
+                    .head = {"effect", "sources"}};
+    for (const std::string& name : used_effects(content)) {
+        const Effect& effect = content.resolved.catalogue().find(name);
+        table.rows.push_back({name, effect.references.empty()
+                                        ? effect.summary
+                                        : fmt::format("{}", fmt::join(effect.references, "; "))});
+    }
+    section.tables = {table};
+    return section;
+}
+
+std::vector<PageSection> sections_of(const PageContent& content) {
+    std::vector<PageSection> sections = {where_section(content), effects_section(content)};
+    if (content.impacts) sections.push_back(impact_section(content));
+    if (!content.ladder.empty()) sections.push_back(ladder_section(content));
+    sections.push_back(next_section(content));
+    sections.push_back(provenance_section(content));
+    return sections;
+}
+
+std::vector<std::string> warnings_of(const PageContent& content) {
+    std::vector<std::string> warnings;
+    for (const std::string& reason : content.diagnosis.belief.reasons) {
+        warnings.push_back("Doubt: " + reason);
+    }
+    for (const Doubt& doubt : content.measurements.doubts) {
+        warnings.push_back("Doubt: " + doubt.what);
+    }
+    if (!content.calibrated) {
+        warnings.push_back(fmt::format(
+            "This study has not been calibrated: no simulation confirms the fits of this page. To "
+            "confirm them: pendular calibrate {}",
+            content.study_argument));
+    }
+    return warnings;
+}
+
+/// JSON that can stand in a script element: no text in it can end the element.
+std::string for_script(const nlohmann::ordered_json& json) {
+    std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    std::string safe;
+    for (const char c : text) {
+        if (c == '<') {
+            safe += "\\u003c";
+        } else {
+            safe += c;
+        }
+    }
+    return safe;
+}
+
+}  // namespace
+
+std::string report_page(const PageContent& content) {
+    const StudyDiagnosis& d = content.diagnosis;
+    kainjow::mustache::mustache page{page_template};
+    data values;
+    values.set("study", content.study);
+    values.set("verdict", typeset(verdict_line(d.diagnosis, *d.models, content.checks)));
+    values.set("warnings", list_of(warnings_of(content)));
+    values.set("evidence", list_of({fit_line(d.diagnosis)}));
+    values.set("sections", to_data(sections_of(content)));
+    values.set("style", std::string(page_style));
+    values.set("script", std::string(page_script));
+    values.set("data", for_script(page_data(content.switched, content.panels)));
+    values.set("made_by", "Pendular " + content.version);
+    return page.render(values);
+}
+
+}  // namespace pendular

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/diagnosis/impact.h"
+#include "analysis/ladder.h"
+#include "analysis/misfit/checks.h"
+#include "data/reading.h"
+#include "reports/page/page_curves.h"
+#include "workflow/study_diagnosis.h"
+#include "workflow/switched_models.h"
+
+namespace pendular {
+
+/// Results on a study that its page shows.
+struct PageContent {
+    std::string study;                        ///< name of the study
+    std::string study_argument;               ///< study as the user named it, for commands
+    const ResolvedStudy& resolved;            ///< the study with its catalogue of effects
+    const Measurements& measurements;         ///< readings with their doubts and notes
+    const StudyDiagnosis& diagnosis;          ///< verdict, tests and refitted models
+    Checks checks;                            ///< where the model fails
+    std::optional<ImpactTable> impacts = {};  ///< shifts of the friction; empty: not computed
+    Ladder ladder = {};                       ///< sequence of the study's models; may be empty
+    std::vector<std::string> next = {};       ///< lines on the next measurement; empty: none
+    SwitchedModels switched;                  ///< all combinations of the leading effects
+    std::vector<PagePanel> panels;            ///< panels with the curves of `switched`
+    std::string version;                      ///< version of the program
+    SessionOptions options;                   ///< fidelity and seed of the results
+    std::size_t runs = 0;     ///< number of simulation runs that the emulator was trained on
+    bool calibrated = false;  ///< whether the results folder has a fit of the study
+};
+
+/// Page on a study as one HTML file without references to others: verdict, figures with switches
+/// for the leading effects and sliders for the parameters, fit, effects, impacts, ladder, next
+/// measurement and provenance.
+std::string report_page(const PageContent& content);
+
+}  // namespace pendular

@@ -1,0 +1,154 @@
+// The page of a study in a real browser: no request, no error, switches and sliders that show the
+// program's own numbers, no overflow, accessible.
+//   node page.mjs PROGRAM EXAMPLES [SCREENSHOTS]
+import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
+import {cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+import {pathToFileURL} from "node:url";
+import {chromium} from "playwright-core";
+import {createRequire} from "node:module";
+
+const [program, examples, screenshots] = process.argv.slice(2);
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const folder = mkdtempSync(join(tmpdir(), "pendular-page-"));
+process.env.PENDULAR_STORE = join(folder, "store.sqlite");
+const pendular = (...words) => execFileSync(program, words, {encoding: "utf8", stdio: ["ignore", "pipe", "pipe"]});
+const study = join(folder, "study");
+cpSync(join(examples, "hidden-effect"), study, {recursive: true});
+rmSync(join(study, "out"), {recursive: true, force: true});
+
+const check = async (name, test) => { await test(); console.log("ok   " + name); };
+const near = (a, b, relative, what) => assert.ok(Math.abs(a - b) <= relative * Math.abs(b), `${what}: ${a} is not ${b}`);
+
+pendular("report", study, "--quiet", "--switches", "3");
+const html = readFileSync(join(study, "out/report.html"), "utf8");
+assert.ok(html.length < 1e6, "the page is smaller than 1 MB");
+const browser = await chromium.launch({executablePath: process.env.CHROMIUM || "/usr/bin/chromium", args: ["--no-sandbox"]});
+const context = await browser.newContext({viewport: {width: 1600, height: 1000}, acceptDownloads: true});
+const page = await context.newPage();
+const requests = [], errors = [];
+page.on("request", request => { if (!/^(file|blob|data):/.test(request.url()) || !request.url().includes("report.html") && request.url().startsWith("file:")) requests.push(request.url()); });
+page.on("console", message => { if (message.type() === "error" || message.type() === "warning") errors.push(message.text()); });
+page.on("pageerror", error => errors.push(String(error)));
+await page.goto(pathToFileURL(join(study, "out/report.html")).href);
+const chi2 = async () => Number(await page.locator("[data-chi2]").getAttribute("data-chi2"));
+const rms = async () => (await page.locator("[data-rms]").getAttribute("data-rms")).split(" ").map(Number);
+const firstCurve = () => page.locator("svg[data-name=dry-stress-ratio] path.curve").first().getAttribute("d");
+
+try {
+  await check("shows the verdict and every figure", async () => {
+    assert.match(await page.locator("h1").innerText(), /Missing: wall-friction/);
+    assert.ok(await page.locator("figure svg").count() >= 8);
+    for (const text of await page.locator("figure svg").evaluateAll(all => all.map(svg => svg.outerHTML))) assert.doesNotMatch(text, /NaN|Infinity/);
+  });
+  const before = {chi2: await chi2(), rms: await rms(), curve: await firstCurve()};
+  await check("a switch shows what 'pendular add' gives", async () => {
+    await page.locator("input[data-effect=wall-friction]").check();
+    pendular("add", study, "wall-friction", "--quiet", "--json", join(folder, "add.json"));
+    const add = JSON.parse(readFileSync(join(folder, "add.json"), "utf8"));
+    near(before.chi2, add.before.chi2, 1e-3, "chi2 before");
+    near(await chi2(), add.after.chi2, 1e-3, "chi2 after");
+    near((await rms())[0], add.after.rms_percent.shear_stress, 5e-3, "RMS of shear stress");
+    near((await rms())[1], add.after.rms_percent.solid_fraction, 5e-3, "RMS of solid fraction");
+    assert.notEqual(await firstCurve(), before.curve);
+    const shown = await page.locator("#fit-table tbody tr").nth(1).innerText();
+    near(Number(shown.split("\t")[2].split(" ")[0]), add.after.parameters["wall-friction.coefficient"].value, 1e-2, "coefficient");
+  });
+  await check("a slider shows what the program predicts", async () => {
+    const file = join(study, "out/fit.json"), fit = JSON.parse(readFileSync(file, "utf8"));
+    const compared = () => JSON.parse(pendular("compare", study, "--quiet", "--json", "-")).rms_percent;
+    near((await rms())[0], compared().shear_stress, 1e-3, "RMS of shear stress at the fit");
+    const value = await page.evaluate(() => {
+      const slider = document.querySelector("#sliders input[data-parameter=friction]");
+      slider.value = Number(slider.min) + .8 * (Number(slider.max) - Number(slider.min));
+      slider.dispatchEvent(new Event("input"));
+      return Number(slider.value);
+    });
+    assert.ok(Math.abs(value - fit.parameters.friction.value) > 2 * fit.parameters.friction.stderr, "the slider moved far");
+    fit.parameters.friction.value = value;
+    writeFileSync(file, JSON.stringify(fit));
+    const moved = compared(), shown = await rms();
+    near(shown[0], moved.shear_stress, 1e-2, "RMS of shear stress at another friction");
+    near(shown[1], moved.solid_fraction, 1e-2, "RMS of solid fraction at another friction");
+    assert.ok(await chi2() > 46);
+    await page.getByRole("button", {name: "Back to the fit"}).click();
+    near(await chi2(), 45.7, 2e-2, "chi2 at the fit");
+  });
+  await check("a reading can be left out", async () => {
+    await page.locator("details summary").click();
+    await page.getByLabel("Leave out reading 5", {exact: true}).click();
+    assert.match(await page.locator("[data-without]").innerText(), /Without reading 5: chi2 falls by/);
+    await page.getByLabel("Leave out reading 5", {exact: true}).click();
+    assert.equal(await page.locator("[data-without]").count(), 0);
+  });
+  await check("arrow keys step through readings, brushing marks them everywhere", async () => {
+    const svg = page.locator("svg[data-name=dry-stress-ratio]");
+    await svg.focus();
+    await page.keyboard.press("ArrowRight");
+    assert.match(await page.locator("#reading").innerText(), /^Reading \d+, /);
+    await svg.scrollIntoViewIfNeeded();
+    const box = await svg.boundingBox();
+    await page.mouse.move(box.x + box.width * .2, box.y + 15);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width * .9, box.y + box.height * .8, {steps: 4});
+    await page.mouse.up();
+    assert.match(await page.locator("#reading").innerText(), /readings are marked/);
+    const faded = await page.locator("svg[data-name=quantiles] path[data-id][opacity='0.25']").count();
+    assert.ok(faded > 0, "other figures fade what is not marked");
+    await svg.focus();
+    await page.keyboard.press("Escape");
+  });
+  await check("saves what a figure shows", async () => {
+    const [csv] = await Promise.all([page.waitForEvent("download"), page.getByLabel(/^Save the numbers of Dry readings: stress ratio/).click()]);
+    const text = readFileSync(await csv.path(), "utf8"), rows = text.trim().split("\n");
+    assert.match(rows[0], /^series,kind,/);
+    const drawn = await page.evaluate(() => window.page.plots[0].shown.reduce((sum, s) => sum + s.points.length + s.marks.length + s.curve.length, 0));
+    assert.equal(rows.length, drawn + 1);
+    const [svg] = await Promise.all([page.waitForEvent("download"), page.getByLabel(/^Save Dry readings: stress ratio as SVG/).click()]);
+    const drawing = readFileSync(await svg.path(), "utf8");
+    assert.match(drawing, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
+    assert.doesNotMatch(drawing, /var\(/);
+  });
+  for (const scheme of ["light", "dark"]) {
+    for (const width of [400, 1600]) {
+      await check(`${scheme}, ${width} px: fits and is accessible`, async () => {
+        await page.emulateMedia({colorScheme: scheme});
+        await page.setViewportSize({width, height: 900});
+        const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+        assert.ok(over <= 0, `${over} px too wide`);
+        await page.evaluate(axe);
+        const {violations} = await page.evaluate(() => window.axe.run(document));
+        assert.deepEqual(violations.map(v => `${v.id}: ${v.nodes.length} x ${v.nodes[0].html.slice(0, 80)}`), []);
+        if (screenshots) await page.screenshot({path: join(screenshots, `${scheme}-${width}.png`), fullPage: true});
+      });
+    }
+  }
+  await check("prints", async () => {
+    await page.emulateMedia({colorScheme: "light", media: "print"});
+    const pdf = await page.pdf({format: "A4"});
+    const pages = (pdf.toString("latin1").match(/\/Type\s*\/Page\b/g) || []).length;
+    assert.ok(pages >= 2 && pages <= 14, `${pages} pages`);
+    if (screenshots) writeFileSync(join(screenshots, "print.pdf"), pdf);
+  });
+  await check("a name cannot become markup; dry readings alone suffice", async () => {
+    const odd = join(folder, "a<b>&\"'<script>window.hit=1<");
+    cpSync(join(examples, "dry-recordings"), odd, {recursive: true});
+    rmSync(join(odd, "out"), {recursive: true, force: true});
+    pendular("report", odd, "--quiet", "--switches", "1");
+    await page.emulateMedia({media: "screen"});
+    await page.goto(pathToFileURL(join(odd, "out/report.html")).href);
+    assert.equal(await page.locator(".study").innerText(), "a<b>&\"'<script>window.hit=1<");
+    assert.equal(await page.evaluate(() => window.hit), undefined);
+    assert.equal(await page.locator("svg[data-name=wet-stress-ratio]").count(), 0);
+    assert.ok(await page.locator("svg[data-name=dry-stress-ratio]").count() === 1);
+  });
+  await check("sends no request and logs no error", async () => {
+    assert.deepEqual(requests, []);
+    assert.deepEqual(errors, []);
+  });
+} finally {
+  await browser.close();
+  rmSync(folder, {recursive: true, force: true});
+}
