@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <numbers>
+#include <string_view>
+#include <tuple>
 
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
@@ -54,24 +57,21 @@ struct CountedColumn {
 
 /// Columns of a file that differ in name, unit or use, or that an interval has twice.
 std::vector<CountedColumn> distinct_columns(const BlockFile& file) {
+    using Words = std::tuple<std::string_view, std::string_view, std::string_view>;
     std::vector<CountedColumn> result;
+    std::map<Words, std::vector<std::size_t>> known;  // places in the result, by occurrence
     for (const Block& block : file.blocks) {
-        std::vector<const BlockColumn*> before;
+        std::map<Words, std::size_t> before;
         for (const BlockColumn& column : block.columns) {
             if (column.name.empty()) continue;
-            const auto same = [&](const BlockColumn* other) {
-                return other->name == column.name && other->unit == column.unit &&
-                       other->quantity == column.quantity;
-            };
-            const auto occurrence = static_cast<std::size_t>(std::ranges::count_if(before, same));
-            before.push_back(&column);
-            const auto known = std::ranges::find_if(result, [&](const CountedColumn& each) {
-                return same(each.column) && each.occurrence == occurrence;
-            });
-            if (known == result.end())
-                result.push_back({&column, occurrence, 1});
-            else
-                ++known->intervals;
+            const Words words = {column.name, column.unit, column.quantity};
+            const std::size_t occurrence = before[words]++;
+            std::vector<std::size_t>& places = known[words];
+            if (occurrence == places.size()) {
+                places.push_back(result.size());
+                result.push_back({&column, occurrence, 0});
+            }
+            ++result[places[occurrence]].intervals;
         }
     }
     return result;

@@ -31,6 +31,11 @@ class LineSplitter {
             const bool quoted = begin < line_.size() && line_[begin] == '"';
             row.cells.push_back({quoted ? quoted_cell(begin) : plain_cell(begin), column(begin)});
             if (next_ == std::string_view::npos) return row;
+            if (row.cells.size() == most_cells_of_line)
+                throw InputError(at_, fmt::format("more than {} cells on one line; put the values "
+                                                  "of a row on a line of its own, or split the "
+                                                  "file into several files",
+                                                  most_cells_of_line));
         }
     }
 
@@ -161,6 +166,15 @@ void check_length(const Table& table, const Row& row, bool last) {
 
 }  // namespace
 
+void check_cell_count(std::size_t cells, const std::string& file, int line) {
+    if (cells > most_cells)
+        throw InputError({file, line},
+                         fmt::format("more than {} million cells (rows times columns) up to "
+                                     "this line; leave out columns that are not needed, or "
+                                     "split the file into several files",
+                                     most_cells / 1'000'000));
+}
+
 Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner) {
     return LineSplitter(line, delimiter, at, inner).split();
 }
@@ -187,6 +201,7 @@ Table table_of(const std::string& file, const std::vector<std::string_view>& lin
         at.line = static_cast<int>(i) + 1;
         table.rows.push_back(split_cells(lines[i], table.delimiter, at, InnerQuotes::refused));
         check_length(table, table.rows.back(), i + 1 == lines.size());
+        check_cell_count(table.rows.size() * table.header.cells.size(), at.file, at.line);
     }
     if (table.rows.empty())
         throw InputError({table.file, table.header.line},

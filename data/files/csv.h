@@ -36,21 +36,28 @@ struct Table {
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 
+/// Largest number of cells, rows times columns, that are read of one file, and of one line.
+constexpr std::size_t most_cells = 20'000'000, most_cells_of_line = 2'000'000;
+
+/// Checks the number of cells, rows times columns, of a file up to a line.
+/// @throws InputError if there are more than `most_cells`
+void check_cell_count(std::size_t cells, const std::string& file, int line);
+
 /// Whether a quote inside a cell, as in the header `G"`, is refused or kept as a plain character.
 enum class InnerQuotes { refused, kept };
 
 /// Splits a line of a table into cells. A quote at the start of a cell opens a quoted cell, in
 /// which two quotes are one; blanks around a cell are left out.
 /// @param at file and line
-/// @throws InputError at file:line:column if a quoted cell does not close, or if a quote is inside
-///         a cell and `inner` refuses it
+/// @throws InputError at file:line:column if a quoted cell does not close, if a quote is inside a
+///         cell and `inner` refuses it, or if there are more than `most_cells_of_line`
 Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner);
 
 /// Reads a text file of delimited cells. The delimiter is the most frequent of comma, semicolon and
 /// tab in the header. Blank lines, lines of empty cells and lines that begin with '#' are skipped.
 /// @throws InputError at file:line:column if the file is empty or has no rows, a row differs in
 ///         length from the header, a quote is misplaced or does not close, a column name occurs
-///         twice, or the header consists of numbers
+///         twice, the header consists of numbers, or there are more than `most_cells`
 Table read_table(const std::filesystem::path& path);
 
 /// Reads a table from the lines of a file, as `read_table` does.

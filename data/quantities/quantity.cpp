@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <string>
+#include <unordered_map>
 
 namespace pendular {
 namespace {
@@ -106,13 +107,17 @@ const Quantity& quantity(std::string_view name) {
 }
 
 const Quantity* find_quantity(std::string_view spelling) {
-    const std::string wanted = compact(spelling);
-    for (const Quantity& each : table()) {
-        if (compact(each.name) == wanted) return &each;
-        for (const std::string_view other : each.also)
-            if (compact(other) == wanted) return &each;
-    }
-    return nullptr;
+    static const std::unordered_map<std::string, const Quantity*> by_spelling = [] {
+        std::unordered_map<std::string, const Quantity*> all;
+        for (const Quantity& each : table()) {
+            all.emplace(compact(each.name), &each);
+            for (const std::string_view other : each.also)
+                all.emplace(compact(other), &each);
+        }
+        return all;
+    }();
+    const auto found = by_spelling.find(compact(spelling));
+    return found == by_spelling.end() ? nullptr : found->second;
 }
 
 }  // namespace pendular

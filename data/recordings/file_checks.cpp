@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "data/quantities/number.h"
 #include "data/quantities/units.h"
@@ -149,17 +150,47 @@ void check_swapped(const std::vector<IntervalSeries>& series, std::vector<FileFi
     }
 }
 
+/// Points that a file left out, by line, for sums over ranges of lines.
+class SkippedPoints {
+  public:
+    explicit SkippedPoints(const BlockFile& file) {
+        for (const SkippedRows& rows : file.skipped)
+            if (rows.points)
+                ranges_.emplace_back(rows.first_line, static_cast<std::size_t>(
+                                                          rows.last_line - rows.first_line + 1));
+        std::ranges::sort(ranges_);
+        for (const auto& range : ranges_)
+            sums_.push_back(sums_.back() + range.second);
+    }
+
+    /// Number of points in the ranges that begin after line `after` and up to line `last`.
+    std::size_t between(int after, int last) const { return sum_to(last) - sum_to(after); }
+
+  private:
+    std::size_t sum_to(int line) const {
+        const auto end =
+            std::ranges::upper_bound(ranges_, line, {}, &std::pair<int, std::size_t>::first);
+        return sums_[static_cast<std::size_t>(end - ranges_.begin())];
+    }
+
+    std::vector<std::pair<int, std::size_t>> ranges_;  ///< first line and number of points
+    std::vector<std::size_t> sums_ = {0};              ///< points of the ranges before each
+};
+
 void check_declared(const BlockFile& file, std::vector<FileFinding>& findings) {
+    const SkippedPoints skipped(file);
     int end = 0;  // last line of the interval before
-    for (const Block& block : file.blocks) {
+    for (std::size_t i = 0; i < file.blocks.size(); ++i) {
+        const Block& block = file.blocks[i];
         std::size_t rows = block.table.rows.size();
         if (block.table.rows.empty()) continue;
         const int first = std::max(block.table.header.line, end);
         const int last = end = block.table.rows.back().line;
         if (!block.declared_rows) continue;
-        for (const SkippedRows& skipped : file.skipped)
-            if (skipped.points && skipped.first_line > first && skipped.last_line <= last)
-                rows += static_cast<std::size_t>(skipped.last_line - skipped.first_line + 1);
+        // Points without values may also follow the last row.
+        const int next = i + 1 < file.blocks.size() ? file.blocks[i + 1].table.header.line
+                                                    : std::numeric_limits<int>::max();
+        rows += skipped.between(first, std::max(last, next));
         if (rows == *block.declared_rows) continue;
         FileFinding finding;
         finding.lines = {{block.table.rows.front().line, last}};

@@ -37,6 +37,7 @@ void split_by_interval(BlockFile& file) {
     for (const Row& row : whole.table.rows) {
         const double own = columns.value(row, "interval");
         if (file.blocks.empty() || own != number) {
+            count_interval(file, row.line, whole.columns.size());
             Block& block = file.blocks.emplace_back();
             block.number = static_cast<int>(std::clamp(own, 0.0, 1e9));
             block.columns = whole.columns;

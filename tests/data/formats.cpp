@@ -255,6 +255,57 @@ TEST_F(ReadBlocks, ListRowsThatBelongToNoSegmentOrInterval) {
                 Contains(testing::Field(&SkippedRows::reason, "after the end of an interval")));
 }
 
+/// rSpace file whose actions alternate, so that each row is an interval.
+std::string alternating_intervals(int intervals, int columns) {
+    std::string text = "Action Name";
+    for (int i = 1; i < columns; ++i)
+        text += ";c" + std::to_string(i);
+    text += "\n";
+    for (int i = 0; i < intervals; ++i)
+        text += i % 2 == 0 ? "a;1\n" : "b;1\n";
+    return text;
+}
+
+TEST_F(ReadBlocks, LimitIntervalsAndIntervalsTimesColumns) {
+    EXPECT_EQ(read(alternating_intervals(10'000, 2)).blocks.size(), 10'000u);
+    EXPECT_THAT(error(alternating_intervals(10'001, 2)),
+                AllOf(HasSubstr("more than 10000 intervals"), HasSubstr("split the file")));
+    EXPECT_THAT(error(alternating_intervals(1200, 900)), HasSubstr("leave out columns"));
+}
+
+TEST_F(ReadBlocks, LimitRowsTimesColumns) {
+    const auto rows = [](int count) {
+        std::string text = "Action Name";
+        for (int i = 1; i < 1000; ++i)
+            text += ";c" + std::to_string(i);
+        text += "\n";
+        for (int i = 0; i < count; ++i)
+            text += "a;1\n";  // cells that are missing are kept as empty ones
+        return text;
+    };
+    EXPECT_EQ(read(rows(20)).counts.cells, 20'000u);
+    EXPECT_THAT(error(rows(20'001)),
+                AllOf(HasSubstr(":20002:"), HasSubstr("20 million cells"), HasSubstr("split")));
+}
+
+TEST_F(ReadBlocks, CountPointsThatWereLeftOutWithTheirInterval) {
+    std::string text;
+    const auto add_interval = [&](int number, int valued, int all) {
+        text += "Interval and data points:\t" + std::to_string(number) +
+                "\t3\n\tTime\tTorque\n\t[s]\t[mN m]\n";
+        for (int i = 1; i <= all; ++i)
+            text += "\t" + std::to_string(i) + (i > valued ? "\t\n" : "\t1\n");
+        text += "\n";
+    };
+    add_interval(1, 2, 3);
+    add_interval(2, 3, 3);
+    add_interval(3, 1, 3);
+    add_interval(4, 2, 2);
+    const FileView view = view_of_file(folder_.write("t.txt", text));
+    ASSERT_THAT(view.findings, SizeIs(1));
+    EXPECT_THAT(view.findings[0].what, HasSubstr("interval 4 declares 3 points and has 2"));
+}
+
 TEST_F(ReadBlocks, DetectShiftJis) {
     // Japanese header words for torque, normal force and time, in Shift-JIS.
     const std::string words =

@@ -70,3 +70,36 @@ E
 attack "sizes: a study.toml of zeros" 2 "s/study.toml" <<'E'
 mkdir s; head -c 1000 /dev/zero >s/study.toml; run import s
 E
+attack "sizes: 150,000 nearly empty rows under 1000 units" 2 "t.csv:20003" <<'E'
+python3 -c 'print("Point No." + "".join(f",c{i}" for i in range(999))); print("[1]" + ",[Pa]" * 999); [print(f"{i},{i}") for i in range(1, 150001)]' >t.csv
+run import t.csv
+E
+attack "sizes: 6000 intervals of 901 columns" 2 "t.csv:1:" <<'E'
+python3 -c 'print("Action Name;" + ";".join(f"c{i}" for i in range(900))); [print(f"{chr(97 + i % 2)};1") for i in range(6000)]' >t.csv
+run import t.csv
+E
+attack "sizes: 1100 intervals of 901 columns" 0 "is read as layout" <<'E'
+python3 -c 'print("Action Name;" + ";".join(f"c{i}" for i in range(900))); [print(f"{chr(97 + i % 2)};1") for i in range(1100)]' >t.csv
+run import t.csv
+E
+attack "sizes: 2,000,000 rows of an interval each" 2 "more than 10000 intervals" <<'E'
+python3 -c 'print("Time [s],Interval [1]"); [print(f"{i},{i}") for i in range(2000000)]' >t.csv; run import t.csv
+E
+attack "sizes: 60 million empty cells under one header" 2 "20 million cells" <<'E'
+python3 -c 'print(",".join(f"c{i}" for i in range(1000))); [print("1" + "," * 999) for i in range(60000)]' >t.csv; run import t.csv
+E
+attack "sizes: 60 million cells on one line" 2 "cells on one line" <<'E'
+python3 -c 'print("1," * 60000000)' >t.csv; run import t.csv
+E
+attack "sizes: 900 tables side by side over 200,000 rows" 2 "20 million cells" <<'E'
+python3 -c 'print(";".join([";t in s"] * 900)); print(";".join(["1|1;2"] * 900)); [print("x") for i in range(200000)]' >t.csv; run import t.csv
+E
+attack "sizes: 300,000 keys before an interval" 2 "keys and values" <<'E'
+python3 -c 'print("Interval and data points:\t1\t1\n\tTime\n\t[s]\n\t1\n"); [print(f"k{i}:\tv") for i in range(300000)]' >t.csv; run import t.csv
+E
+attack "sizes: 100,000 empty intervals, each with a row left out" 2 "more than 10000 intervals" <<'E'
+python3 -c 'print("\n".join("Interval and data points:\t1\t1\n\tTime\n\t[s]\n\t1\n\n\t2\n" for i in range(100000)))' >t.csv; run import t.csv
+E
+attack "sizes: 300,000 different keys in a Rheoplus file" 2 "" <<'E'
+python3 -c 'print("Data Series Information"); [print(f"k{i}:\tv") for i in range(300000)]' >t.csv; run import t.csv
+E

@@ -32,6 +32,13 @@ std::string BlockFile::fact(std::string_view key) const {
     return "";
 }
 
+void BlockFile::add_fact(const std::string& key, const std::string& value) {
+    std::string word = key;
+    for (char& c : word)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (known_keys.insert(std::move(word)).second) facts.emplace_back(key, value);
+}
+
 Row SourceLines::row(std::size_t line, char delimiter) const {
     return split_cells(lines[line], delimiter, {file, static_cast<int>(line) + 1},
                        InnerQuotes::kept);
@@ -73,13 +80,31 @@ std::string bare_unit(std::string_view cell) {
     return std::string(brackets ? trimmed(cell.substr(1, cell.size() - 2)) : cell);
 }
 
-void set_columns(Block& block, Row header, const std::vector<std::string>& names,
+void count_interval(BlockFile& file, int line, std::size_t columns) {
+    ++file.counts.intervals;
+    file.counts.header_cells += columns;
+    if (file.counts.intervals > most_intervals)
+        throw InputError({file.file, line},
+                         fmt::format("more than {} intervals up to this line; split the file into "
+                                     "several files",
+                                     most_intervals));
+    if (file.counts.header_cells > most_header_cells)
+        throw InputError(
+            {file.file, line},
+            fmt::format("{} intervals of up to {} columns: intervals times columns "
+                        "are more than {} million; leave out columns that are not "
+                        "needed, or split the file into several files",
+                        file.counts.intervals, columns, most_header_cells / 1'000'000));
+}
+
+void set_columns(BlockFile& file, Block& block, Row header, const std::vector<std::string>& names,
                  const std::vector<std::string>& units, const std::vector<std::string>& details) {
     constexpr std::size_t most_columns = 1000;
     if (names.size() > most_columns)
         throw InputError(
             {block.table.file, header.line},
             fmt::format("has {} columns; at most {} are read", names.size(), most_columns));
+    count_interval(file, header.line, names.size());
     struct Best {
         std::size_t column = 0;
         int rank = 0;
@@ -116,7 +141,7 @@ void set_columns(Block& block, Row header, const std::vector<std::string>& names
     block.table.header = std::move(header);
 }
 
-void add_row(Block& block, Row row) {
+void add_row(BlockFile& file, Block& block, Row row) {
     const std::size_t columns = block.columns.size();
     for (std::size_t i = columns; i < row.cells.size(); ++i) {
         if (row.cells[i].text.empty()) continue;
@@ -125,10 +150,18 @@ void add_row(Block& block, Row row) {
                                      "remove this line",
                                      row.cells.size(), block.table.header.line, columns));
     }
+    check_cell_count(file.counts.cells += columns, file.file, row.line);
     row.cells.resize(columns);
     for (Cell& cell : row.cells)
         if (marks_no_value(cell.text)) cell.text.clear();
     block.table.rows.push_back(std::move(row));
+}
+
+void skip_line(BlockFile& file, int line, const char* reason, bool points) {
+    const bool follows = !file.skipped.empty() && file.skipped.back().reason == reason &&
+                         file.skipped.back().last_line + 1 == line;
+    if (!follows) file.skipped.push_back({line, line, reason, points});
+    file.skipped.back().last_line = line;
 }
 
 }  // namespace pendular

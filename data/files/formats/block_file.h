@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,6 +40,17 @@ struct SkippedRows {
     bool points = true;  ///< whether the rows are among the points that the interval declares
 };
 
+/// Numbers by which the content of a file is limited, so that a small file cannot ask for much
+/// memory.
+struct FileCounts {
+    std::size_t intervals = 0;
+    std::size_t header_cells = 0;  ///< intervals times columns
+    std::size_t cells = 0;         ///< rows times columns
+};
+
+/// Largest number of intervals of a file, and of intervals times columns.
+constexpr std::size_t most_intervals = 10'000, most_header_cells = 1'000'000;
+
 /// Content of a file of measurements, whatever its layout.
 struct BlockFile {
     std::string file;      ///< path
@@ -50,10 +62,15 @@ struct BlockFile {
     std::vector<std::pair<std::string, std::string>> facts;
     std::vector<Block> blocks;
     std::vector<SkippedRows> skipped;
+    FileCounts counts;                 ///< what was read so far
+    std::set<std::string> known_keys;  ///< keys of the facts in lower case
 
     /// Value of the first fact whose key is `key`, upper and lower case being equal; empty if there
     /// is none.
     std::string fact(std::string_view key) const;
+
+    /// Adds a fact unless its key is known, upper and lower case being equal.
+    void add_fact(const std::string& key, const std::string& value);
 };
 
 /// Lines of a file that a layout reads. The lines refer to a text that the caller keeps.
@@ -84,13 +101,26 @@ std::string bare_unit(std::string_view cell);
 /// with one quantity, that with the most specific name is used ("Time" rather than "Run time"), or
 /// else the first.
 /// @param header row whose cells have the positions of the columns
+/// @param file file that the block belongs to, which counts it
 /// @param details further words on each column, such as "Constant component"; may be shorter
-void set_columns(Block& block, Row header, const std::vector<std::string>& names,
+/// @throws InputError for more than 1000 columns, `most_intervals` or `most_header_cells`
+void set_columns(BlockFile& file, Block& block, Row header, const std::vector<std::string>& names,
                  const std::vector<std::string>& units,
                  const std::vector<std::string>& details = {});
 
 /// Adds a row to a block. Cells that are missing at its end are empty; "---" and "***" are empty.
-/// @throws InputError if the row has more cells than the block has columns, and they are not empty
-void add_row(Block& block, Row row);
+/// @param file file that the block belongs to, which counts the row
+/// @throws InputError if the row has more cells than the block has columns, and they are not empty;
+///         if the file has more than `most_cells`
+void add_row(BlockFile& file, Block& block, Row row);
+
+/// Lists a line of a file as left out, in one range with the lines before it if the reason is
+/// equal.
+void skip_line(BlockFile& file, int line, const char* reason, bool points = true);
+
+/// Counts an interval of a file.
+/// @param line line at which the interval begins
+/// @throws InputError for more than `most_intervals` or `most_header_cells`
+void count_interval(BlockFile& file, int line, std::size_t columns);
 
 }  // namespace pendular

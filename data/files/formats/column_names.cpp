@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -72,10 +73,16 @@ bool unit_fits(std::string_view unit, std::string_view name) {
 ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
     const std::string wanted = compared(name);
     if (wanted.empty()) return {};
-    for (const VendorName& each : vendor_names())
-        for (std::size_t i = 0; i < each.names.size(); ++i)
-            if (compared(each.names[i]) == wanted && unit_fits(unit, each.quantity))
-                return {each.quantity, static_cast<int>(i)};
+    static const std::multimap<std::string, ColumnMeaning> by_name = [] {
+        std::multimap<std::string, ColumnMeaning> all;
+        for (const VendorName& each : vendor_names())
+            for (std::size_t i = 0; i < each.names.size(); ++i)
+                all.emplace(compared(each.names[i]),
+                            ColumnMeaning{each.quantity, static_cast<int>(i)});
+        return all;
+    }();
+    for (auto [each, end] = by_name.equal_range(wanted); each != end; ++each)
+        if (unit_fits(unit, each->second.quantity)) return each->second;
     const Quantity* const known = find_quantity(name);
     if (!known || known->unit.empty() || !unit_fits(unit, known->name)) return {};
     return {known->name, 100};

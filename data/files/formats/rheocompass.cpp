@@ -56,13 +56,17 @@ class RheoCompassReader {
                 if (cells.size() == 2 && cells[0].ends_with(':')) add_fact(cells);
                 // Values whose interval has ended, by a blank line within it for example.
                 if (!file_.blocks.empty() && !cells.empty() && cells[0].empty())
-                    skip(static_cast<int>(line_) + 1, "after the end of an interval");
+                    skip_line(file_, static_cast<int>(line_) + 1, "after the end of an interval",
+                              false);
                 ++line_;
             }
         }
     }
 
   private:
+    /// Largest number of facts of a test, and largest number of characters of its name.
+    static constexpr std::size_t most_facts = 100, longest_test = 10'000;
+
     /// Keeps a fact such as `Result: | Flow Curve 1`. Facts from a repeated key on begin a new
     /// test.
     void add_fact(const std::vector<std::string>& cells) {
@@ -70,15 +74,26 @@ class RheoCompassReader {
         const auto known =
             std::ranges::find(group_, key, &std::pair<std::string, std::string>::first);
         group_.erase(known, group_.end());
+        if (group_.size() == most_facts)
+            throw InputError({source_.file, static_cast<int>(line_) + 1},
+                             fmt::format("more than {} lines of keys and values belong to one "
+                                         "test; leave out those that are not needed",
+                                         most_facts));
         group_.emplace_back(key, cells[1]);
-        if (file_.fact(key).empty()) file_.facts.emplace_back(key, cells[1]);
+        file_.add_fact(key, cells[1]);
     }
 
-    /// Name of the test: all facts but the first, which names the project.
+    /// Name of the test: all facts but the first, which names the project. It is kept with every
+    /// interval.
     std::string test() const {
         std::string result;
         for (std::size_t i = 1; i < group_.size(); ++i)
             result += (result.empty() ? "" : ", ") + group_[i].second;
+        if (result.size() > longest_test)
+            throw InputError({source_.file, static_cast<int>(line_) + 1},
+                             fmt::format("the keys and values before this interval have more than "
+                                         "{} characters; shorten them",
+                                         longest_test));
         return result;
     }
 
@@ -126,7 +141,7 @@ class RheoCompassReader {
             throw InputError({source_.file, header.line},
                              "no row of units such as [Pa] follows these names; export the file "
                              "with units");
-        set_columns(block, header, names, units, details);
+        set_columns(file_, block, header, names, units, details);
     }
 
     void add_value_row(Block& block, const Row& row) {
@@ -135,16 +150,9 @@ class RheoCompassReader {
                                        [](const Cell& cell) { return cell.text.empty(); });
         const bool marked =
             row.cells.size() > 1 && row.cells[1].text.find('(') != std::string::npos;
-        if (!empty && !marked) return add_row(block, row);
-        skip(row.line, marked ? "marked as invalid by the instrument" : "without values");
-    }
-
-    /// Lists a line as left out, in one range with the lines before it if the reason is equal.
-    void skip(int line, const char* reason) {
-        const bool follows = !file_.skipped.empty() && file_.skipped.back().reason == reason &&
-                             file_.skipped.back().last_line + 1 == line;
-        if (!follows) file_.skipped.push_back({line, line, reason});
-        file_.skipped.back().last_line = line;
+        if (!empty && !marked) return add_row(file_, block, row);
+        skip_line(file_, row.line,
+                  marked ? "marked as invalid by the instrument" : "without values");
     }
 
     const SourceLines& source_;

@@ -57,7 +57,7 @@ class RheoplusReader {
         if (key == "Number of Data Points" || key == "Anzahl Messpunkte" ||
             key == "Nombre de points de mesure")
             if (const int rows = count_of(value)) declared_ = static_cast<std::size_t>(rows);
-        if (file_.fact(key).empty()) file_.facts.emplace_back(key, value);
+        file_.add_fact(key, value);
     }
 
     void read_block() {
@@ -74,11 +74,11 @@ class RheoplusReader {
         if (line_ < source_.lines.size())
             for (const Cell& cell : source_.row(line_++, file_.delimiter).cells)
                 units.push_back(bare_unit(cell.text));
-        set_columns(block, header, names, units);
+        set_columns(file_, block, header, names, units);
         for (; line_ < source_.lines.size(); ++line_) {
             const Row row = source_.row(line_, file_.delimiter);
             if (is_blank(row)) break;
-            add_row(block, row);
+            add_row(file_, block, row);
         }
         file_.blocks.push_back(std::move(block));
     }

@@ -26,30 +26,44 @@ std::size_t rheowin_header(const SourceLines& source) {
     return source.lines.size();
 }
 
+/// Rows of a file from its header on that are not blank.
+std::vector<Row> filled_rows(const SourceLines& source, std::size_t first, char delimiter) {
+    std::vector<Row> rows;
+    std::size_t cells = 0;
+    for (std::size_t i = first; i < source.lines.size(); ++i) {
+        Row row = source.row(i, delimiter);
+        if (is_blank(row)) continue;
+        check_cell_count(cells += row.cells.size(), source.file, row.line);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 /// Reads one of the tables that stand side by side: columns [begin, end), the first of which holds
 /// `segment|point`.
-void read_side(const SourceLines& source, std::size_t first, std::size_t begin, std::size_t end,
-               int side, BlockFile& file) {
-    const Row header = source.row(first, file.delimiter);
+/// @param rows header and rows of all tables
+void read_side(const std::vector<Row>& rows, std::size_t begin, std::size_t end, int side,
+               BlockFile& file) {
     const auto part = [&](const Row& row) {
         Row result{row.line, {}};
         for (std::size_t i = begin; i < std::min(end, row.cells.size()); ++i)
             result.cells.push_back({std::string(trimmed(row.cells[i].text)), row.cells[i].column});
         return result;
     };
-    const Row own = part(header);
+    const Row own = part(rows.front());
     std::vector<std::string> names, units;
     for (const Cell& cell : own.cells) {
         const HeaderCell parts = parse_header_cell(cell.text);
         names.push_back(parts.name);
         units.push_back(parts.unit);
     }
-    for (std::size_t i = first + 1; i < source.lines.size(); ++i) {
-        const Row row = part(source.row(i, file.delimiter));
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const Row row = part(rows[i]);
         const int segment = row.cells.empty() ? 0 : segment_of(row.cells[0].text);
         if (segment == 0) {
-            if (!is_blank(row))
-                file.skipped.push_back({row.line, row.line, "without segment and point, as 2|15"});
+            // Each table looks at all rows.
+            check_cell_count(++file.counts.cells, file.file, row.line);
+            if (!is_blank(row)) skip_line(file, row.line, "without segment and point, as 2|15");
             continue;
         }
         const std::string test = side == 0 ? "" : "table " + std::to_string(side);
@@ -58,12 +72,12 @@ void read_side(const SourceLines& source, std::size_t first, std::size_t begin, 
             Block block;
             block.test = test;
             block.number = segment;
-            block.table.file = source.file;
+            block.table.file = file.file;
             block.table.delimiter = file.delimiter;
-            set_columns(block, own, names, units);
+            set_columns(file, block, own, names, units);
             file.blocks.push_back(std::move(block));
         }
-        add_row(file.blocks.back(), row);
+        add_row(file, file.blocks.back(), row);
     }
 }
 
@@ -78,13 +92,15 @@ Layout rheowin_layout() {
                 const std::size_t first = rheowin_header(source);
                 if (first + 1 >= source.lines.size()) return;
                 file.delimiter = consistent_delimiter(source, first, source.lines.size());
-                const Row row = source.row(first + 1, file.delimiter);
+                const std::vector<Row> rows = filled_rows(source, first, file.delimiter);
+                if (rows.size() < 2) return;
+                const std::vector<Cell>& cells = rows[1].cells;
                 std::vector<std::size_t> begins;
-                for (std::size_t i = 0; i < row.cells.size(); ++i)
-                    if (segment_of(row.cells[i].text) > 0) begins.push_back(i);
-                begins.push_back(row.cells.size());
+                for (std::size_t i = 0; i < cells.size(); ++i)
+                    if (segment_of(cells[i].text) > 0) begins.push_back(i);
+                begins.push_back(cells.size());
                 for (std::size_t k = 0; k + 1 < begins.size(); ++k)
-                    read_side(source, first, begins[k], begins[k + 1],
+                    read_side(rows, begins[k], begins[k + 1],
                               begins.size() == 2 ? 0 : static_cast<int>(k) + 1, file);
             }};
 }

@@ -41,10 +41,10 @@ Layout rspace_layout() {
                         block.number = static_cast<int>(file.blocks.size()) + 1;
                         block.table.file = source.file;
                         block.table.delimiter = file.delimiter;
-                        set_columns(block, header, names, units);
+                        set_columns(file, block, header, names, units);
                         file.blocks.push_back(std::move(block));
                     }
-                    add_row(file.blocks.back(), row);
+                    add_row(file, file.blocks.back(), row);
                 }
             }};
 }

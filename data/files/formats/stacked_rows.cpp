@@ -70,13 +70,13 @@ class StackedReader {
             const bool counts_on = counter && number == point + 1;
             if (names.size() > 2 && !counts_on && states_interval(row)) continue;
             if (counter && row.cells[0].text.empty()) {
-                file_.skipped.push_back({row.line, row.line, "without a point number", false});
+                skip_line(file_, row.line, "without a point number", false);
                 continue;
             }
             const bool restarts = counter && number && *number <= point;
             if (file_.blocks.empty() || announced_ || restarts) begin_block(header, names, units);
             if (number) point = *number;
-            add_row(file_.blocks.back(), row);
+            add_row(file_, file_.blocks.back(), row);
         }
     }
 
@@ -101,7 +101,7 @@ class StackedReader {
         announced_ = false;
         block.table.file = source_.file;
         block.table.delimiter = file_.delimiter;
-        set_columns(block, header, names, units);
+        set_columns(file_, block, header, names, units);
         file_.blocks.push_back(std::move(block));
     }
 

@@ -41,7 +41,7 @@ Layout transposed_layout() {
                 Block block;
                 block.table.file = source.file;
                 block.table.delimiter = file.delimiter;
-                set_columns(block, stated_header(format, lines[0].line), names, units);
+                set_columns(file, block, stated_header(format, lines[0].line), names, units);
                 for (std::size_t i = 0; i < count; ++i) {
                     Row row{lines[0].line, {}};
                     for (std::size_t k = 0; k < stated; ++k) {
@@ -49,7 +49,7 @@ Layout transposed_layout() {
                         const std::size_t at = one_line ? k * count + i : i;
                         row.cells.push_back(at < line.cells.size() ? line.cells[at] : Cell{});
                     }
-                    add_row(block, std::move(row));
+                    add_row(file, block, std::move(row));
                 }
                 file.blocks.push_back(std::move(block));
             }};

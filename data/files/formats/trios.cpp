@@ -43,11 +43,11 @@ std::size_t read_trios_step(const SourceLines& source, std::size_t line, BlockFi
         names.push_back(cell.text);
     for (const Cell& cell : source.row(line + 2, file.delimiter).cells)
         units.push_back(cell.text);
-    set_columns(block, header, names, units);
+    set_columns(file, block, header, names, units);
     for (line += 3; line < source.lines.size(); ++line) {
         if (source.lines[line].starts_with('[')) break;
         const Row row = source.row(line, file.delimiter);
-        if (!is_blank(row)) add_row(block, row);
+        if (!is_blank(row)) add_row(file, block, row);
     }
     file.blocks.push_back(std::move(block));
     return line;
