@@ -82,10 +82,35 @@ std::vector<RecordingFinding> inside_findings(const std::vector<Reading>& readin
     return inside.findings(recorded, *study.cell);
 }
 
-/// Range of liquid contents [1] in which the liquid forms separate bridges.
-/// Source: Badetti et al. (2018), section 3.1: the bridges between three touching grains merge at
-/// V0 = 0.008 a^3, a liquid content of 0.063; the smallest liquid content in the paper is 0.003.
-constexpr double driest_pendular = 0.002, wettest_pendular = 0.065;
+/// Range of liquid contents [1] in which the liquid forms bridges, most of them separate.
+/// Source: Badetti et al. (2018), section 3.1: their smallest liquid content is 0.003, the largest
+/// that they measured 0.075.
+constexpr double driest_pendular = 0.002, wettest_pendular = 0.075;
+/// Liquid content [1] from which bridges between three touching grains merge.
+/// Source: Badetti et al. (2018), table philphis: V0 = 0.008 a^3; 2 % for the last printed digit.
+constexpr double merging_content = 1.02 * 0.063;
+
+/// Note on readings whose liquid content is beyond separate bridges, with the saturation of their
+/// pores; empty where there are none.
+std::optional<std::string> merging_note(const std::vector<Reading>& readings) {
+    std::size_t count = 0;
+    double content = 0, saturation = 0;
+    for (const Reading& reading : readings) {
+        const double own = reading.condition.liquid_content, fraction = reading.value(1);
+        if (!(own > merging_content)) continue;
+        ++count;
+        content = std::max(content, own);
+        if (fraction > 0 && fraction < 1)
+            saturation = std::max(saturation, own * fraction / (1 - fraction));
+    }
+    if (count == 0) return std::nullopt;
+    return fmt::format(
+        "{} {} a liquid content above 0.063, up to {:.3g}{}: the bridges between three touching "
+        "beads merge from there on, and the model of separate bridges is no longer exact",
+        count, count == 1 ? "reading has" : "readings have", content,
+        saturation > 0 ? fmt::format(" (liquid fills {:.2g} % of the pores)", 100 * saturation)
+                       : "");
+}
 
 }  // namespace
 
@@ -117,6 +142,7 @@ Measurements read_measurements(const Study& study) {
     append(all.findings, inside_findings(all.readings, study, before.inside));
     append(all.notes, notes_on_cut_files(study, all));
     pool_replicates(all, study.scatter);
+    if (const auto note = merging_note(all.readings)) all.notes.push_back(*note);
     if (const auto note = grain_weight_note(study, all.readings)) all.notes.push_back(*note);
     return all;
 }

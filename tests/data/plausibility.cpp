@@ -120,6 +120,20 @@ TEST_F(ImplausibleStudy, SetsAsideWhatTheModelOfBridgesDoesNotCover) {
     EXPECT_THAT(all.excluded.at(3).reason, HasSubstr("inertial number 1.5 is above 1"));
 }
 
+// Up to 0.075, which Badetti et al. (2018) measured, readings are used; from 0.063 on with a note.
+TEST_F(ImplausibleStudy, NotesWhereBridgesMerge) {
+    const Measurements all = of_points(
+        "1000,0.3,0.6,0.01,0.0635\n1000,0.3,0.6,0.01,0.07\n1000,0.3,0.6,0.01,0.075\n"
+        "1000,0.3,0.6,0.01,0.08\n");
+    EXPECT_EQ(all.readings.size(), 3u);
+    EXPECT_THAT(all.notes,
+                testing::Contains(
+                    AllOf(HasSubstr("2 readings have a liquid content above 0.063, up to 0.075"),
+                          HasSubstr("11 % of the pores"), HasSubstr("merge"))));
+    EXPECT_THAT(of_points("1000,0.3,0.6,0.01,0.063\n").notes,
+                testing::Not(testing::Contains(HasSubstr("merge"))));
+}
+
 TEST_F(ImplausibleStudy, NamesThePowerOfTenThatWouldMendIt) {
     // 20 g at 6.3 mm make 0.6076. Micrometres read as millimetres, and a mass off by ten.
     EXPECT_THAT(of_recording(6.3, "20").doubts, IsEmpty());
