@@ -41,6 +41,17 @@ std::string basis_of(const Calibration& c) {
         c.runs.size(), ordered, c.fidelity.name, why);
 }
 
+/// Name, for a sentence, of the model that predicts the wet readings that were not fitted.
+std::string source_of_wet(const Calibration& c) {
+    if (const int cohesions = fitted_cohesions(c.model, c.grains, c.liquid))
+        return fmt::format("straight lines in 1/P*, with {} fitted to those at P* >= {}",
+                           cohesions == 1 ? "one cohesion" : fmt::format("{} cohesions", cohesions),
+                           lowest_cohesion_pressure);
+    return std::string(c.model.base == "dem" ? "the model"
+                                             : "the closure on the simulated dry law") +
+           " without any further parameter";
+}
+
 void print_result(Console& console, const Calibration& c, const Comparison& comparison,
                   const Belief& belief, const std::string& basis) {
     const bool stated = c.model.discrepancy != std::array{0.0, 0.0};
@@ -66,12 +77,10 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
     console.line(basis_of(c));
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format(
-            "{} wet readings are predicted by {} without any further parameter: chi2 = {:.2f} for "
-            "{} "
-            "degrees of freedom (p = {:.2g}).",
-            c.readings.size() - c.fitted,
-            c.model.base == "rumpf" ? "Rumpf's cohesion on the simulated dry law" : "the model",
-            comparison.predicted.chi2, comparison.predicted.dof, comparison.predicted.p()));
+            "{} wet readings are predicted by {}: chi2 = {:.2f} for {} degrees of freedom (p = "
+            "{:.2g}).",
+            c.readings.size() - c.fitted, source_of_wet(c), comparison.predicted.chi2,
+            comparison.predicted.dof, comparison.predicted.p()));
     }
     if (console.all()) console.table(predictions_table(comparison), 0);
     console.table(cohesion_table(c.cohesion_lines), 7);

@@ -23,7 +23,7 @@ constexpr std::array<Group, 5> groups = {{
     {"instrument", "the instrument", false, true},
     {"beads-and-liquid", "the beads and the liquid", true, true},
     {"grains", "the grains, in the simulation", true, true},
-    {"closure", "closures, of base = \"rumpf\"", false, false},
+    {"closure", "closures, of base = \"mohr-coulomb\" or \"rumpf\"", false, false},
     {"flow", "the flow of the beads", false, false},
 }};
 

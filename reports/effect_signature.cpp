@@ -146,13 +146,57 @@ Changes changes_of_grains(const ActiveEffect& active, const Study& study,
     return {changes_between(without, with).value, error};
 }
 
-/// Model without and with one effect.
+/// The effect on the level below on the ladder of closures; empty for the lowest level and for
+/// effects on no ladder.
+std::vector<const Effect*> levels_below(const Effect& effect) {
+    const Effect* below = nullptr;
+    for (const Effect& other : built_in_effects()) {
+        if (effect.of_closure() && other.of_closure() && other.level() < effect.level() &&
+            (!below || below->level() < other.level())) {
+            below = &other;
+        }
+    }
+    return below ? std::vector{below} : std::vector<const Effect*>{};
+}
+
+/// Simulated strengths of wet grains where base "mohr-coulomb" fits its cohesions, at many liquid
+/// contents.
+std::vector<MeasuredStrength> simulated_strengths(const EmulatedSimulation& simulation,
+                                                  const Study& study) {
+    std::vector<Condition> conditions;
+    constexpr int contents = 40;
+    for (int k = 0; k <= contents; ++k) {
+        for (const double pressure : {2.3, 3.5, 5.0, 10.0}) {
+            Condition condition = usual(false, study);
+            condition.liquid_content = 0.003 * std::pow(20.0, k / double{contents});
+            condition.normal_stress *=
+                pressure / reduced_pressure(condition.normal_stress, study.grains, *study.liquid);
+            conditions.push_back(condition);
+        }
+    }
+    const Eigen::VectorXd values =
+        simulation.predict(plain_parameters(), conditions, PredictionPart::values).value;
+    std::vector<MeasuredStrength> strengths;
+    for (const Condition& condition : conditions) {
+        const auto at = 2 * std::ssize(strengths);
+        const double ratio = values(at) / condition.normal_stress;
+        strengths.push_back({condition, ratio, 0.01 * ratio});
+    }
+    return strengths;
+}
+
+/// Model without and with one effect; for a level of the ladder of closures, the model on the level
+/// below and on this level.
 class Models {
   public:
     Models(const Effect& effect, Study study, std::shared_ptr<const EmulatedSimulation> simulation)
         : effect_(effect), study_(std::move(study)) {
-        if (effect.of_closure()) study_.model.base = effect.base();
-        without_ = assemble_model(study_, simulation, {});
+        const std::vector<const Effect*> below = levels_below(effect);
+        if (effect.of_closure()) {
+            study_.model.base = "mohr-coulomb";
+            if (below.empty()) study_.model.strengths = simulated_strengths(*simulation, study_);
+        }
+        without_ = assemble_model(study_, simulation, below);
         model_ = assemble_model(study_, std::move(simulation), {&effect});
     }
 
@@ -330,8 +374,10 @@ std::string signature_caption(const Effect& effect, const Study& study) {
         text +=
             fmt::format(" It changes from {:g} mN/m.", 1e3 * effect.unlisted_value(study.liquid));
     }
-    if (effect.of_closure()) {
-        text += fmt::format(" Base `{}`.", effect.base());
+    if (const auto below = levels_below(effect); !below.empty()) {
+        text += fmt::format(" It changes from {}.", below.front()->name);
+    } else if (effect.of_closure()) {
+        text += " It changes from the base `mohr-coulomb`, fitted to the simulation.";
     }
     text += fmt::format(
         " Quantities that do not vary in a panel are {:g} kPa, I = {:g}, liquid content {:g} "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "calib/model/mohr_coulomb.h"
 #include "data/files/text_file.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
@@ -114,13 +115,14 @@ StudyInput with_measurements(const Study& read) {
     }
     Measurements measurements = read_measurements(study);
     std::string text = read_text(study.file, largest_settings);
+    ResolvedStudy complete = resolved.changed_to(with_strengths(study, measurements.readings));
     if (const auto outside = std::ranges::count_if(
             inputs_of(study), [&](const fs::path& file) { return !is_within(file, study.folder); }))
         measurements.notes.push_back(
             fmt::format("{} of the files that were read are outside of the study's folder, as its "
                         "'allow_outside' permits",
                         outside));
-    return {std::move(resolved), std::move(measurements), std::move(text)};
+    return {std::move(complete), std::move(measurements), std::move(text)};
 }
 
 }  // namespace

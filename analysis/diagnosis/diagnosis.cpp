@@ -61,6 +61,9 @@ class Diagnostician {
     bool base_stands() const;
     void settle_for_base();
     void search();
+    /// Whether the model with the candidates `larger` has all that the model with `smaller` has,
+    /// and more: both are on the same ladder, the former on a higher level.
+    bool contains(const EffectSet& larger, const EffectSet& smaller) const;
     void conclude();
     void conclude_in_part();
     void compare_signatures();
@@ -225,6 +228,26 @@ void Diagnostician::search() {
     result_.tried = std::move(found.tried);
     result_.confidence_set =
         std::move(found.fitting.empty() ? found.fitting_suspects : found.fitting);
+    std::erase_if(
+        result_.confidence_set, [&, all = result_.confidence_set](const Explanation& each) {
+            return std::ranges::any_of(
+                all, [&](const Explanation& other) { return contains(each.chosen, other.chosen); });
+        });
+}
+
+bool Diagnostician::contains(const EffectSet& larger, const EffectSet& smaller) const {
+    const auto split = [&](const EffectSet& chosen) {
+        std::pair<int, std::set<std::size_t>> parts{0, {}};  // highest level, and the others
+        for (const std::size_t k : chosen) {
+            const int level = space_.candidates()[k].level;
+            parts.first = std::max(parts.first, level);
+            if (level == 0) parts.second.insert(k);
+        }
+        return parts;
+    };
+    const auto [high, others] = split(larger);
+    const auto [low, same] = split(smaller);
+    return low > 0 && low < high && others == same;
 }
 
 void Diagnostician::conclude() {
@@ -284,6 +307,9 @@ void Diagnostician::decide() {
         const auto in_set = [&](const Explanation& each) {
             return std::ranges::find(each.chosen, finding.candidate) != each.chosen.end();
         };
+        const auto accepted = [&](const Explanation& each) {
+            return each.accepted && each.chosen == EffectSet{finding.candidate};
+        };
         const auto unsettled = [&](const Explanation& each) {
             return each.chosen == EffectSet{finding.candidate} && !each.fit.converged;
         };
@@ -293,6 +319,8 @@ void Diagnostician::decide() {
                                                                      : "may be missing";
         } else if (!base && std::ranges::any_of(result_.confidence_set, in_set)) {
             finding.decision = "may be missing too";
+        } else if (!base && std::ranges::any_of(result_.tried, accepted)) {
+            finding.decision = "contains what is missing";
         } else if (std::ranges::any_of(result_.tried, unsettled)) {
             finding.decision = "refit not converged";
         } else if (!finding.identifiable) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "calib/model/mohr_coulomb.h"
 #include "data/recordings/replicate_groups.h"
 
 namespace pendular {
@@ -141,6 +142,9 @@ Comparison compare(const std::vector<Reading>& readings, const Prediction& predi
 Comparison compare(const Calibration& c) {
     Comparison result =
         compare(c.readings, c.prediction, static_cast<int>(c.parameters.size()), c.fitted);
+    const int cohesions = fitted_cohesions(c.model, c.grains, c.liquid);
+    (c.fitted < c.readings.size() ? result.predicted : result.fitted).dof -= cohesions;
+    result.total.dof -= cohesions;
     for (const DirectMeasurement& direct : c.direct) {
         result.direct.push_back({direct, predicted_value(direct, c.parameters, c.fit.parameters)});
         for (Misfit* misfit : {&result.fitted, &result.total}) {

@@ -5,6 +5,7 @@
 
 #include "calib/emulator/estimate.h"
 #include "calib/model/model.h"
+#include "calib/model/mohr_coulomb.h"
 #include "data/reading.h"
 #include "data/study/study.h"
 
@@ -47,7 +48,7 @@ double stress_ratio(const CohesionLine& line, double reduced_pressure);
 struct CohesionOptions {
     /// Lowest reduced pressure P* of the points to which a line is fitted [1]. The default is the
     /// choice of Badetti et al. (2018); the straight line is too high for P* <= 1.
-    double lowest_reduced_pressure = 2.3;
+    double lowest_reduced_pressure = lowest_cohesion_pressure;
 
     /// Whether a line is fitted to points at this reduced pressure P*: true if P* is at or above
     /// `lowest_reduced_pressure`, with a tolerance for rounding errors of P*.

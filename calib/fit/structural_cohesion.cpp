@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "calib/fit/wet_groups.h"
-#include "calib/model/rumpf.h"
+#include "calib/model/closure_model.h"
 #include "sim/closures/strength.h"
 
 namespace pendular {

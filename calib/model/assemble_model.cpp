@@ -1,30 +1,44 @@
 #include "calib/model/assemble_model.h"
 
+#include <algorithm>
 #include <utility>
-#include <variant>
 
-#include "calib/model/rumpf.h"
+#include "calib/model/closure_model.h"
+#include "calib/model/mohr_coulomb.h"
 
 namespace pendular {
+namespace {
+
+using closures::Level;
+
+/// Model of the flow on a level of the ladder of closures.
+std::shared_ptr<const FlowPredictor> flow_on(Level level, const Study& study,
+                                             std::shared_ptr<const EmulatedSimulation> simulation) {
+    switch (level) {
+        case Level::mohr_coulomb:
+            return std::make_shared<MohrCoulombModel>(std::move(simulation), study);
+        case Level::simulation:
+            return simulation;
+        default:
+            return std::make_shared<ClosureModel>(std::move(simulation), study, level);
+    }
+}
+
+}  // namespace
 
 std::shared_ptr<const EffectModel> assemble_model(
     const Study& study, std::shared_ptr<const EmulatedSimulation> simulation,
     const std::vector<const Effect*>& effects) {
-    std::shared_ptr<const FlowPredictor> base = simulation;
-    if (study.model.base == "rumpf") {
-        base = std::make_shared<RumpfModel>(std::move(simulation), study, terms_of(effects));
-    }
-    return std::make_shared<EffectModel>(std::move(base), study, effects);
+    return std::make_shared<EffectModel>(
+        flow_on(level_with(study, effects), study, std::move(simulation)), study, effects);
 }
 
-closures::Terms terms_of(const std::vector<const Effect*>& effects) {
-    closures::Terms terms;
+Level level_with(const Study& study, const std::vector<const Effect*>& effects) {
+    Level level = closures::level_of_base(study.model.base);
     for (const Effect* effect : effects) {
-        if (const auto* change = std::get_if<ChangeClosure>(&effect->change)) {
-            terms.*(change->term) = true;
-        }
+        level = std::max(level, effect->level().value_or(level));
     }
-    return terms;
+    return level;
 }
 
 }  // namespace pendular

@@ -10,6 +10,7 @@
 #include "calib/emulator/emulated_structure.h"
 #include "calib/model/study_state.h"
 #include "sim/catalogue/effect.h"
+#include "sim/closures/capillary_stress.h"
 
 namespace pendular {
 namespace {
@@ -98,15 +99,35 @@ StructureResponse EmulatedSimulation::effective_coordination(
                                state);
 }
 
-StructureResponse EmulatedSimulation::capillary_shear_stress(
+StructureResponse EmulatedSimulation::approximate_coordination(
     double friction, const EffectiveCondition& condition) const {
     const FlowState state = flow_state_at(friction, condition);
-    StructureResponse stress =
-        at_constant_content(respond(emulator_, {Observable::capillary_shear_stress}, state), state);
-    stress.value /= state.inverse_pressure;  // from s12cap/s22 to a^2 s12cap/F0
+    StructureResponse sum = respond(emulator_, {Observable::contact_coordination}, state);
+    const StructureResponse distant = respond(emulator_, {Observable::distant_coordination}, state);
+    sum.value += closures::usual_distant_force * distant.value;
+    sum.by_friction += closures::usual_distant_force * distant.by_friction;
+    sum.by_log_volume += closures::usual_distant_force * distant.by_log_volume;
+    return at_constant_content(sum, state);
+}
+
+StructureResponse EmulatedSimulation::capillary_stress(Observable which, double friction,
+                                                       const EffectiveCondition& condition) const {
+    const FlowState state = flow_state_at(friction, condition);
+    StructureResponse stress = at_constant_content(respond(emulator_, {which}, state), state);
+    stress.value /= state.inverse_pressure;  // from s_cap/s22 to a^2 s_cap/F0
     stress.by_friction /= state.inverse_pressure;
     stress.by_log_volume /= state.inverse_pressure;
     return stress;
+}
+
+StructureResponse EmulatedSimulation::capillary_normal_stress(
+    double friction, const EffectiveCondition& condition) const {
+    return capillary_stress(Observable::capillary_stress_22, friction, condition);
+}
+
+StructureResponse EmulatedSimulation::capillary_shear_stress(
+    double friction, const EffectiveCondition& condition) const {
+    return capillary_stress(Observable::capillary_shear_stress, friction, condition);
 }
 
 struct EmulatedSimulation::Errors {

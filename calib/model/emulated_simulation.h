@@ -40,6 +40,14 @@ class EmulatedSimulation : public FlowPredictor {
     /// at constant liquid content.
     StructureResponse effective_coordination(double friction,
                                              const EffectiveCondition& condition) const;
+    /// Approximate coordination number Z_c + 0.5 Z_d at a wet condition [1], with its derivative by
+    /// the friction at constant liquid content (`closures::approximate_coordination`).
+    StructureResponse approximate_coordination(double friction,
+                                               const EffectiveCondition& condition) const;
+    /// Capillary normal stress a^2 s22cap/F0 at a wet condition [1], negative, with its derivative
+    /// by the friction at constant liquid content.
+    StructureResponse capillary_normal_stress(double friction,
+                                              const EffectiveCondition& condition) const;
     /// Capillary shear stress a^2 s12cap/F0 at a wet condition [1] with its derivative by the
     /// friction at constant liquid content.
     StructureResponse capillary_shear_stress(double friction,
@@ -69,6 +77,10 @@ class EmulatedSimulation : public FlowPredictor {
     /// emulator's reference stiffness number) that the study's grains at this condition do not
     /// have.
     double stiffness_left(const EffectiveCondition& condition) const;
+    /// A stress over s22 at a wet condition, emulated, in units of F0/a^2 [1], with its derivative
+    /// by the friction at constant liquid content.
+    StructureResponse capillary_stress(dem::Observable which, double friction,
+                                       const EffectiveCondition& condition) const;
     /// Returns `response`, a quantity at the wet state `state`, with its derivative by friction
     /// converted from constant bridge volume to constant liquid content.
     StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;

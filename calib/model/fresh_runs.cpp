@@ -57,6 +57,7 @@ std::vector<dem::RunResult> usable_of(const std::vector<dem::RunResult>& runs,
                                         describe(emulated::flow_state_of(run.parameters)),
                                         !run.failure.empty() ? "failed, " + run.failure
                                         : run.crystallised   ? "crystallised"
+                                        : run.steady         ? "sheared in a band"
                                                              : "was not steady"));
         }
     }

@@ -17,6 +17,9 @@ struct Candidate {
     std::vector<EffectParameter> parameters;
     /// Group to which the candidate belongs in tables, such as "instrument"; may be empty.
     std::string group = {};
+    /// Place on a ladder of models: a candidate contains all candidates of lower levels above 0;
+    /// 0: on no ladder.
+    int level = 0;
 
     /// Whether the candidate is a switch: present or absent, without a parameter to fit.
     bool is_switch() const;

@@ -274,7 +274,7 @@ ModelSettings read_model(const StudyTable& root) {
     ModelSettings model;
     const auto table = root.table("model", model_keys);
     if (!table) return model;
-    model.base = table->choice("base", {"dem", "rumpf"});
+    model.base = table->choice("base", {"dem", "rumpf", "mohr-coulomb"});
     model.calibrate = table->words("calibrate", model.calibrate);
     if (model.calibrate != Keys{"friction"})
         table->refuse("calibrate",

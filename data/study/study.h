@@ -39,11 +39,21 @@ struct ListedEffect {
     Position position;  ///< position of the effect's name in study.toml
 };
 
+/// Stress ratio of a wet reading, to which a constant cohesion may be fitted.
+struct MeasuredStrength {
+    Condition condition;        ///< wet condition of the reading
+    double stress_ratio = 0;    ///< measured stress ratio [1]
+    double standard_error = 0;  ///< standard error of `stress_ratio` [1]
+};
+
 /// Settings of the model: [model] in study.toml.
 struct ModelSettings {
-    /// Model of wet grains: "dem" (simulations) or "rumpf" (law of dry grains with Rumpf's
-    /// cohesion).
+    /// Model of wet grains: "dem" (simulations), "rumpf" (law of dry grains with Rumpf's cohesion)
+    /// or "mohr-coulomb" (law of dry grains with constant cohesions fitted to `strengths`).
     std::string base = "dem";
+    /// Strengths of the study's wet readings, which base "mohr-coulomb" needs (`with_strengths`);
+    /// not part of study.toml.
+    std::vector<MeasuredStrength> strengths = {};
     std::vector<std::string> calibrate = {"friction"};  ///< parameters to fit
     std::string fit_to = "dry";                         ///< readings to fit, "dry" or "all"
     /// Effects listed as part of the model, each once. Whether effects of these names exist is not

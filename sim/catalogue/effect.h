@@ -12,7 +12,7 @@
 #include "data/reading.h"
 #include "sim/catalogue/cell_state.h"
 #include "sim/catalogue/effective_condition.h"
-#include "sim/closures/terms.h"
+#include "sim/closures/level.h"
 #include "sim/dem/change_pairs.h"
 
 namespace pendular {
@@ -32,11 +32,11 @@ struct ChangeCondition {
     std::function<EffectiveCondition(EffectiveCondition, const Values&)> change;
 };
 
-/// An effect that adds a term to the closures (analytical formulas for the strength of wet grains)
-/// of a base model. The base model predicts the readings without effects.
+/// An effect that replaces one approximation of the closures (analytical formulas for the strength
+/// of wet grains) and all approximations of the levels below: the model climbs to `level`, unless
+/// it is there already.
 struct ChangeClosure {
-    std::string base;                       ///< name of the base model, as in "rumpf"
-    bool closures::Terms::*term = nullptr;  ///< term of the closure that the effect switches on
+    closures::Level level = closures::Level::simulation;
 };
 
 /// Stress ratio mu* [1] and solid fraction Phi_S [1] of a state of steady shear.
@@ -92,11 +92,14 @@ struct Effect {
     bool of_grains() const;
     /// Whether the effect (ChangeCondition) changes properties of the study's grains or liquid.
     bool of_condition() const { return std::holds_alternative<ChangeCondition>(change); }
-    /// Whether the effect adds a term to the closures (analytical formulas) of a base model.
+    /// Whether the effect is a level of the ladder of closures (analytical formulas for the
+    /// strength of wet grains).
     bool of_closure() const { return std::holds_alternative<ChangeClosure>(change); }
-    /// Name of the base model to whose closures (analytical formulas) the effect adds a term, as in
-    /// "rumpf"; empty for effects that change no closure.
-    std::string base() const { return of_closure() ? std::get<ChangeClosure>(change).base : ""; }
+    /// Level of the ladder of closures to which the effect takes a model; empty for effects that
+    /// change no closure.
+    std::optional<closures::Level> level() const {
+        return of_closure() ? std::optional(std::get<ChangeClosure>(change).level) : std::nullopt;
+    }
     /// Returns the value [unit of the parameter] that the first parameter has where a study does
     /// not list the effect: the property of the liquid (`given_by_liquid`), or else the neutral
     /// value.

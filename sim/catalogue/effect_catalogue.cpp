@@ -65,20 +65,57 @@ std::optional<std::string> why_no_instrument(const Effect& effect, const Study& 
 }
 
 std::optional<std::string> why_no_closure(const Effect& effect, const Study& study) {
-    if (study.model.base == effect.base()) {
-        return std::nullopt;
+    const closures::Level level = effect.level().value();
+    const std::string& base = study.model.base;
+    if (closures::level_of_base(base) == closures::Level::simulation) {
+        return fmt::format(
+            "{0} replaces an approximation that base = \"{1}\" does not make: write base = "
+            "\"mohr-coulomb\"{2} in [model], or leave the effect out",
+            effect.name, base, level > closures::Level::strength3 ? " or \"rumpf\"" : "");
     }
+    if (closures::level_of_base(base) >= level) {
+        return fmt::format("{} is part of base = \"{}\" already: leave the effect out", effect.name,
+                           base);
+    }
+    const auto lists = [&](const std::string& name) {
+        return std::ranges::find(study.model.effects, name, &ListedEffect::name) !=
+               study.model.effects.end();
+    };
+    const auto above = std::ranges::find_if(built_in_effects(), [&](const Effect& other) {
+        return other.level() > level && lists(other.name);
+    });
+    if (lists(effect.name) || above == built_in_effects().end()) return std::nullopt;
+    return fmt::format("{} is part of {} already: leave the effect out", effect.name, above->name);
+}
+
+/// Why an effect that is no level of the ladder of closures cannot act on the study's base model.
+std::optional<std::string> why_not_beside_lines(const Effect& effect, const Study& study) {
+    if (level_of(study) != closures::Level::mohr_coulomb) return std::nullopt;
+    const auto next = std::ranges::find(built_in_effects(), closures::Level::rumpf, &Effect::level);
     return fmt::format(
-        "{0} changes Rumpf's cohesion, which base = \"{1}\" does not have: write "
-        "base = \"{2}\" in [model], or leave the effect out",
-        effect.name, study.model.base, effect.base());
+        "{} cannot be told from the cohesions that base = \"mohr-coulomb\" fits to the wet "
+        "readings: add {} or a higher level of the ladder of closures first",
+        effect.name, next->name);
 }
 
 }  // namespace
 
+closures::Level level_of(const Study& study) {
+    closures::Level level = closures::level_of_base(study.model.base);
+    for (const Effect& effect : built_in_effects()) {
+        const bool listed = std::ranges::find(study.model.effects, effect.name,
+                                              &ListedEffect::name) != study.model.effects.end();
+        if (listed && effect.of_closure()) level = std::max(level, *effect.level());
+    }
+    return level;
+}
+
 std::optional<std::string> why_not(const Effect& effect, const Study& study) {
     if (auto why = why_no_such_reading(effect, study)) {
         return why;
+    }
+    if (!effect.of_closure()) {
+        if (auto why = why_not_beside_lines(effect, study)) return why;
     }
     if (effect.of_instrument()) {
         return why_no_instrument(effect, study);

@@ -45,6 +45,10 @@ class EffectCatalogue {
     std::vector<Effect> effects_;
 };
 
+/// Returns the level of the ladder of closures (formulas for the strength of wet grains) that a
+/// study's model is on: the highest of its base model and of the effects that it lists.
+closures::Level level_of(const Study& study);
+
 /// Returns the reason, with a remedy, why an effect does not apply to a study: the study has no
 /// readings that it changes, or lacks the liquid, cell, bead volume or base model that it needs.
 /// Returns an empty optional where the effect applies.

@@ -53,7 +53,8 @@ std::string why_no_run_has(const Effect& effect) {
                "'pendular virtual-lab' has one";
     }
     if (effect.of_closure()) {
-        return "it acts on the closures of base \"rumpf\", which are no part of a run";
+        return "it acts on the closures of bases \"mohr-coulomb\" and \"rumpf\", which are no part "
+               "of a run";
     }
     if (std::holds_alternative<ChangeFlow>(effect.change)) {
         return "it changes the result of a run by a formula and cannot be simulated";

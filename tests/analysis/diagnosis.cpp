@@ -252,6 +252,32 @@ TEST(Diagnosis, TakesSwitchesForOnOrOff) {
     EXPECT_EQ(d.confidence_set.front().fit.dof, entries - 1);  // nothing was fitted
 }
 
+// Higher levels contain lower ones: all that fit are one explanation, the lowest.
+TEST(Diagnosis, NamesTheLowestLevelOfALadderThatExplains) {
+    const auto level = [](const char* name, int place, double size) {
+        LinearSpace::Column on = column(name, [](double x) { return x > 0.3 ? 1 : 0.05; });
+        on.values *= size;
+        on.parameter = on_switch("the level is there");
+        on.level = place;
+        return on;
+    };
+    const std::vector<LinearSpace::Column> levels = {level("fourth", 4, 3.05), level("first", 1, 1),
+                                                     level("second", 2, 3),
+                                                     level("third", 3, 3.02)};
+    const LinearSpace space(Eigen::MatrixXd::Ones(entries, 1), levels);
+    Measuring measuring(15);
+    const Diagnosis d =
+        diagnose(space, measuring.of(Eigen::VectorXd::Ones(entries) + levels[2].values), quickly());
+    EXPECT_EQ(d.verdict, Verdict::missing);
+    EXPECT_THAT(d.effects, ElementsAre("second"));
+    EXPECT_EQ(d.confidence_set.size(), 1u);
+    const auto decision = [&](std::size_t candidate) {
+        return std::ranges::find(d.scan, candidate, &Finding::candidate)->decision;
+    };
+    EXPECT_EQ(decision(3), "contains what is missing");
+    EXPECT_EQ(decision(1), "does not explain it");
+}
+
 TEST(Diagnosis, DoesNotLookForWhatIsAbsorbed) {
     // The calibrated slope does all that this could.
     const LinearSpace space = line_and({column("slope", [](double x) { return 3 * x; })});

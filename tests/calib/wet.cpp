@@ -4,13 +4,11 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
 #include "calib/fit/study_model.h"
-#include "calib/model/rumpf.h"
 #include "calib/model/run_planner.h"
 #include "sim/runs/run_request.h"
 #include "tests/support/emulator_support.h"
@@ -140,49 +138,6 @@ TEST(RunPlanner, PredictsWetReadingsFromADesignOfItsOwnAsTheSolverDoes) {
     dry.liquid_content = 0;
     const auto without = model.predict_at(at(0.22), dry);
     EXPECT_GT(predicted.value(0) / wet.normal_stress, without.value(0) + 0.05);
-}
-
-std::shared_ptr<const EmulatedSimulation> planned(const Study& study,
-                                                  const std::vector<Condition>& conditions) {
-    RunPlanner planner(study, conditions, tiny, 1, {.threads = 2}, {{}, shipped_hyperparameters()});
-    planner.improve(0.2, without_effects(conditions), 1);
-    return planner.simulation();
-}
-
-TEST(RumpfModel, HasDerivativesOfItsOwnWetPredictions) {
-    const std::vector<Condition> conditions = {condition(2.5, 0.03), condition(8, 0.01),
-                                               condition(8, 0)};
-    const auto simulation = planned(wet_study(), conditions);
-    const RumpfModel rumpf(simulation, wet_study());
-    for (const Predictor* model :
-         {static_cast<const Predictor*>(simulation.get()), static_cast<const Predictor*>(&rumpf)}) {
-        const double d = 1e-4;
-        const auto value = [&](double by) {
-            return model->predict(at(0.2 + by), conditions).value;
-        };
-        const Eigen::VectorXd numeric = (value(d) - value(-d)) / (2 * d);
-        EXPECT_LT((numeric - model->predict(at(0.2), conditions).jacobian.col(0)).norm(),
-                  1e-3 * numeric.norm());
-    }
-}
-
-TEST(RumpfModel, IsTheDryLawWithRumpfsCohesion) {
-    const Study study = wet_study();
-    const Condition wet = condition(2.5, 0.03);
-    Condition dry = wet;
-    dry.liquid_content = 0;
-    const auto simulation = planned(study, {wet, dry});
-    const RumpfModel rumpf(simulation, study);
-    const Prediction by_rumpf = rumpf.predict(at(0.2), {wet, dry}),
-                     simulated = simulation->predict(at(0.2), {wet, dry});
-    const double z = simulation->effective_coordination(0.2, wet).value;
-    EXPECT_NEAR(by_rumpf.value(0),
-                simulated.value(2) * (1 + simulated.value(1) * z / (std::numbers::pi * 2.5)), 1e-9);
-    EXPECT_EQ(by_rumpf.value(1), simulated.value(1));
-    EXPECT_EQ(by_rumpf.value(2), simulated.value(2));
-    EXPECT_GT(by_rumpf.covariance(0, 0), 0);
-    EXPECT_GT(z, 5);
-    EXPECT_LT(z, 8);
 }
 
 Measurements dry_and_wet() {

@@ -106,7 +106,7 @@ TEST_P(OfEveryEffect, DerivativesAreThoseOfThePrediction) {
 }
 
 TEST(CapillaryShearStress, TakesFromRumpfsStrengthMostAtLittleLiquid) {
-    Laboratory plain("rumpf"), full("rumpf", {.capillary_shear_stress = true}), truth("dem");
+    Laboratory plain("rumpf"), full("rumpf", closures::Level::strength2), truth("dem");
     const Eigen::VectorXd at = Eigen::VectorXd::Constant(1, planted_friction);
     const Eigen::VectorXd without = plain.with({}).predict(at, PredictionPart::slopes).value,
                           with_it = full.with({}).predict(at, PredictionPart::slopes).value,

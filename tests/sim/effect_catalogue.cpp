@@ -140,14 +140,44 @@ TEST_F(Catalogue, KnowsWhatWetAndDryEffectsNeed) {
 TEST_F(Catalogue, KnowsWhichBaseAnEffectBelongsTo) {
     const Study dem = read(grains + readings),
                 rumpf = read(grains + readings + "[model]\nbase = \"rumpf\"\n");
-    EXPECT_THAT(why_not(acting(ChangeClosure{.base = "rumpf"}), dem).value_or(""),
-                HasSubstr("write base = \"rumpf\""));
-    EXPECT_EQ(why_not(acting(ChangeClosure{.base = "rumpf"}), rumpf), std::nullopt);
+    using closures::Level;
+    const auto why = [](Level level, const Study& study) {
+        return why_not(acting(ChangeClosure{.level = level}), study).value_or("");
+    };
+    EXPECT_THAT(why(Level::strength2, dem),
+                HasSubstr("write base = \"mohr-coulomb\" or \"rumpf\""));
+    EXPECT_THAT(why(Level::rumpf, dem), HasSubstr("write base = \"mohr-coulomb\" in [model]"));
+    EXPECT_EQ(why(Level::strength2, rumpf), "");
+    for (const Level level : {Level::rumpf, Level::strength3}) {
+        EXPECT_THAT(why(level, rumpf), HasSubstr("part of base = \"rumpf\" already"));
+    }
     for (const Study& study : {dem, rumpf}) {
         EXPECT_EQ(why_not(acting(ChangeFlow{}), study), std::nullopt);
         EXPECT_EQ(why_not(acting(dem::ChangePairs{}), study), std::nullopt);
         EXPECT_EQ(why_not(acting(ChangeCondition{}), study), std::nullopt);
     }
+}
+
+// With the base "mohr-coulomb" only levels can be added at first, and no level below one listed.
+TEST_F(Catalogue, LetsTheLadderOfClosuresBeClimbed) {
+    using closures::Level;
+    Study study = read(grains + liquid + readings + "[model]\nbase = \"mohr-coulomb\"\n");
+    const auto why = [&](const std::string& name) {
+        return why_not(built_in_effect(name), study).value_or("");
+    };
+    EXPECT_EQ(level_of(study), Level::mohr_coulomb);
+    EXPECT_EQ(why("rumpf-cohesion"), "");
+    EXPECT_EQ(why("contact-stress"), "");
+    EXPECT_THAT(why("contact-angle"), HasSubstr("add rumpf-cohesion or a higher level"));
+    study.model.effects.push_back({"capillary-shear-stress", {}});
+    EXPECT_EQ(level_of(study), Level::strength2);
+    EXPECT_EQ(why("capillary-shear-stress"), "");
+    EXPECT_EQ(why("capillary-normal-stress"), "");
+    EXPECT_EQ(why("contact-angle"), "");
+    EXPECT_THAT(why("rumpf-cohesion"), HasSubstr("part of capillary-shear-stress already"));
+    study.model.effects.push_back({"rumpf-cohesion", {}});
+    EXPECT_EQ(why("rumpf-cohesion"), "") << "a listed level below another one changes nothing";
+    EXPECT_EQ(level_of(study), Level::strength2);
 }
 
 }  // namespace pendular::effect_catalogue_test

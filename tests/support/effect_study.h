@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "calib/fit/calibration.h"
+#include "calib/model/closure_model.h"
 #include "calib/model/effect_model.h"
-#include "calib/model/rumpf.h"
 #include "tests/support/emulator_support.h"
 
 // A study like the virtual laboratory's. Its model is the emulator of the atlas, the runs that come
@@ -58,7 +58,7 @@ inline std::vector<Condition> conditions() {
 /// Models of a study with any effects, predicted by the emulator of all atlas runs.
 class Laboratory {
   public:
-    explicit Laboratory(const std::string& base, const closures::Terms& terms = {})
+    explicit Laboratory(const std::string& base, closures::Level level = closures::Level::strength3)
         : study_(study_with(base)) {
         for (const Effect& effect : built_in_effects()) {
             study_.model.effects.push_back({effect.name, {}});  // their runs serve
@@ -70,7 +70,7 @@ class Laboratory {
             study_, quick, Emulator(known.runs, std::move(known.hyperparameters)));
         inside_ = simulation;
         if (base == "rumpf") {
-            inside_ = std::make_shared<RumpfModel>(simulation, study_, terms);
+            inside_ = std::make_shared<ClosureModel>(simulation, study_, level);
         }
     }
     /// Predictor of readings with these effects.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -25,11 +26,13 @@ class LinearSpace : public ModelSpace {
                                      .neutral = 0,
                                      .smallest_of_interest = 1};
         double possible = 1e9;  ///< largest magnitude of the value that the model can predict
+        /// Place on a ladder; of the switches of a ladder, the model has the highest one chosen.
+        int level = 0;
     };
     LinearSpace(Eigen::MatrixXd base, std::vector<Column> columns)
         : base_(std::move(base)), columns_(std::move(columns)) {
         for (const Column& column : columns_) {
-            candidates_.push_back({column.name, {column.parameter}});
+            candidates_.push_back({column.name, {column.parameter}, "", column.level});
         }
     }
     const std::vector<Candidate>& candidates() const override { return candidates_; }
@@ -47,6 +50,7 @@ class LinearSpace : public ModelSpace {
             }
             for (const std::size_t k : chosen) {
                 const Column& column = space.columns_[k];
+                if (column.level > 0 && below_another(space, chosen, column.level)) continue;
                 if (column.parameter.is_switch()) {
                     constant_ += column.values;
                     continue;
@@ -78,6 +82,10 @@ class LinearSpace : public ModelSpace {
         }
 
       private:
+        static bool below_another(const LinearSpace& space, const EffectSet& chosen, int level) {
+            return std::ranges::any_of(
+                chosen, [&](std::size_t k) { return space.columns_[k].level > level; });
+        }
         void add_parameter(Parameter parameter) { parameters_.push_back(std::move(parameter)); }
 
         Eigen::MatrixXd columns_;

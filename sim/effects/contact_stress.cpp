@@ -1,0 +1,25 @@
+#include "sim/catalogue/effect.h"
+
+namespace pendular {
+
+/// Takes the stresses of the contacts from the simulation too. The closures assume that the
+/// contacts have the stress ratio of dry grains, mu*_0, whatever the pressure and the liquid
+/// content.
+Effect contact_stress() {
+    return {
+        .summary =
+            "lets the stress ratio of contacts differ from that of dry grains (not for base dem)",
+        .equation =
+            "mu* = |s12cont + s12cap|/s22, simulated, in place of eq:strength1, which has s12cont "
+            "= "
+            "-mu*_0 s22cont",
+        .parameters = {on_switch("0: eq:strength1, 1: the simulation")},
+        .change = ChangeClosure{.level = closures::Level::simulation},
+        .touches = Touches::wet,
+        .acts_through = {"1/reduced_pressure", "liquid_content"},
+        .references = {"Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
+                       "macroscopic cohesion and effective stress (2018), eq:coulombeff, of which "
+                       "it is the exception"}};
+}
+
+}  // namespace pendular

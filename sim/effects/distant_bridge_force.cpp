@@ -1,0 +1,24 @@
+#include "sim/catalogue/effect.h"
+
+namespace pendular {
+
+/// Weighs bridges without contact by their simulated mean force. Rumpf's cohesion, as Badetti et
+/// al. (2018) use it, assumes half the pull-off force F0 for each.
+Effect distant_bridge_force() {
+    return {
+        .summary =
+            "weighs bridges without contact by their mean force, not by F0/2 (base mohr-coulomb)",
+        .equation =
+            "mu* = mu*_0 [1 + Phi_S Z*/(pi P*)], Z* = Z_c + Z_d F_d/F0      eq:strength3 in place "
+            "of "
+            "eq:cohesion3 with Z_c + 0.5 Z_d",
+        .parameters = {on_switch("0: 0.5 Z_d, 1: eq:strength3")},
+        .change = ChangeClosure{.level = closures::Level::strength3},
+        .touches = Touches::wet,
+        .acts_through = {"1/reduced_pressure", "liquid_content"},
+        .references = {
+            "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
+            "macroscopic cohesion and effective stress (2018), eq:defzstar and eq:strength3"}};
+}
+
+}  // namespace pendular
