@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/closures.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/interrupt.h"
@@ -93,25 +94,6 @@ void simulate_one(const RequestedState& requested, const StatePredictor& predict
     console.json(simulated_state_json(wanted, run));
 }
 
-/// Prints the values that the formulas of Badetti et al. (2018) give for the predicted state.
-void print_closures(const closures::ClosureValues& values, Console& console) {
-    console.line("Values by the formulas of Badetti et al. (2018), from these predictions:");
-    const std::pair<const char*, double> rows[] = {
-        {"stress ratio of dry grains", values.dry_stress_ratio},
-        {"stress ratio of contact forces", values.contact_stress_ratio},
-        {"stress ratio from s22cap, s12cap", values.strength1},
-        {"stress ratio from Z*, s12cap", values.strength2},
-        {"stress ratio from Z* alone", values.strength3},
-        {"Z_c + Z_d F_d/F0", values.effective_coordination},
-        {"Z_c + 0.5 Z_d", values.approximate_coordination},
-        {"reduced cohesion by Rumpf", values.rumpf_cohesion},
-        {"generalised reduced cohesion", values.generalised_cohesion},
-        {"saturation of the pores", values.saturation}};
-    for (const auto& [name, value] : rows) {
-        console.line(fmt::format("  {:<32} {:>20.4g}", name, value));
-    }
-}
-
 void predict_one(const RequestedState& requested, const StatePredictor& predictor, bool simulates,
                  Console& console) {
     const StatePrediction prediction = predictor.at(requested);
@@ -125,7 +107,10 @@ void predict_one(const RequestedState& requested, const StatePredictor& predicto
     for (const auto& one : prediction.observables) {
         console.line(observable_line(one.which, one.value.value, one.value.standard_error));
     }
-    if (prediction.closures) print_closures(*prediction.closures, console);
+    if (prediction.closures) {
+        print_closures(*prediction.closures, predicted(dem::Observable::stress_ratio).value,
+                       console);
+    }
     console.line(fmt::format(
         "The emulator was trained on {} runs{}; the solid fraction holds for stiffness "
         "number {:.4g}.",
@@ -153,12 +138,16 @@ void note_left_out(const PredictionCurve& curve, int points, Console& console) {
 }
 
 void predict_along(const RequestedState& requested, const VariedQuantity& varied,
-                   const StatePredictor& predictor, const CommonOptions& common, Console& console) {
+                   const std::vector<std::string>& drawn, const StatePredictor& predictor,
+                   const CommonOptions& common, Console& console) {
     const PredictionCurve curve = predictor.along(requested, varied);
+    for (const std::string& name : drawn) {
+        check_drawable(name, curve);
+    }
     const std::filesystem::path folder = common.out.value_or(".");
     write_whole(folder / "prediction.csv", prediction_table(curve));
     console.json(to_json(curve));  // before the figure, which needs gnuplot
-    draw(prediction_figure(curve, predictor.emulator()), folder / "figures");
+    draw(prediction_figure(curve, predictor.emulator(), drawn), folder / "figures");
     console.answer(fmt::format("{} states from {} runs are written to {} and {}.", curve.at.size(),
                                predictor.emulator().runs().size(),
                                (folder / "prediction.csv").string(),
@@ -182,7 +171,9 @@ int predict(const std::vector<std::string>& arguments) {
         "  pendular predict --reduced-pressure 3 --bridge-volume 0.004 --json -\n"
         "  pendular predict --friction 0.8 --simulate --fidelity quick\n"
         "  pendular predict --along reduced-pressure=0.5:50 --liquid-content 0.03 --out "
-        "curve\n",
+        "curve\n"
+        "  pendular predict --along liquid-content=0.004:0.06 --reduced-pressure 3 --draw "
+        "rumpf_cohesion --draw generalised_cohesion\n",
         false);
     options.set_out("folder for prediction.csv and the figure of --along (default: here)");
     RequestedState requested;
@@ -203,6 +194,11 @@ int predict(const std::vector<std::string>& arguments) {
     int points = 60;
     options.add("along", &along, "NAME=FROM:TO: quantity to vary, with its first and last value");
     options.add("points", &points, "number of states along the curve (default 60)");
+    std::vector<std::string> drawn;
+    options.add(
+        "draw", &drawn,
+        "observable or formula to draw along the curve (default: stress_ratio and "
+        "solid_fraction); may be repeated");
     bool simulate = false;
     options.add_switch("simulate", &simulate,
                        "if the known runs do not support the state, simulate it at the --fidelity, "
@@ -219,6 +215,10 @@ int predict(const std::vector<std::string>& arguments) {
     take("reduced-pressure", pressure, requested.reduced_pressure);
     take("bridge-volume", volume, requested.bridge_volume);
     take("liquid-content", content, requested.liquid_content);
+    if (along.empty() && !drawn.empty()) {
+        throw InputError("--draw needs --along NAME=FROM:TO, the curve to draw");
+    }
+    if (drawn.empty()) drawn = {"stress_ratio", "solid_fraction"};
     if (simulate && !along.empty()) {
         throw InputError(
             "--simulate answers for one state; with --along, 'pendular campaign' makes the runs");
@@ -242,7 +242,7 @@ int predict(const std::vector<std::string>& arguments) {
     const auto store = open_store(*common);
     const StatePredictor predictor(common->fidelity, store.get(), stiffness_number);
     if (line) {
-        predict_along(requested, *line, predictor, *common, console);
+        predict_along(requested, *line, drawn, predictor, *common, console);
     } else if (simulate && !predictor.supports(requested)) {
         simulate_one(requested, predictor, *common, store.get(), console);
     } else {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/closures.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/interrupt.h"
@@ -15,6 +16,7 @@
 #include "app/run_effects.h"
 #include "app/stored_runs.h"
 #include "app/terminal.h"
+#include "calib/emulator/emulated_observables.h"
 #include "data/files/write_whole.h"
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
@@ -27,6 +29,7 @@
 #include "sim/dem/snapshot.h"
 #include "sim/runs/run_request.h"
 #include "workflow/json.h"
+#include "workflow/run_json.h"
 
 namespace pendular::app {
 namespace {
@@ -59,6 +62,15 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
                 "grains in contact merge: the model holds for separate bridges.",
                 p.wetting->bridge_volume, dem::largest_pendular_volume));
         }
+    }
+    if (const Mean& banded = run[dem::Observable::localization];
+        banded.value > dem::localised_above) {
+        console.note(fmt::format(
+            "The flow is not uniform: the localization is {}, above {}, and 1 is a thin shear "
+            "band.{}",
+            with_error(banded.value, banded.standard_error), dem::localised_above,
+            banded.value > emulated::banded_above ? " The run is not used to train the emulator."
+                                                  : ""));
     }
     if (run.crystallised) {
         console.note(
@@ -285,6 +297,7 @@ void simulate_and_report(dem::RunParameters run, const RunEffects& effects, cons
         store->add(result);
     }
     print_result(console, result, effects);
+    const auto closures = print_closures_of(result, common, store.get(), console);
     if (start) {
         console.line(fmt::format(
             "The run started from the final state of run {}: friction {:.4g}, inertial number "
@@ -294,6 +307,7 @@ void simulate_and_report(dem::RunParameters run, const RunEffects& effects, cons
     nlohmann::ordered_json json = to_json(result);
     effects.add_to(json);
     json["threads"] = common.threads;
+    if (closures) json["closures"] = closures_json(*closures);
     json.update(fields_json(result));
     console.json(json);
     if (common.out) {

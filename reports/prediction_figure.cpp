@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "calib/emulator/emulated_observables.h"
+#include "data/input_error.h"
+#include "data/quantities/nearest.h"
+#include "data/quantities/quantity.h"
 #include "reports/figure_style.h"
 
 namespace pendular {
@@ -78,49 +81,109 @@ const Estimate& value_of(const std::vector<EmulatedObservable>& observables, Obs
     return std::ranges::find(observables, which, &EmulatedObservable::which)->value;
 }
 
+bool is_observable(const std::string& name) {
+    return std::ranges::find(dem::observable_names, name) != std::end(dem::observable_names);
+}
+
+/// Label of an axis for an observable: its name in words and its symbol.
+std::string label_of(Observable which) {
+    if (which == Observable::stress_ratio) return stress_ratio_label;
+    if (which == Observable::solid_fraction) return solid_fraction_label;
+    const Quantity& about = quantity(dem::observable_names[static_cast<std::size_t>(which)]);
+    std::string words(about.name);
+    std::ranges::replace(words, '_', ' ');
+    return fmt::format("{} {}", words, about.symbol);
+}
+
+/// Panel of an observable: emulated curve with its standard errors, and runs beside it.
+Panel panel_of(Observable which, const PredictionCurve& curve, const Emulator& emulator) {
+    const Variable& variable = variable_named(curve.variable);
+    Curve line{.label = "emulator",
+               .style = Curve::Style::line,
+               .x = curve.at,
+               .y = {},
+               .y_error = {},
+               .colour = model_colour};
+    Curve band = line;
+    band.style = Curve::Style::band;
+    band.label = "emulator, ± 1 standard error";
+    for (const auto& observables : curve.observables) {
+        const Estimate& value = value_of(observables, which);
+        line.y.push_back(value.value);
+        band.y.push_back(value.value);
+        band.y_error.push_back(value.standard_error);
+    }
+    Curve runs{
+        .label = "simulations", .colour = run_colour, .symbol = {Shape::circle, Filling::hollow}};
+    for (const auto& run : emulator.runs()) {
+        if (variable.of && beside(run, curve, variable)) {
+            const Mean& mean = run[which];
+            runs.x.push_back(variable.of(emulated::flow_state_of(run.parameters)));
+            runs.y.push_back(mean.value);
+            runs.y_error.push_back(mean.standard_error);
+        }
+    }
+    Panel panel{.y_label = label_of(which)};
+    panel.curves = {band, line};
+    if (!runs.x.empty()) {
+        panel.curves.push_back(runs);
+    }
+    return panel;
+}
+
+/// Panel of a closure's values from the emulated state.
+Panel panel_of(const closures::ClosureQuantity& closure, const PredictionCurve& curve) {
+    Curve line{.label = "formula from emulated values",
+               .style = Curve::Style::line,
+               .x = curve.at,
+               .y = {},
+               .y_error = {},
+               .colour = model_colour};
+    for (const closures::ClosureValues& values : curve.closures) {
+        line.y.push_back(values.*closure.value);
+    }
+    Panel panel{.y_label = closure.label};
+    panel.curves = {line};
+    return panel;
+}
+
 }  // namespace
 
-Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator) {
-    const Variable& variable = variable_named(curve.variable);
+void check_drawable(const std::string& name, const PredictionCurve& curve) {
+    std::vector<std::string> names;
+    for (const auto& one : curve.observables.front()) {
+        names.emplace_back(dem::observable_names[static_cast<std::size_t>(one.which)]);
+    }
+    if (!curve.closures.empty()) {
+        for (const auto& each : closures::closure_quantities) {
+            names.emplace_back(each.name);
+        }
+    }
+    if (std::ranges::find(names, name) == names.end()) {
+        throw InputError(
+            fmt::format("--draw {}: {} grains have no observable or formula of this "
+                        "name; {}",
+                        name, curve.closures.empty() ? "dry" : "wet", did_you_mean(name, names)));
+    }
+}
+
+Figure prediction_figure(const PredictionCurve& curve, const Emulator& emulator,
+                         const std::vector<std::string>& drawn) {
     Figure figure{.name = "prediction",
                   .title = "Emulated flow, " + subtitle(curve),
                   .panels = {},
                   .stacked = true};
-    for (const Observable which : {Observable::stress_ratio, Observable::solid_fraction}) {
+    for (const std::string& name : drawn) {
+        const auto closure = std::ranges::find_if(
+            closures::closure_quantities,
+            [&](const auto& each) { return each.name == name && !is_observable(name); });
+        Panel panel = closure == closures::closure_quantities.end()
+                          ? panel_of(dem::observable_named(name), curve, emulator)
+                          : panel_of(*closure, curve);
+        const Variable& variable = variable_named(curve.variable);
         const bool first = figure.panels.empty();
-        Curve line{.label = "emulator",
-                   .style = Curve::Style::line,
-                   .x = curve.at,
-                   .y = {},
-                   .y_error = {},
-                   .colour = model_colour};
-        Curve band = line;
-        band.style = Curve::Style::band;
-        band.label = "emulator, ± 1 standard error";
-        for (const auto& observables : curve.observables) {
-            const Estimate& value = value_of(observables, which);
-            line.y.push_back(value.value);
-            band.y.push_back(value.value);
-            band.y_error.push_back(value.standard_error);
-        }
-        Curve runs{.label = "simulations",
-                   .colour = run_colour,
-                   .symbol = {Shape::circle, Filling::hollow}};
-        for (const auto& run : emulator.runs()) {
-            if (variable.of && beside(run, curve, variable)) {
-                const Mean& mean = run[which];
-                runs.x.push_back(variable.of(emulated::flow_state_of(run.parameters)));
-                runs.y.push_back(mean.value);
-                runs.y_error.push_back(mean.standard_error);
-            }
-        }
-        Panel panel{.x_label = variable.label,
-                    .y_label = first ? stress_ratio_label : solid_fraction_label,
-                    .log_x = variable.log && curve.at.front() > 0};
-        panel.curves = {band, line};
-        if (!runs.x.empty()) {
-            panel.curves.push_back(runs);
-        }
+        panel.x_label = variable.label;
+        panel.log_x = variable.log && curve.at.front() > 0;
         panel.key = first ? Key::top_left : Key::none;
         panel.headroom = first ? 0.3 : 0;
         figure.panels.push_back(panel);
@@ -134,6 +197,10 @@ std::string prediction_table(const PredictionCurve& curve) {
         const auto name = dem::observable_names[static_cast<std::size_t>(one.which)];
         text += fmt::format(",{},{}_stderr", name, name);
     }
+    for (const auto& each : closures::closure_quantities) {
+        if (!curve.closures.empty() && !is_observable(each.name))
+            text += fmt::format(",{}", each.name);
+    }
     text += '\n';
     for (std::size_t k = 0; k < curve.states.size(); ++k) {
         const FlowState& s = curve.states[k];
@@ -142,6 +209,10 @@ std::string prediction_table(const PredictionCurve& curve) {
             s.dry() ? ",," : fmt::format(",{:.6g},{:.6g}", 1 / s.inverse_pressure, s.bridge_volume);
         for (const auto& one : curve.observables[k]) {
             text += fmt::format(",{:.6g},{:.3g}", one.value.value, one.value.standard_error);
+        }
+        for (const auto& each : closures::closure_quantities) {
+            if (!curve.closures.empty() && !is_observable(each.name))
+                text += fmt::format(",{:.6g}", curve.closures[k].*each.value);
         }
         text += '\n';
     }

@@ -100,6 +100,14 @@ Json to_json(const dem::RunResult& run) {
     return json;
 }
 
+Json closures_json(const closures::ClosureValues& values) {
+    Json json = Json::object();
+    for (const auto& each : closures::closure_quantities) {
+        json[each.name] = values.*each.value;
+    }
+    return json;
+}
+
 dem::RunResult run_from_json(const Json& json) {
     dem::RunResult run;
     for (std::size_t k = 0; k < dem::observable_count; ++k) {

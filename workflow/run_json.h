@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/catalogue/effect.h"
+#include "sim/closures/closure_values.h"
 #include "sim/dem/run.h"
 
 namespace pendular {
@@ -19,6 +20,9 @@ nlohmann::ordered_json effects_json(const std::vector<ActiveEffect>& effects);
 /// repeat it. Observables of liquid bridges are zero in a dry run. Effects on grains, if there are
 /// any, are under the key `effects_in_run_units`.
 nlohmann::ordered_json to_json(const dem::RunResult& run);
+
+/// JSON of the values that closures (analytical formulas) give for a wet state [1].
+nlohmann::ordered_json closures_json(const closures::ClosureValues& values);
 
 /// Reads the result of a run from JSON that `to_json` made of it. Observables that earlier versions
 /// did not write are zero.

@@ -165,6 +165,8 @@ PredictionCurve StatePredictor::along(RequestedState requested,
         curve.at.push_back(varied.at(k));
         curve.states.push_back(state);
         curve.observables.push_back(observables_at(state));
+        if (const auto closures = closures_at(emulator_, state, curve.observables.back()))
+            curve.closures.push_back(*closures);
     }
     if (curve.at.size() < 2) {
         throw InputError(
@@ -174,6 +176,18 @@ PredictionCurve StatePredictor::along(RequestedState requested,
                                     curve.why_left_out)));
     }
     return curve;
+}
+
+std::optional<closures::ClosureValues> StatePredictor::closures_of(
+    const dem::RunResult& run) const {
+    const dem::RunParameters& p = run.parameters;
+    const FlowState dry{.friction = p.friction, .inertial_number = p.inertial_number};
+    const bool others = std::ranges::any_of(p.effects, [](const EffectValues& values) {
+        return built_in_effect(values.effect).touches != Touches::wet;
+    });
+    if (!p.wetting || others || !known_.why_unsupported(dry).empty()) return {};
+    const double ratio = emulator_.mean({{dry, dem::Observable::stress_ratio}})(0);
+    return closures::closure_values(run, ratio);
 }
 
 dem::RunParameters StatePredictor::run_for(const RequestedState& requested) const {

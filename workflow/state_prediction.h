@@ -56,6 +56,8 @@ struct PredictionCurve {
     std::vector<FlowState> states;  ///< states that the known runs support
     /// Predicted observables of each state.
     std::vector<std::vector<EmulatedObservable>> observables;
+    /// Values of the closures at each state, from the predicted values; empty: dry.
+    std::vector<closures::ClosureValues> closures;
     /// Stiffness number to which solid fraction and overlap are corrected [1].
     double stiffness_number = 1000;
     int left_out = 0;          ///< number of states that the known runs do not support
@@ -96,6 +98,12 @@ class StatePredictor {
     ///         known runs (atlas and store), and where a predicted solid fraction is impossible in
     ///         a dense flow
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
+
+    /// Values of the closures for the state of a wet run, from what the run measured and the
+    /// predicted stress ratio of dry grains at its friction and inertial number. Empty for a dry
+    /// run, and where the known runs do not support that prediction or an effect of the run acts on
+    /// dry grains too.
+    std::optional<closures::ClosureValues> closures_of(const dem::RunResult& run) const;
 
     /// Parameters of the run to simulate for a requested state that cannot be predicted from the
     /// known runs.

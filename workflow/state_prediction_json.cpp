@@ -49,18 +49,7 @@ Json to_json(const StatePrediction& prediction) {
     json["beyond"] = prediction.beyond;
     json["runs"] = prediction.runs;
     json["simulated"] = false;
-    if (const auto& closures = prediction.closures) {
-        json["closures"] = {{"dry_stress_ratio", closures->dry_stress_ratio},
-                            {"contact_stress_ratio", closures->contact_stress_ratio},
-                            {"effective_coordination", closures->effective_coordination},
-                            {"approximate_coordination", closures->approximate_coordination},
-                            {"rumpf_cohesion", closures->rumpf_cohesion},
-                            {"generalised_cohesion", closures->generalised_cohesion},
-                            {"strength1", closures->strength1},
-                            {"strength2", closures->strength2},
-                            {"strength3", closures->strength3},
-                            {"saturation", closures->saturation}};
-    }
+    if (prediction.closures) json["closures"] = closures_json(*prediction.closures);
     return json;
 }
 
@@ -68,6 +57,9 @@ Json to_json(const PredictionCurve& curve) {
     Json json = {{"along", curve.variable}, {"states", Json::array()}};
     for (std::size_t k = 0; k < curve.states.size(); ++k) {
         json["states"].push_back(state_json(curve.states[k], curve.observables[k]));
+        if (!curve.closures.empty()) {
+            json["states"].back()["closures"] = closures_json(curve.closures[k]);
+        }
     }
     json["left_out"] = curve.left_out;
     return json;

@@ -82,6 +82,7 @@ bool of_bridges(Observable which) {
 
 bool usable(const dem::RunResult& run) {
     return run.failure.empty() && !run.crystallised && run.steady &&
+           !(run[dem::Observable::localization].value > banded_above) &&
            run.parameters.damping == dem::RunParameters{}.damping &&
            run.parameters.stiffness_number >= softest;
 }

@@ -10,8 +10,14 @@ namespace pendular::emulated {
 /// numbers, capillary stresses and other observables that depend weakly on stiffness.
 constexpr double reference_stiffness = 1000;
 
+/// Localization above which a run does not train the emulator [1]: shear gathers in half of the
+/// height or less, since a localization D is that of a band of 1 - sqrt(D) of the height between
+/// rigid blocks. Small samples of uniform flow at low P* reach 0.11.
+constexpr double banded_above = 0.2;
+
 /// Whether a run can serve as a training run of an emulator: it succeeded, was steady, did not
-/// crystallise, and has the standard damping and a stiffness number of at least 300.
+/// crystallise or shear in a band (`banded_above`), and has the standard damping and a stiffness
+/// number of at least 300.
 bool usable(const dem::RunResult& run);
 /// Value of an observable of a run on which the emulator is trained, with its standard error: as
 /// measured in the run, but the solid fraction is corrected to rigid grains and the overlap is

@@ -27,4 +27,11 @@ ClosureValues closure_values(const State& state, const CapillaryStress& capillar
     return values;
 }
 
+ClosureValues closure_values(const dem::RunResult& run, double dry_stress_ratio) {
+    using dem::Observable;
+    return closure_values(network_state_of(run), capillary_stress_of(run),
+                          run[Observable::stress_ratio].value, dry_stress_ratio,
+                          run[Observable::liquid_content].value);
+}
+
 }  // namespace pendular::closures

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "sim/closures/state.h"
 
 namespace pendular::closures {
@@ -20,6 +22,38 @@ struct ClosureValues {
     double saturation = 0;  ///< share of the pores that liquid fills, Phi_L/(1 - Phi_S)
 };
 
+/// Name, text and axis label of a member of ClosureValues.
+struct ClosureQuantity {
+    const char* name;   ///< key in JSON and CSV
+    const char* text;   ///< name in printed tables
+    const char* label;  ///< label of an axis
+    double ClosureValues::*value;
+};
+
+/// The members of ClosureValues in the order in which they are printed.
+inline constexpr std::array<ClosureQuantity, 10> closure_quantities = {{
+    {"dry_stress_ratio", "stress ratio of dry grains", "stress ratio μ*_0 of dry grains",
+     &ClosureValues::dry_stress_ratio},
+    {"contact_stress_ratio", "stress ratio of contact forces",
+     "stress ratio of contacts |σ_{12}^{cont}|/σ_{22}^{cont}",
+     &ClosureValues::contact_stress_ratio},
+    {"strength1", "stress ratio from s22cap, s12cap",
+     "stress ratio from σ_{22}^{cap}, σ_{12}^{cap}", &ClosureValues::strength1},
+    {"strength2", "stress ratio from Z*, s12cap", "stress ratio from Z*, σ_{12}^{cap}",
+     &ClosureValues::strength2},
+    {"strength3", "stress ratio from Z* alone", "stress ratio from Z*", &ClosureValues::strength3},
+    {"effective_coordination", "Z_c + Z_d F_d/F0", "Z_c + Z_dF_d/F_0",
+     &ClosureValues::effective_coordination},
+    {"approximate_coordination", "Z_c + 0.5 Z_d", "Z_c + 0.5Z_d",
+     &ClosureValues::approximate_coordination},
+    {"rumpf_cohesion", "reduced cohesion by Rumpf", "reduced cohesion by Rumpf's formula",
+     &ClosureValues::rumpf_cohesion},
+    {"generalised_cohesion", "generalised reduced cohesion", "generalised reduced cohesion",
+     &ClosureValues::generalised_cohesion},
+    {"saturation", "saturation of the pores", "saturation of the pores",
+     &ClosureValues::saturation},
+}};
+
 /// Returns the values of all closures for one state.
 /// @param capillary capillary stresses of the state over F0/a^2 [1]
 /// @param stress_ratio stress ratio of the state [1]
@@ -27,5 +61,10 @@ struct ClosureValues {
 /// @param liquid_content liquid volume over grain volume [1]
 ClosureValues closure_values(const State& state, const CapillaryStress& capillary,
                              double stress_ratio, double dry_stress_ratio, double liquid_content);
+
+/// Returns the values of all closures for the state of a wet run, from the averages that the run
+/// measured.
+/// @param dry_stress_ratio stress ratio of dry grains at the same friction and inertial number [1]
+ClosureValues closure_values(const dem::RunResult& run, double dry_stress_ratio);
 
 }  // namespace pendular::closures

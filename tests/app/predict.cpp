@@ -65,6 +65,68 @@ TEST(Predict, AddsTheFormulasOfAWetState) {
     EXPECT_FALSE(json::parse(run_pendular("predict --json -").output).contains("closures"));
 }
 
+TEST(Predict, DrawsAnyObservableAndFormula) {
+    const TemporaryFolder folder;
+    const std::string out = " --points 5 --out " + folder.path().string();
+    const Outcome run = run_pendular(
+        "predict --along reduced-pressure=1:10 --liquid-content 0.03 --draw distant_coordination "
+        "--draw rumpf_cohesion --draw strength2 --json -" +
+        out);
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const json said = json::parse(run.output);
+    // A curve has the formulas that each of its states has alone.
+    const double pressure = said["states"][2]["reduced_pressure"];
+    const json alone = json::parse(
+        run_pendular(
+            fmt::format("predict --reduced-pressure {} --liquid-content 0.03 --json -", pressure))
+            .output);
+    for (const auto& [name, value] : alone["closures"].items()) {
+        EXPECT_NEAR(said["states"][2]["closures"][name].get<double>(), value.get<double>(), 1e-6)
+            << name;
+    }
+    EXPECT_THAT(content_of(folder.path() / "prediction.csv"),
+                HasSubstr(",rumpf_cohesion,generalised_cohesion,saturation\n"));
+    const std::string drawn = content_of(folder.path() / "figures/prediction.svg");
+    EXPECT_THAT(drawn, HasSubstr("distant coordination"));
+    EXPECT_THAT(drawn, HasSubstr("reduced cohesion by Rumpf"));
+    EXPECT_THAT(drawn, testing::Not(HasSubstr("solid fraction")));
+    expect_refused("predict --along friction=0:0.3 --draw strength2" + out,
+                   "dry grains have no observable or formula of this name");
+    expect_refused("predict --along friction=0:0.3 --draw solid_fractio" + out,
+                   "did you mean 'solid_fraction'");
+    expect_refused("predict --draw stress_ratio", "--draw needs --along");
+}
+
+TEST(Simulate, AddsTheFormulasOfAWetState) {
+    const std::string small =
+        "simulate --fidelity quick --beads 200 --strain 1 --friction 0.09 "
+        "--inertial-number 0.05 --json - ";
+    const Outcome run = run_pendular(small + "--reduced-pressure 2 --bridge-volume 0.002");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const json said = json::parse(run.output), by = said["closures"];
+    const auto value = [&](const char* name) { return said[name]["value"].get<double>(); };
+    // From the averages of the run itself, and the dry law of the known runs.
+    const json dry =
+        json::parse(run_pendular("predict --friction 0.09 --inertial-number 0.05 --json -").output);
+    const double law = by["dry_stress_ratio"];
+    EXPECT_NEAR(law, dry["stress_ratio"]["value"].get<double>(), 1e-6);
+    EXPECT_NEAR(by["approximate_coordination"],
+                value("contact_coordination") + 0.5 * value("distant_coordination"), 1e-6);
+    EXPECT_NEAR(by["strength1"],
+                law * (1 - value("capillary_stress_22")) - value("capillary_shear_stress"), 1e-6);
+    EXPECT_NEAR(by["contact_stress_ratio"],
+                (value("stress_ratio") + value("capillary_shear_stress")) /
+                    (1 - value("capillary_stress_22")),
+                1e-6);
+    EXPECT_THAT(run.errors, HasSubstr("reduced cohesion by Rumpf"));
+    EXPECT_FALSE(json::parse(run_pendular(small).output).contains("closures"));
+    // With an effect on dry grains too, there is no dry law.
+    const Outcome rolling =
+        run_pendular(small + "--reduced-pressure 2 --rolling-resistance.coefficient 0.1");
+    EXPECT_FALSE(json::parse(rolling.output).contains("closures"));
+    EXPECT_THAT(rolling.errors, HasSubstr("No formulas are evaluated"));
+}
+
 /// The command of a message that begins with these words.
 std::string command_in(const std::string& message, const std::string& words) {
     const auto begin = message.find("    pendular " + words);

@@ -166,6 +166,20 @@ TEST(Emulator, LetsEffectsOnWetBeadsFadeWithCapillarity) {
     EXPECT_NEAR(wet_change("willett-bridges", 2.32, 0.00385), 0.40745 / 0.41815 - 1, 0.006);
 }
 
+// A flow in a band is not the flow that an emulator of uniform shear interpolates.
+TEST(Emulator, LearnsNothingOfRunsThatShearInABand) {
+    dem::RunResult run = shipped_runs().front();
+    ASSERT_TRUE(emulated::usable(run));
+    Mean& localization = run.means[static_cast<std::size_t>(Observable::localization)];
+    localization.value = 0.3;
+    EXPECT_FALSE(emulated::usable(run));
+    localization.value = 0.15;
+    EXPECT_TRUE(emulated::usable(run)) << "small samples at low pressures";
+    for (const dem::RunResult& shipped : shipped_runs()) {
+        EXPECT_LT(shipped[Observable::localization].value, emulated::banded_above);
+    }
+}
+
 TEST(Emulator, NamesAnEffectThatNoRunHas) {
     const Emulator emulator(invented_runs(60, 1), shipped_hyperparameters());
     FlowState state{0.1, 0.01};

@@ -1,0 +1,41 @@
+#include "app/closures.h"
+
+#include <fmt/format.h>
+
+#include "data/input_error.h"
+#include "workflow/state_prediction.h"
+
+namespace pendular::app {
+
+void print_closures(const closures::ClosureValues& values, double stress_ratio, Console& console) {
+    console.line(
+        fmt::format("By the formulas of Badetti et al. (2018), from these values; the stress ratio "
+                    "itself is {:.4g}:",
+                    stress_ratio));
+    for (const auto& each : closures::closure_quantities) {
+        console.line(fmt::format("  {:<32} {:>20.4g}", each.text, values.*each.value));
+    }
+}
+
+std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,
+                                                         const CommonOptions& common,
+                                                         const RunStore* store, Console& console) {
+    if (!run.parameters.wetting) return {};
+    std::optional<closures::ClosureValues> values;
+    try {
+        values = StatePredictor(common.fidelity, store, run.parameters.stiffness_number)
+                     .closures_of(run);
+    } catch (const InputError&) {
+        // Without known runs there is no stress ratio of dry grains either.
+    }
+    if (values) {
+        print_closures(*values, run[dem::Observable::stress_ratio].value, console);
+    } else {
+        console.line(
+            "No formulas are evaluated: the known runs do not give the stress ratio of dry grains "
+            "for this friction, inertial number and these effects.");
+    }
+    return values;
+}
+
+}  // namespace pendular::app
