@@ -40,8 +40,10 @@ void PrintTo(const Case& one, std::ostream* out) {
 std::vector<Case> cases() {
     std::vector<Case> all = {{"plain", {}}, {"rumpf", {}, "rumpf"}};
     for (const Effect& effect : built_in_effects()) {
-        const bool closure = effect.of_closure();
-        all.push_back({effect.name, {effect.name}, closure ? "rumpf" : "dem"});
+        const std::string base = !effect.of_closure()                           ? "dem"
+                                 : *effect.level() > closures::Level::strength3 ? "rumpf"
+                                                                                : "mohr-coulomb";
+        all.push_back({effect.name, {effect.name}, base});
     }
     all.push_back({"torque-offset and wall-friction", {"torque-offset", "wall-friction"}});
     all.push_back({"rumpf with contact-angle", {"contact-angle"}, "rumpf"});
