@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "analysis/misfit/believable.h"
@@ -9,6 +10,7 @@
 #include "app/open_session.h"
 #include "app/options.h"
 #include "data/files/write_tables.h"
+#include "reports/recording_figures.h"
 #include "reports/tables.h"
 #include "workflow/json.h"
 #include "workflow/study_input.h"
@@ -40,6 +42,35 @@ std::vector<std::string> findings_lines(std::vector<RecordingFinding> findings, 
     return lines;
 }
 
+/// Heading and sentences on the files' headers and set points; empty for nothing.
+std::vector<std::string> file_findings_lines(const std::vector<FileFinding>& findings, bool all) {
+    std::vector<std::string> lines;
+    for (const FileFinding& finding : findings)
+        lines.push_back(fmt::format("  {}: {}",
+                                    std::filesystem::path(finding.file).filename().string(),
+                                    text_of(finding, all ? finding.lines.size() : 8)));
+    if (!lines.empty()) lines.insert(lines.begin(), "The files by themselves show:");
+    return lines;
+}
+
+/// A figure of each recording of a study, with the rows that its readings average.
+std::vector<Figure> figures_of_recordings(const StudyInput& input) {
+    std::vector<Figure> figures;
+    for (const Source& source : input.study.study().sources) {
+        if (source.kind != Source::Kind::recording) continue;
+        for (const std::filesystem::path& path : source.files) {
+            Figure figure =
+                recording_figure(view_of_file(path, source.format, input.study.study().cell),
+                                 input.measurements.readings, input.measurements.excluded);
+            const auto same = std::ranges::count_if(
+                figures, [&](const Figure& other) { return other.name.starts_with(figure.name); });
+            if (same > 0) figure.name += fmt::format("_{}", same + 1);
+            figures.push_back(std::move(figure));
+        }
+    }
+    return figures;
+}
+
 }  // namespace
 
 int import(const std::vector<std::string>& arguments) {
@@ -55,10 +86,13 @@ int import(const std::vector<std::string>& arguments) {
         "in the rows, such as a saturated torque or a lid that wobbles.\n\n"
         "For a single FILE, exported by an instrument, prints how the file is understood: "
         "layout, encoding,\n"
-        "columns with units, intervals with roles, checks, points of failure.",
+        "columns with units, intervals with roles, checks, points of failure. --figures draws "
+        "the recordings\n"
+        "with the rows that are averaged, and yield loci with their Mohr circles.",
         "  pendular import examples/dry-recordings\n"
         "  pendular import my-study --json -\n"
-        "  pendular import export.csv --study my-study\n",
+        "  pendular import export.csv --study my-study\n"
+        "  pendular import export.csv --figures figures\n",
         true);
     file.declare(options);
     const auto common = options.parse(arguments);
@@ -68,9 +102,9 @@ int import(const std::vector<std::string>& arguments) {
     Console console(*common);
     if (is_bare_file(common->study)) return import_file(common->study, file, console);
     file.refuse_for_studies(options);
-    const Measurements measurements =
-        read_input(common->study, places_of(*common, {"readings.csv", "excluded.csv"}))
-            .measurements;
+    const StudyInput input =
+        read_input(common->study, places_of(*common, {"readings.csv", "excluded.csv"}));
+    const Measurements& measurements = input.measurements;
     const auto readings = common->out_folder() / "readings.csv";
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
@@ -83,6 +117,7 @@ int import(const std::vector<std::string>& arguments) {
                                  doubt.set_aside ? "Set aside; see excluded.csv." : "Kept."));
     }
     console.table(findings_lines(measurements.findings, console.all()), 6);
+    console.table(file_findings_lines(measurements.file_findings, console.all()), 6);
     console.table(readings_table(measurements), 6);
     if (console.all()) console.table(excluded_table(measurements), 0);
     console.table(scatter_table(measurements), 5);
@@ -91,6 +126,7 @@ int import(const std::vector<std::string>& arguments) {
     }
     console.next(fmt::format("pendular calibrate {}", common->study.string()));
     console.json(to_json(measurements));
+    if (!file.figures.empty()) draw_all(figures_of_recordings(input), file.figures, console);
     return done;
 }
 

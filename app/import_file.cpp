@@ -6,13 +6,17 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/command.h"
 #include "data/files/write_whole.h"
 #include "data/quantities/nearest.h"
 #include "data/quantities/number.h"
 #include "data/recordings/file_view.h"
+#include "data/study/study.h"
+#include "reports/draw_figure.h"
 #include "reports/file_report.h"
+#include "reports/recording_figures.h"
 #include "workflow/begin_study.h"
 #include "workflow/file_json.h"
 #include "workflow/tidy_table.h"
@@ -36,6 +40,7 @@ FileFormat format_of(const ImportFileOptions& options) {
     format.layout = options.layout;
     format.encoding = options.encoding;
     format.decimal = options.decimal;
+    format.sheet = options.sheet;
     for (std::string_view rest = options.columns; !rest.empty();) {
         const std::size_t end = std::min(rest.find(';'), rest.size());
         format.columns.emplace_back(trimmed(rest.substr(0, end)));
@@ -57,15 +62,30 @@ std::map<std::string, std::string> files_of_study(const std::filesystem::path& f
     return files;
 }
 
+/// Cell of the study in the folder of a file; empty if there is no study, or none that can be read.
+std::optional<AnnularCell> cell_beside(const std::filesystem::path& file) {
+    const std::filesystem::path study = file.parent_path() / "study.toml";
+    if (!std::filesystem::is_regular_file(study)) return std::nullopt;
+    try {
+        return read_study(study).cell;
+    } catch (const InputError&) {
+        return std::nullopt;  // 'pendular import STUDY' says what is wrong with it
+    }
+}
+
 }  // namespace
 
 void ImportFileOptions::declare(Options& options) {
     options.begin_section("Options for a single file");
     options.add("study", &study, "folder in which a study is begun: study.toml, guesses marked");
+    options.add("figures", &figures,
+                "folder for figures: the recording with what is averaged, yield loci; of a study, "
+                "each recording");
     options.add("tidy", &tidy,
                 "CSV file for all rows, in SI units, with rows of names and of units");
     options.add("layout", &layout, "layout of the file (default: recognised by its content)");
     options.add("encoding", &encoding, "character encoding of the file (default: detected)");
+    options.add("sheet", &sheet, "sheet of a workbook (.xlsx; default: the first one)");
     options.add("decimal", &decimal, "decimal mark of the file, '.' or ',' (default: detected)");
     options.add(
         "columns", &columns,
@@ -73,12 +93,23 @@ void ImportFileOptions::declare(Options& options) {
 }
 
 void ImportFileOptions::refuse_for_studies(const Options& options) const {
-    for (const char* const name : {"study", "tidy", "layout", "encoding", "decimal", "columns"})
+    for (const char* const name :
+         {"study", "tidy", "layout", "encoding", "sheet", "decimal", "columns"})
         if (options.given(name))
             throw InputError(
                 fmt::format("--{} belongs to a single file; for a study, write it in "
                             "[[recording]] of study.toml",
                             name));
+}
+
+void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+              Console& console) {
+    std::vector<std::string> names;
+    for (const Figure& figure : figures) {
+        draw(figure, folder);
+        names.push_back(figure.name);
+    }
+    console.figures(folder, names);
 }
 
 bool is_bare_file(const std::filesystem::path& path) {
@@ -88,7 +119,7 @@ bool is_bare_file(const std::filesystem::path& path) {
 int import_file(const std::filesystem::path& path, const ImportFileOptions& options,
                 Console& console) {
     const FileFormat format = format_of(options);
-    const FileView view = view_of_file(path, format);
+    const FileView view = view_of_file(path, format, cell_beside(path));
     if (!options.tidy.empty()) {
         demand_writable(options.tidy, "--tidy", false);
         demand_table(options.tidy, tidy_table_begin);
@@ -109,6 +140,7 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
     else
         console.next(fmt::format("pendular calibrate {}", options.study));
     console.json(to_json(view));
+    if (!options.figures.empty()) draw_all(file_figures(view), options.figures, console);
     return done;
 }
 

@@ -9,6 +9,7 @@
 
 #include "data/grains.h"
 #include "data/input_error.h"
+#include "data/recordings/findings/file_finding.h"
 #include "data/recordings/findings/finding.h"
 
 namespace pendular {
@@ -21,6 +22,9 @@ struct Condition {
     std::optional<double> height;       ///< height of the sample [m], if known
     std::optional<double> bead_volume;  ///< solid volume of the grains in the cell [m^3], if known
     double time = 0;                    ///< time since the study's first recording began [s]
+    /// Whether the state is a point of failure, a peak of the shear stress, rather than steady
+    /// shear.
+    bool at_failure = false;
 
     /// Whether the grains are dry: the liquid content is 0.
     bool dry() const { return liquid_content == 0; }
@@ -148,6 +152,8 @@ struct Measurements {
     /// Findings in the rows of the recordings, apart from the steady means, such as a wobble of the
     /// lid.
     std::vector<RecordingFinding> findings;
+    /// Findings on whole files: headers against study.toml, measured values against set points.
+    std::vector<FileFinding> file_findings;
     /// Messages for the user about the import, such as a torque whose sign was flipped.
     std::vector<std::string> notes;
 };

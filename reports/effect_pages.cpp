@@ -46,6 +46,8 @@ const char* touched(const Effect& effect) {
             return "dry";
         case Touches::wet:
             return "wet";
+        case Touches::failure:
+            return "failure";
         default:
             return "all";
     }

@@ -73,7 +73,8 @@ struct Along {
 
 /// Conditions, dry or wet, along the x axis of a column. The height of the sample follows from the
 /// solid fraction without the effect.
-Along along(const Column& column, bool dry, const Study& study, const Predictor& plain) {
+Along along(const Column& column, bool dry, bool at_failure, const Study& study,
+            const Predictor& plain) {
     Along all;
     for (int k = 0; k < points; ++k) {
         const double part = static_cast<double>(k) / (points - 1);
@@ -81,6 +82,7 @@ Along along(const Column& column, bool dry, const Study& study, const Predictor&
                                     : column.from + (column.to - column.from) * part);
         all.conditions.push_back(usual(dry, study));
         column.set(all.conditions.back(), all.at.back(), study);
+        all.conditions.back().at_failure = at_failure;
     }
     const Eigen::VectorXd flow =
         plain.predict(plain_parameters(), all.conditions, PredictionPart::slopes).value;
@@ -218,6 +220,9 @@ class Models {
             model_->predict(at, conditions, PredictionPart::slopes).value);
     }
 
+    /// Whether the effect changes points of failure only.
+    bool at_failure() const { return effect_.touches == Touches::failure; }
+
   private:
     const Effect& effect_;
     Study study_;  ///< study with base `rumpf` for an effect on closures
@@ -229,7 +234,7 @@ using Pair = std::array<Panel, 2>;
 
 void add_curves(Pair& panels, const Column& column, bool dry, const Study& study,
                 const Models& models) {
-    const Along readings = along(column, dry, study, models.without());
+    const Along readings = along(column, dry, models.at_failure(), study, models.without());
     const Changes changes = models.changes(readings.conditions);
     for (std::size_t row = 0; row < panels.size(); ++row) {
         Curve line{.label = dry ? "dry" : "wet",

@@ -181,16 +181,8 @@ std::vector<std::string> intervals_table(const FileView& view) {
 
 std::vector<std::string> checks_lines(const FileView& view, bool all) {
     std::vector<std::string> lines;
-    for (const FileFinding& finding : view.findings) {
-        const std::string where =
-            finding.lines.empty()
-                ? ""
-                : fmt::format("{} {}: ", line_word(finding.lines),
-                              text_of_lines(finding.lines, all ? finding.lines.size() : 8));
-        std::string what = finding.what;
-        if (where.empty()) what[0] = static_cast<char>(std::toupper(what[0]));
-        lines.push_back(fmt::format("  {}{} {}", where, what, finding.done));
-    }
+    for (const FileFinding& finding : view.findings)
+        lines.push_back("  " + text_of(finding, all ? finding.lines.size() : 8));
     for (const std::string& line : skipped_lines(view.file, all))
         lines.push_back(line);
     if (lines.empty()) lines.emplace_back("  Nothing was found.");
@@ -206,6 +198,8 @@ std::vector<std::string> yield_locus_lines(const FileView& view) {
         if (locus.preshear)
             heading += fmt::format(", preshear at {:.4g} Pa with {:.4g} Pa",
                                    locus.preshear->normal_stress, locus.preshear->shear_stress);
+        if (locus.preshear && !locus.preshear->plateau)
+            heading += ", which still changes at its end: the preshear was too short";
         lines.push_back(heading + ":");
         lines.push_back(fmt::format("  {:>8} {:>8} {:>10} {:>10} {:>16} {:>16}", "interval", "line",
                                     "s22 [Pa]", "s12 [Pa]", "smoothed s22", "smoothed s12"));

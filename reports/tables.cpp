@@ -19,7 +19,8 @@ namespace {
 std::string place(const Reading& reading) {
     const std::string file = std::filesystem::path(reading.origin.file).filename().string();
     return reading.step > 0 ? fmt::format("{} step {}", file, reading.step)
-                            : fmt::format("{}:{}", file, reading.origin.line);
+                            : fmt::format("{}:{}{}", file, reading.origin.line,
+                                          reading.condition.at_failure ? " (peak)" : "");
 }
 
 constexpr std::size_t place_width = 28;

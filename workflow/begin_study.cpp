@@ -92,9 +92,20 @@ std::string entry(const std::string& key, const Guess& guess) {
     return fmt::format("{:<32} # {}\n", setting, comment_text(guess.from));
 }
 
+/// Whether the header of a file states both radii of the cell.
+bool states_radii(const FileView& view) {
+    return view.stated.inner_radius && view.stated.outer_radius &&
+           view.stated.inner_radius->value < view.stated.outer_radius->value;
+}
+
 std::string cell_text(const FileView& view) {
     std::string text = "[cell]\n";
-    if (view.cell.inner_radius) {
+    if (states_radii(view)) {
+        for (const auto& [key, stated] : {std::pair{"inner_radius", view.stated.inner_radius},
+                                          std::pair{"outer_radius", view.stated.outer_radius}})
+            text += entry(key, {fmt::format("{:g} mm", stated->value * 1e3),
+                                fmt::format("from line {} of the file", stated->line)});
+    } else if (view.cell.inner_radius) {
         const char* const from = "from the ratios of the file's own stresses to torque or force";
         text +=
             entry("inner_radius", {fmt::format("{:g} mm", *view.cell.inner_radius * 1e3), from});
@@ -152,7 +163,7 @@ std::string format_text(const FileFormat& format) {
     std::string text;
     for (const auto& [key, value] :
          {std::pair{"layout", format.layout}, std::pair{"encoding", format.encoding},
-          std::pair{"decimal", format.decimal}})
+          std::pair{"decimal", format.decimal}, std::pair{"sheet", format.sheet}})
         if (!value.empty()) text += fmt::format("{} = {}\n", key, toml_string(value));
     std::vector<std::string> columns;
     for (const std::string& column : format.columns)
@@ -199,7 +210,7 @@ std::string entries_text(const FileView& view, const FileFormat& format,
     if (!view.loci.empty())
         text += fmt::format(
             "[[readings]]                     # points of failure: peaks, which may lie above "
-            "steady shear\nfile = \"failure.csv\"\n{}\n",
+            "steady shear\nfile = \"failure.csv\"\nstate = \"failure\"\n{}\n",
             liquid_content);
     return text;
 }
@@ -228,7 +239,8 @@ std::map<std::string, std::string> begin_study(const FileView& view, const FileF
             "glass, from the names of file and test\n",
             *liquid);
     }
-    if (view.missing.empty() || view.cell.inner_radius) text += cell_text(view);
+    if (view.missing.empty() || view.cell.inner_radius || states_radii(view))
+        text += cell_text(view);
     const std::string entries = entries_text(view, format, content);
     if (entries.empty())
         throw InputError(

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "workflow/json_parts.h"
+
 namespace pendular {
 namespace {
 
@@ -69,7 +71,8 @@ Json locus_json(const YieldLocus& locus) {
     Json preshear;
     if (locus.preshear)
         preshear = {{"normal_stress", locus.preshear->normal_stress},
-                    {"shear_stress", locus.preshear->shear_stress}};
+                    {"shear_stress", locus.preshear->shear_stress},
+                    {"plateau", locus.preshear->plateau}};
     return {{"test", locus.test},
             {"preshear", preshear},
             {"points", points},
@@ -91,15 +94,12 @@ Json to_json(const FileView& view) {
                  {"left_out", Json::array()},
                  {"yield_loci", Json::array()},
                  {"missing", view.missing}};
-    for (const auto& [key, value] : view.file.facts)
-        json["facts"].push_back({{"key", key}, {"value", value}});
+    for (const Fact& fact : view.file.facts)
+        json["facts"].push_back({{"key", fact.key}, {"value", fact.value}, {"line", fact.line}});
     for (std::size_t i = 0; i < view.series.size(); ++i)
         json["intervals"].push_back(interval_json(view, i));
     for (const FileFinding& finding : view.findings)
-        json["findings"].push_back({{"kind", finding.kind},
-                                    {"lines", finding.lines},
-                                    {"what", finding.what},
-                                    {"done", finding.done}});
+        json["findings"].push_back(file_finding_json(finding));
     for (const SkippedRows& rows : view.file.skipped)
         json["left_out"].push_back({{"first_line", rows.first_line},
                                     {"last_line", rows.last_line},

@@ -57,6 +57,7 @@ Json to_json(const Measurements& measurements) {
                       {"shear_rate", r.shear_rate},
                       {"inertial_number", r.condition.inertial_number},
                       {"liquid_content", r.condition.liquid_content},
+                      {"failure", r.condition.at_failure},
                       {"height", nullptr},
                       {"bead_volume", nullptr},
                       {"time", r.condition.time},
@@ -88,6 +89,9 @@ Json to_json(const Measurements& measurements) {
                                   {"set_aside", doubt.set_aside}});
     }
     json["findings"] = findings_json(measurements.findings);
+    json["file_findings"] = Json::array();
+    for (const FileFinding& finding : measurements.file_findings)
+        json["file_findings"].push_back(file_finding_json(finding));
     json["notes"] = measurements.notes;
     return json;
 }
@@ -115,6 +119,7 @@ Json to_json(const Comparison& comparison, const std::vector<CohesionLine>& line
             {"normal_stress", group.condition.normal_stress},
             {"inertial_number", group.condition.inertial_number},
             {"liquid_content", group.condition.liquid_content},
+            {"failure", group.condition.at_failure},
             {"readings", Json::array()},
             {"chi2", group.chi2},
             {"normalised",

@@ -26,6 +26,7 @@ Json prediction_json(const ReadingMisfit& misfit) {
             {"normal_stress", reading.condition.normal_stress},
             {"inertial_number", reading.condition.inertial_number},
             {"liquid_content", reading.condition.liquid_content},
+            {"failure", reading.condition.at_failure},
             {"measured", pair_of(reading.value, reading.covariance)},
             {"predicted", pair_of(misfit.predicted, misfit.predicted_covariance)},
             {"chi2", misfit.chi2.sum()}};
@@ -35,6 +36,14 @@ Json direct_json(const DirectMeasurement& direct) {
     Json json = {{"parameter", direct.parameter}, {"unit", direct.unit}};
     json.update(uncertain(direct.value, direct.standard_error));
     return json;
+}
+
+Json file_finding_json(const FileFinding& finding) {
+    return {{"file", finding.file},
+            {"kind", finding.kind},
+            {"lines", finding.lines},
+            {"what", finding.what},
+            {"done", finding.done}};
 }
 
 Json findings_json(const std::vector<RecordingFinding>& findings) {

@@ -7,6 +7,7 @@
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/compare.h"
 #include "calib/fit/cohesion_lines.h"
+#include "data/recordings/findings/file_finding.h"
 #include "data/recordings/findings/finding.h"
 #include "sim/catalogue/direct_measurement.h"
 
@@ -32,6 +33,9 @@ nlohmann::ordered_json direct_json(const DirectMeasurement& direct);
 /// Adds the judgement whether a fit can be believed to the JSON of the fit, as the keys
 /// `believable` and `reasons`.
 void add_belief(nlohmann::ordered_json& json, const Belief& belief);
+
+/// A finding on a file as an object: file, kind, lines, what is wrong, what was done.
+nlohmann::ordered_json file_finding_json(const FileFinding& finding);
 
 /// JSON array of the findings inside recordings, such as a wobble of the lid, with one object for
 /// each finding.

@@ -81,7 +81,7 @@ EffectModel::Truths EffectModel::truths_at(const Eigen::VectorXd& parameters,
                   .imposed = {}};
     for (const Condition& condition : conditions) {
         Condition imposed = condition;
-        InstrumentMap map(touching(truths.effects, condition.dry()));
+        InstrumentMap map(touching(truths.effects, condition));
         CellState state;
         if (!map.empty()) {
             state =
@@ -107,7 +107,7 @@ Eigen::VectorXd EffectModel::shown(const Truths& truths, const Eigen::VectorXd& 
         const auto at = 2 * static_cast<Eigen::Index>(k);
         Eigen::Vector2d reading = predicted.segment<2>(at);
         const Condition& imposed = truths.imposed[k];
-        for (const ActiveEffect& active : touching(truths.effects, truths.shown[k].dry())) {
+        for (const ActiveEffect& active : touching(truths.effects, truths.shown[k])) {
             if (const auto* change = std::get_if<ChangeFlow>(&active.effect->change)) {
                 const FlowPoint point = change->change(
                     {reading(0) / imposed.normal_stress, reading(1)}, imposed, active.by_name());

@@ -167,6 +167,12 @@ std::optional<double> Columns::value_if_any(const Row& row, std::string_view nam
     return number(row, *column);
 }
 
+std::optional<Columns::Conversion> Columns::conversion(std::string_view name) const {
+    const Column* const column = find(name, false);
+    if (!column) return std::nullopt;
+    return Conversion{column->index, column->factor, column->offset};
+}
+
 std::optional<double> Columns::deviation(const Row& row, std::string_view name) const {
     const Column* const column = find(name, true);
     if (!column || row.cells[column->index].text.empty()) return std::nullopt;

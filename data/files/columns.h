@@ -46,6 +46,13 @@ class Columns {
     /// or the cell is empty.
     /// @throws InputError at the cell if its text is not a finite number
     std::optional<double> value_if_any(const Row& row, std::string_view name) const;
+    /// Column that a quantity is read from: a number x in its cell `index`, from 0, is factor x +
+    /// offset in SI units; empty if the table lacks the column.
+    struct Conversion {
+        std::size_t index;
+        double factor, offset;
+    };
+    std::optional<Conversion> conversion(std::string_view name) const;
     /// Standard deviation of a quantity in a row, in SI units, from the column `name_sd`; empty if
     /// this column is missing or the cell is empty.
     /// @throws InputError at the cell if its text is not a positive number

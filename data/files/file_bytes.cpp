@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "data/files/file_parts.h"
 #include "data/input_error.h"
 
 namespace pendular {
@@ -87,6 +88,16 @@ std::string read_bytes(const fs::path& path, std::uintmax_t largest) {
     std::string bytes(static_cast<std::size_t>(size), '\0');
     bytes.resize(file.read_into(bytes.data(), bytes.size()));
     return bytes;
+}
+
+bool read_in_parts(const fs::path& path, std::uintmax_t largest,
+                   const std::function<bool(std::string_view)>& read) {
+    const OpenFile file(path);
+    if (file.size() > largest) return false;
+    std::string part(4 << 20, '\0');
+    while (const std::size_t got = file.read_into(part.data(), part.size()))
+        if (!read({part.data(), got})) return false;
+    return true;
 }
 
 bool is_within(const fs::path& file, const fs::path& folder) {

@@ -61,8 +61,10 @@ bool convert(std::string_view bytes, const char* encoding, std::string& utf8) {
     return U_SUCCESS(error);
 }
 
-DecodedText decoded(const std::string& bytes, const std::filesystem::path& path,
-                    const std::string& encoding) {
+}  // namespace
+
+DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& path,
+                         const std::string& encoding) {
     if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0"))
         throw InputError({path.string()},
                          "is a spreadsheet, not text; save it as CSV and name that file");
@@ -89,11 +91,9 @@ DecodedText decoded(const std::string& bytes, const std::filesystem::path& path,
     return result;
 }
 
-}  // namespace
-
 DecodedText decode_file(const std::filesystem::path& path, const std::string& encoding,
                         std::uintmax_t largest) {
-    return decoded(read_bytes(path, largest), path, encoding);
+    return decode_bytes(read_bytes(path, largest), path, encoding);
 }
 
 std::string read_text(const std::filesystem::path& path, std::uintmax_t largest) {

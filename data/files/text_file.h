@@ -38,6 +38,11 @@ struct DecodedText {
 DecodedText decode_file(const std::filesystem::path& path, const std::string& encoding = "",
                         std::uintmax_t largest = largest_table);
 
+/// Decodes bytes of a text file as `decode_file` does.
+/// @throws InputError if the bytes are not a text, or are not in `encoding`
+DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& path,
+                         const std::string& encoding = "");
+
 /// Lines of a text without line ends (LF, CRLF or CR, also mixed) and byte-order mark. The lines
 /// refer to the text.
 std::vector<std::string_view> split_lines(std::string_view text);

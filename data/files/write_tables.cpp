@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -27,56 +28,60 @@ std::string file_from(const std::filesystem::path& written, const std::string& f
     return csv_cell(std::filesystem::proximate(file, folder).string());
 }
 
-std::string reading_row(const Reading& reading, const std::filesystem::path& path) {
+std::string reading_row(const Reading& reading, const std::filesystem::path& path,
+                        bool with_failure) {
     const double stress_error = std::sqrt(reading.covariance(0, 0));
     const double fraction_error = std::sqrt(reading.covariance(1, 1));
     const double errors = stress_error * fraction_error;
-    const std::vector<std::string> cells = {
-        fmt::format("{}", reading.condition.normal_stress),
-        fmt::format("{}", reading.value(0)),
-        known(stress_error),
-        fmt::format("{}", reading.value(1)),
-        known(fraction_error),
-        known(errors > 0 ? reading.covariance(0, 1) / errors : 0),
-        known(reading.shear_rate),
-        fmt::format("{}", reading.condition.inertial_number),
-        fmt::format("{}", reading.condition.liquid_content),
-        known(reading.condition.height.value_or(0)),
-        known(reading.sampled_seconds),
-        fmt::format("{}", reading.replicates),
-        fmt::format("{}", reading.error_assumed ? 1 : 0),
-        file_from(path, reading.origin.file),
-        fmt::format("{}", reading.origin.line),
-        known(reading.step),
-        known(reading.condition.time),
-        known(reading.condition.bead_volume.value_or(0))};
+    std::vector<std::string> cells = {fmt::format("{}", reading.condition.normal_stress),
+                                      fmt::format("{}", reading.value(0)),
+                                      known(stress_error),
+                                      fmt::format("{}", reading.value(1)),
+                                      known(fraction_error),
+                                      known(errors > 0 ? reading.covariance(0, 1) / errors : 0),
+                                      known(reading.shear_rate),
+                                      fmt::format("{}", reading.condition.inertial_number),
+                                      fmt::format("{}", reading.condition.liquid_content),
+                                      known(reading.condition.height.value_or(0)),
+                                      known(reading.sampled_seconds),
+                                      fmt::format("{}", reading.replicates),
+                                      fmt::format("{}", reading.error_assumed ? 1 : 0),
+                                      file_from(path, reading.origin.file),
+                                      fmt::format("{}", reading.origin.line),
+                                      known(reading.step),
+                                      known(reading.condition.time),
+                                      known(reading.condition.bead_volume.value_or(0))};
+    if (with_failure) cells.emplace_back(reading.condition.at_failure ? "1" : "0");
     return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
 }  // namespace
 
 void write_readings(const std::filesystem::path& path, const Measurements& measurements) {
-    const std::vector<std::string> headers = {header("normal_stress"),
-                                              header("shear_stress"),
-                                              header("shear_stress", "_sd"),
-                                              header("solid_fraction"),
-                                              header("solid_fraction", "_sd"),
-                                              header("error_correlation"),
-                                              header("shear_rate"),
-                                              header("inertial_number"),
-                                              header("liquid_content"),
-                                              header("height"),
-                                              header("sampled_seconds"),
-                                              header("replicates"),
-                                              header("error_assumed"),
-                                              "file",
-                                              header("line"),
-                                              header("interval"),
-                                              header("time"),
-                                              header("bead_volume")};
+    std::vector<std::string> headers = {header("normal_stress"),
+                                        header("shear_stress"),
+                                        header("shear_stress", "_sd"),
+                                        header("solid_fraction"),
+                                        header("solid_fraction", "_sd"),
+                                        header("error_correlation"),
+                                        header("shear_rate"),
+                                        header("inertial_number"),
+                                        header("liquid_content"),
+                                        header("height"),
+                                        header("sampled_seconds"),
+                                        header("replicates"),
+                                        header("error_assumed"),
+                                        "file",
+                                        header("line"),
+                                        header("interval"),
+                                        header("time"),
+                                        header("bead_volume")};
+    const bool with_failure = std::ranges::any_of(
+        measurements.readings, [](const Reading& reading) { return reading.condition.at_failure; });
+    if (with_failure) headers.push_back(header("failure"));
     std::string text = fmt::format("{}\n", fmt::join(headers, ","));
     for (const Reading& reading : measurements.readings)
-        text += reading_row(reading, path);
+        text += reading_row(reading, path, with_failure);
     write_whole(path, text);
 }
 

@@ -75,6 +75,7 @@ const std::vector<Quantity>& table() {
          "duration of the steady part over which a reading was averaged"},
         {"replicates", "", "1", "readings of the same condition, this one included"},
         {"error_assumed", "", "1", "1 where an error was assumed rather than measured"},
+        {"failure", "", "1", "1 for a point of failure, a peak; 0 for steady shear"},
         {"line", "", "1", "line of the file from which a reading was made"},
         {"file", "", "", "file a reading was made from"}};
     return all;

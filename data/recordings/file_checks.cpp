@@ -8,9 +8,10 @@
 #include <limits>
 
 #include "data/quantities/number.h"
-#include "data/quantities/units.h"
 #include "data/recordings/interval_roles.h"
 #include "data/recordings/robust.h"
+#include "data/recordings/set_points.h"
+#include "data/recordings/stated_cell.h"
 
 namespace pendular {
 namespace {
@@ -257,56 +258,7 @@ void check_tests(const BlockFile& file, std::vector<FileFinding>& findings) {
     findings.push_back(std::move(finding));
 }
 
-/// Constant of the cell that a header states, in SI units; 0 if it states none.
-double header_constant(const BlockFile& file, const char* key, const char* unit) {
-    try {
-        // TRIOS writes a stress per torque as "Pa/N.m", which reads as (Pa/N) m elsewhere.
-        std::string text = file.fact(key);
-        if (const std::size_t at = text.find("Pa/N.m"); at != std::string::npos)
-            text.replace(at, 6, "Pa/(N m)");
-        return quantity_in_si(text, Unit(unit));
-    } catch (const std::invalid_argument&) {
-        return 0;
-    }
-}
-
-void check_header_constants(const BlockFile& file, const CellFromColumns& cell,
-                            std::vector<FileFinding>& findings) {
-    const std::array<std::tuple<const char*, const char*, double>, 2> constants = {
-        {{"Stress constant", "Pa/(N m)", cell.stress_per_torque},
-         {"Normal Stress Constant", "Pa/N", cell.stress_per_force}}};
-    for (const auto& [key, unit, found] : constants) {
-        const double stated = header_constant(file, key, unit);
-        if (stated == 0 || found == 0 || close(found, stated)) continue;
-        FileFinding finding;
-        finding.kind = "header-constant";
-        finding.what = fmt::format("the header states a {} of {} {}, the columns give {}.", key,
-                                   short_text(stated), unit, short_text(found));
-        finding.done = "The columns are used.";
-        findings.push_back(std::move(finding));
-    }
-}
-
 }  // namespace
-
-void add_line(std::vector<std::pair<int, int>>& lines, int line) {
-    if (!lines.empty() && lines.back().second + 1 == line)
-        lines.back().second = line;
-    else
-        lines.emplace_back(line, line);
-}
-
-std::string text_of_lines(const std::vector<std::pair<int, int>>& lines, std::size_t most) {
-    std::string text;
-    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) {
-        const auto& [first, last] = lines[i];
-        text +=
-            fmt::format("{}{}", text.empty() ? "" : ", ",
-                        first == last ? std::to_string(first) : fmt::format("{}-{}", first, last));
-    }
-    if (lines.size() > most) text += fmt::format(" and {} more ranges", lines.size() - most);
-    return text;
-}
 
 CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series) {
     CellFromColumns cell;
@@ -375,7 +327,12 @@ std::vector<FileFinding> check_file(const BlockFile& file,
     check_times(series, findings);
     check_repeated(file, findings);
     check_tests(file, findings);
-    if (tests.size() == 1) check_header_constants(file, cell, findings);
+    if (tests.size() == 1)
+        check_stated_cell(stated_cell(file), cell.stress_per_torque, cell.stress_per_force,
+                          findings);
+    check_set_points(file, findings);
+    for (FileFinding& finding : findings)
+        finding.file = file.file;
     return findings;
 }
 

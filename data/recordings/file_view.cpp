@@ -1,6 +1,7 @@
 #include "data/recordings/file_view.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "data/files/columns.h"
 
@@ -52,7 +53,8 @@ void split_by_interval(BlockFile& file) {
 
 }  // namespace
 
-FileView view_of_file(const std::filesystem::path& path, const FileFormat& format) {
+FileView view_of_file(const std::filesystem::path& path, const FileFormat& format,
+                      const std::optional<AnnularCell>& study_cell) {
     FileView view;
     view.file = read_blocks(path, format);
     split_by_interval(view.file);
@@ -61,6 +63,10 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     view.roles = roles_of(view.file, view.series, format);
     view.cell = cell_from_columns(view.series);
     view.findings = check_file(view.file, view.series, view.cell);
+    view.stated = stated_cell(view.file);
+    if (study_cell)
+        std::ranges::move(compare_with_study(view.file, *study_cell),
+                          std::back_inserter(view.findings));
     view.loci = yield_loci(view.file, view.series, view.roles);
     view.missing = missing_quantities(view.series);
     return view;

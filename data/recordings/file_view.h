@@ -7,6 +7,7 @@
 #include "data/files/formats/layouts.h"
 #include "data/recordings/file_checks.h"
 #include "data/recordings/interval_roles.h"
+#include "data/recordings/stated_cell.h"
 #include "data/recordings/yield_locus.h"
 
 namespace pendular {
@@ -17,6 +18,7 @@ struct FileView {
     std::vector<IntervalSeries> series;  ///< one for each block of the file
     std::vector<IntervalRole> roles;     ///< one for each block of the file
     CellFromColumns cell;
+    StatedCell stated;  ///< what the header states about the cell
     std::vector<FileFinding> findings;
     std::vector<YieldLocus> loci;
     /// Quantities that steady shear needs and no interval has: "height" for example.
@@ -24,7 +26,9 @@ struct FileView {
 };
 
 /// Reads a file of measurements and everything that it shows by itself.
+/// @param study_cell cell of a study beside the file, with which the header is compared
 /// @throws InputError as `read_blocks` and `series_of` do
-FileView view_of_file(const std::filesystem::path& path, const FileFormat& format = {});
+FileView view_of_file(const std::filesystem::path& path, const FileFormat& format = {},
+                      const std::optional<AnnularCell>& study_cell = std::nullopt);
 
 }  // namespace pendular

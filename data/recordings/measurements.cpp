@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "data/files/formats/layouts.h"
 #include "data/recordings/contradictions.h"
 #include "data/recordings/copies.h"
 #include "data/recordings/cut_files.h"
@@ -12,10 +13,13 @@
 #include "data/recordings/findings/saturation.h"
 #include "data/recordings/grain_weight.h"
 #include "data/recordings/plausibility.h"
+#include "data/recordings/quick_recording.h"
 #include "data/recordings/readings.h"
 #include "data/recordings/recording.h"
 #include "data/recordings/repair.h"
 #include "data/recordings/replicates.h"
+#include "data/recordings/set_points.h"
+#include "data/recordings/stated_cell.h"
 #include "data/recordings/steady_state.h"
 #include "data/study/study.h"
 
@@ -32,6 +36,7 @@ void append(Measurements& to, const Measurements& from) {
     append(to.excluded, from.excluded);
     append(to.doubts, from.doubts);
     append(to.findings, from.findings);
+    append(to.file_findings, from.file_findings);
     append(to.notes, from.notes);
 }
 
@@ -42,14 +47,30 @@ struct FilesBefore {
     InsideRecordings inside;
 };
 
+/// Reads a recording, and adds what its file says against study.toml and against its own set
+/// points.
+Recording read_checked(const std::filesystem::path& path, const FileFormat& format,
+                       const AnnularCell& cell, Measurements& result) {
+    if (auto recording = quick_recording(path, format)) return *std::move(recording);
+    const BlockFile file = read_blocks(path, format);
+    Recording recording = recording_of(file, format);
+    append(result.file_findings, compare_with_study(file, cell));
+    std::vector<FileFinding> missed;
+    check_set_points(file, missed);
+    for (FileFinding& finding : missed)
+        finding.file = file.file;
+    append(result.file_findings, missed);
+    return recording;
+}
+
 Measurements read_file(const std::filesystem::path& file, const Source& source, const Study& study,
                        FilesBefore& before) {
     if (source.kind == Source::Kind::readings) return read_points(file, source, study);
     AnnularCell cell = *study.cell;
     cell.bead_volume = source.bead_volume.value_or(cell.bead_volume);
-    Recording recording = read_recording(file, source.format);
-    fill_from_stresses(recording, cell);
     Measurements result;
+    Recording recording = read_checked(file, source.format, cell, result);
+    fill_from_stresses(recording, cell);
     append(result.excluded, recording.left_out);
     if (source.format.repair) repair_torques(recording, cell, result);
     before.rows.take_out_copies(recording, source, result);
@@ -130,6 +151,22 @@ std::optional<std::string> pendular_range_warning(double content) {
                      content, driest_pendular);
 }
 
+namespace {
+
+/// Note on readings that are points of failure, if there are any.
+std::optional<std::string> note_on_failure(const std::vector<Reading>& readings) {
+    const auto count = std::ranges::count_if(
+        readings, [](const Reading& reading) { return reading.condition.at_failure; });
+    if (count == 0) return std::nullopt;
+    return fmt::format(
+        "{} of {} readings are points of failure: peaks of the shear stress of a consolidated "
+        "bed, not steady shear. The model describes steady shear; the effect peak-strength is the "
+        "factor between the two.",
+        count, readings.size());
+}
+
+}  // namespace
+
 Measurements read_measurements(const Study& study) {
     Measurements all;
     FilesBefore before;
@@ -143,6 +180,7 @@ Measurements read_measurements(const Study& study) {
     append(all.notes, notes_on_cut_files(study, all));
     pool_replicates(all, study.scatter);
     if (const auto note = merging_note(all.readings)) all.notes.push_back(*note);
+    if (const auto note = note_on_failure(all.readings)) all.notes.push_back(*note);
     if (const auto note = grain_weight_note(study, all.readings)) all.notes.push_back(*note);
     return all;
 }

@@ -37,6 +37,7 @@ const std::vector<std::string_view> reading_columns = {"normal_stress",
                                                        "sampled_seconds",
                                                        "interval",
                                                        "replicates",
+                                                       "failure",
                                                        "file",
                                                        "line"};
 
@@ -162,12 +163,27 @@ void set_cell(const Points& points, const Row& row, Reading& reading) {
     }
 }
 
+/// Whether a row is a point of failure, as the entry of study.toml states.
+/// @throws InputError if the row states the contrary
+bool at_failure(const Points& points, const Row& row) {
+    const bool stated = points.source.at_failure;
+    const double value = points.columns.value_if_any(row, "failure").value_or(stated ? 1 : 0);
+    if ((value != 0) != stated)
+        throw InputError(points.columns.at(row, "failure"),
+                         stated ? "the row is steady shear, but the entry of study.toml has state "
+                                  "= \"failure\"; move it to a table of its own"
+                                : "the row is a point of failure; move these rows to a table of "
+                                  "their own, with state = \"failure\" in [[readings]]");
+    return stated;
+}
+
 Reading reading_of(const Points& points, const Row& row) {
     Reading reading;
     reading.origin = {points.table.file, row.line, 0};
     reading.step = static_cast<int>(points.columns.value_if_any(row, "interval").value_or(0));
     reading.condition.normal_stress = positive(points, row, "normal_stress");
     reading.condition.liquid_content = liquid_content(points, row);
+    reading.condition.at_failure = at_failure(points, row);
     set_rate(points, row, reading);
     set_stress(points, row, reading);
     set_solid_fraction(points, row, reading);

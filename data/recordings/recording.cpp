@@ -225,6 +225,8 @@ Recording steady_part(Recording recording, const FileFormat& format) {
     return recording;
 }
 
+}  // namespace
+
 Recording recording_of(const BlockFile& file, const FileFormat& format) {
     if (file.layout == "plain")
         return steady_part(recording_of_table(file.blocks.front().table), format);
@@ -269,8 +271,6 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
         leave_out(whole.left_out, file.file, rows.first_line, rows.last_line, rows.reason);
     return whole;
 }
-
-}  // namespace
 
 Recording read_recording(const std::filesystem::path& path, const FileFormat& format) {
     return recording_of(read_blocks(path, format), format);

@@ -53,6 +53,10 @@ struct Step {
 ///         an interval, or `read_blocks` fails
 Recording read_recording(const std::filesystem::path& path, const FileFormat& format = {});
 
+/// Makes a recording of the content of a file, as `read_recording` does.
+/// @throws InputError as `read_recording` does, once the file is read
+Recording recording_of(const BlockFile& file, const FileFormat& format);
+
 /// Computes torque [N m] and normal force [N] of a recording that has only the stresses, with the
 /// formulas by which the program converts them to stresses.
 void fill_from_stresses(Recording& recording, const AnnularCell& cell);

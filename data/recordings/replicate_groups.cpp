@@ -20,7 +20,7 @@ bool are_replicates(const Reading& a, const Reading& b) {
         a.condition.bead_volume && b.condition.bead_volume
             ? close(*a.condition.bead_volume, *b.condition.bead_volume)
             : a.condition.bead_volume.has_value() == b.condition.bead_volume.has_value();
-    return same_filling &&
+    return same_filling && a.condition.at_failure == b.condition.at_failure &&
            std::abs(a.condition.liquid_content - b.condition.liquid_content) <= rounding &&
            close(a.condition.normal_stress, b.condition.normal_stress) &&
            close(a.condition.inertial_number, b.condition.inertial_number);

@@ -53,6 +53,7 @@ void add_preshear(LinearYieldLocus& locus, const PreshearPoint& preshear) {
     const double root = std::max(half_b * half_b - a * c, 0.0);
     const double centre = (half_b - std::sqrt(root)) / a;
     const double radius = centre * sine + shift;
+    locus.preshear_centre = centre;
     locus.major_principal_stress = centre + radius;
     locus.effective_angle = std::asin(std::min(radius / centre, 1.0));
     locus.flowability = locus.unconfined_strength > 0
@@ -139,6 +140,12 @@ PreshearPoint preshear_point(const IntervalSeries& series) {
             squares += std::pow(series.shear_stress[i] - point.shear_stress, 2);
     point.shear_stress_deviation = std::sqrt(squares / static_cast<double>(rows));
     point.shear_stress = std::abs(point.shear_stress);
+    point.begin = begin;
+    const double before =
+        std::abs(mean_of(series.shear_stress, begin - std::min(rows, begin), begin));
+    constexpr double steady = 0.02;
+    point.plateau =
+        begin > 0 && std::abs(before - point.shear_stress) <= steady * point.shear_stress;
     return point;
 }
 
@@ -158,6 +165,8 @@ FailurePoint failure_point(const Block& block, const IntervalSeries& series) {
         if (!(mean > point.smoothed_shear_stress)) continue;
         point.smoothed_shear_stress = mean;
         point.smoothed_normal_stress = mean_of(series.normal_stress, begin, begin + window);
+        point.smoothed_begin = begin;
+        point.smoothed_end = begin + window;
     }
     return point;
 }

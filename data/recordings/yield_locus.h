@@ -16,6 +16,8 @@ struct FailurePoint {
     double shear_stress = 0;            ///< largest shear stress of a sample [Pa]
     double smoothed_normal_stress = 0;  ///< mean normal stress around the smoothed peak [Pa]
     double smoothed_shear_stress = 0;   ///< largest shear stress after smoothing [Pa]
+    /// Rows, from 0, that the smoothed peak averages: [smoothed_begin, smoothed_end).
+    std::size_t smoothed_begin = 0, smoothed_end = 0;
     /// Whether the largest shear stress is in the last 5 % of the rows, so that failure may not
     /// have been reached.
     bool at_end = false;
@@ -28,6 +30,10 @@ struct PreshearPoint {
     double shear_stress = 0;   ///< mean over the last tenth of the preshear's rows [Pa]
     /// Standard deviation of the shear stress over these rows [Pa].
     double shear_stress_deviation = 0;
+    std::size_t begin = 0;  ///< first of these rows, from 0
+    /// Whether the shear stress has reached a plateau: its mean over these rows differs by at most
+    /// 2 % from that over as many rows before them.
+    bool plateau = true;
 };
 
 /// Straight line through points of failure, with what follows from it.
@@ -37,6 +43,9 @@ struct LinearYieldLocus {
     double slope_angle = 0;          ///< angle of the fitted line [rad]
     double tensile_strength = 0;     ///< -cohesion/slope [Pa]; -infinity for a slope <= 0
     double unconfined_strength = 0;  ///< unconfined yield strength [Pa]
+    /// Centre of the Mohr circle of the preshear on the axis of normal stress [Pa]; empty without a
+    /// preshear.
+    std::optional<double> preshear_centre;
     /// Major principal stress of the preshear [Pa]; empty without a preshear.
     std::optional<double> major_principal_stress;
     std::optional<double> effective_angle;  ///< effective angle of internal friction [rad]

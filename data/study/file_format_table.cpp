@@ -8,6 +8,7 @@ FileFormat read_file_format(const StudyTable& entry) {
     FileFormat format;
     if (entry.has("layout")) format.layout = entry.choice("layout", layout_names());
     if (entry.has("decimal")) format.decimal = entry.choice("decimal", {".", ","});
+    format.sheet = entry.text("sheet").value_or("");
     format.encoding = entry.text("encoding").value_or("");
     format.columns = entry.words("columns", {});
     format.repair = entry.flag("repair").value_or(false);

@@ -23,10 +23,11 @@ const Keys grains_keys = {"diameter", "density", "youngs_modulus", "poisson_rati
 const Keys liquid_keys = {"surface_tension", "contact_angle", "viscosity"};
 const Keys cell_keys = {"inner_radius", "outer_radius", "bead_mass", "bead_volume",
                         "torque_formula"};
-const Keys readings_keys = {"file",        "liquid_content", "bead_mass",
-                            "bead_volume", "encoding",       "decimal"};
-const Keys recording_keys = {"file",   "liquid_content", "bead_mass", "bead_volume", "encoding",
-                             "layout", "decimal",        "columns",   "intervals",   "repair"};
+const Keys readings_keys = {"file",     "liquid_content", "bead_mass", "bead_volume",
+                            "encoding", "decimal",        "state",     "sheet"};
+const Keys recording_keys = {"file",      "liquid_content", "bead_mass", "bead_volume",
+                             "encoding",  "layout",         "decimal",   "columns",
+                             "intervals", "repair",         "sheet"};
 const Keys import_keys = {"keep_implausible", "least_strain"};
 const Keys model_keys = {"base", "calibrate", "fit_to", "effects", "bridge_force", "discrepancy"};
 
@@ -199,8 +200,10 @@ std::vector<Source> read_sources(const StudyTable& root, const Study& study) {
         sources.push_back(read_source(table, Source::Kind::recording, study, allow_outside));
         check_recording(sources.back(), study);
     }
-    for (const StudyTable& table : root.tables("readings", readings_keys))
+    for (const StudyTable& table : root.tables("readings", readings_keys)) {
         sources.push_back(read_source(table, Source::Kind::readings, study, allow_outside));
+        sources.back().at_failure = table.choice("state", {"steady", "failure"}) == "failure";
+    }
     if (sources.empty())
         throw InputError(root.position(),
                          "nothing was measured; add a [[recording]] or [[readings]] with its file");

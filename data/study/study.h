@@ -29,6 +29,8 @@ struct Source {
     std::optional<double> liquid_content;
     /// Solid volume of the grains in the cell [m^3], if the entry overrides the value in [cell].
     std::optional<double> bead_volume;
+    /// Whether the readings are points of failure: state = "failure" in the entry.
+    bool at_failure = false;
     FileFormat format = {};  ///< how the files are to be read, where the entry states it
     Position position;       ///< position of the entry in study.toml
 };

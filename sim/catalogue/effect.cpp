@@ -69,11 +69,24 @@ std::string to_string(const ActiveEffect& active) {
     return fmt::format("{} ({})", active.effect->name, text);
 }
 
-std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects, bool dry) {
+bool touches(const Effect& effect, const Condition& condition) {
+    switch (effect.touches) {
+        case Touches::dry:
+            return condition.dry();
+        case Touches::wet:
+            return !condition.dry();
+        case Touches::failure:
+            return condition.at_failure;
+        default:
+            return true;
+    }
+}
+
+std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects,
+                                   const Condition& condition) {
     std::vector<ActiveEffect> result;
     std::ranges::copy_if(effects, std::back_inserter(result), [&](const ActiveEffect& active) {
-        return active.effect->touches == Touches::all ||
-               (active.effect->touches == Touches::dry) == dry;
+        return touches(*active.effect, condition);
     });
     return result;
 }
@@ -81,7 +94,7 @@ std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects, boo
 EffectiveCondition changed_condition(EffectiveCondition condition,
                                      const std::vector<ActiveEffect>& effects,
                                      const std::optional<Liquid>& liquid) {
-    for (const ActiveEffect& active : touching(effects, condition.dry())) {
+    for (const ActiveEffect& active : touching(effects, condition)) {
         if (const auto* change = std::get_if<ChangeCondition>(&active.effect->change)) {
             if (!condition.dry() && !condition.liquid) condition.liquid = liquid;
             condition = change->change(std::move(condition), active.by_name());

@@ -56,9 +56,9 @@ struct ChangeFlow {
 using Change = std::variant<ChangeInstrument, ChangeCondition, dem::ChangePairs, dem::ChangeSample,
                             ChangeClosure, ChangeFlow>;
 
-/// Readings that an effect can change: all readings, or only readings of dry grains or of wet
-/// grains.
-enum class Touches { all, dry, wet };
+/// Readings that an effect can change: all readings, or only readings of dry grains, of wet grains,
+/// or at points of failure.
+enum class Touches { all, dry, wet, failure };
 
 /// A physical effect that may be missing from a model, with everything that the program knows about
 /// it. Each built-in effect is defined in one file of sim/effects and has the name of that file;
@@ -130,9 +130,12 @@ struct ActiveEffect {
 /// messages, as in "lid-slip (fraction 0.1)".
 std::string to_string(const ActiveEffect& active);
 
-/// Returns the effects among `effects` that change readings of dry grains if `dry`, else of wet
-/// grains.
-std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects, bool dry);
+/// Whether an effect can change readings at a condition.
+bool touches(const Effect& effect, const Condition& condition);
+
+/// Returns the effects among `effects` that can change readings at a condition.
+std::vector<ActiveEffect> touching(const std::vector<ActiveEffect>& effects,
+                                   const Condition& condition);
 
 /// Returns a condition as changed by effects. Effects of type ChangeCondition are applied to it,
 /// and effects on grains are added to its `grain_effects`, in SI units and sorted by name. Effects

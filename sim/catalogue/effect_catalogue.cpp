@@ -40,6 +40,13 @@ std::optional<std::string> why_no_such_reading(const Effect& effect, const Study
             "readings, or leave the effect out",
             effect.name);
     }
+    if (effect.touches == Touches::failure &&
+        std::ranges::none_of(study.sources, &Source::at_failure)) {
+        return fmt::format(
+            "{} acts on points of failure, but this study has none: write state = \"failure\" in "
+            "the entry [[readings]] of the peaks, or leave the effect out",
+            effect.name);
+    }
     return std::nullopt;
 }
 

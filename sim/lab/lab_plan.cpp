@@ -103,9 +103,8 @@ bool changes_nothing(const LabPlan& plan, const ActiveEffect& active) {
         return false;
     }
     return std::ranges::all_of(contents_of(plan), [&](double content) {
-        const bool touched = active.effect->touches == Touches::all ||
-                             (active.effect->touches == Touches::dry) == (content == 0);
         const Condition asked{.normal_stress = 1000, .liquid_content = content};
+        const bool touched = touches(*active.effect, asked);
         const auto run = [&](const std::vector<ActiveEffect>& effects) {
             const EffectiveCondition condition = changed_condition(asked, effects, plan.liquid);
             return run_description(run_at(plan, condition, 1e-3));
@@ -194,7 +193,7 @@ CellState truth_of(const LabPlan& plan, const Condition& asked, const FlowPoint&
 }
 
 InstrumentMap map_of(const LabPlan& plan, const Condition& asked) {
-    return InstrumentMap(touching(plan.effects, asked.dry()));
+    return InstrumentMap(touching(plan.effects, asked));
 }
 
 }  // namespace

@@ -64,6 +64,48 @@ TEST_F(DiagnoseCommand, NamesAnEffectThatTheStudyWrites) {
     EXPECT_THAT(run.errors, HasSubstr("lost-stress"));
 }
 
+/// Readings as emulated at friction 0.09, and points of failure with 1.2 times the shear stress.
+TEST_F(DiagnoseCommand, NamesThePeakStrengthOfPointsOfFailure) {
+    const std::string path = study(
+        "300,76.91,0.77,0.6189,0.0012,0.003\n"
+        "1000,253.82,2.56,0.6198,0.0012,0.003\n"
+        "3000,770.66,7.67,0.6203,0.0012,0.003\n"
+        "300,84.98,0.85,0.6138,0.0012,0.03\n"
+        "1000,286.67,2.84,0.6127,0.0012,0.03\n"
+        "3000,851.46,8.53,0.6141,0.0012,0.03\n");
+    folder_.write("failure.csv",
+                  "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction "
+                  "[1],solid_fraction_sd [1],inertial_number [1]\n"
+                  "300,92.29,0.92,0.61,0.1,0.003\n"
+                  "1000,304.58,3.05,0.61,0.1,0.003\n"
+                  "3000,924.79,9.25,0.61,0.1,0.003\n");
+    std::ofstream(folder_.path() / "study.toml", std::ios::app)
+        << "[[readings]]\nfile = \"failure.csv\"\nstate = \"failure\"\nliquid_content = 0.0\n";
+    const Outcome compared = run_pendular("import " + path + " --all");
+    EXPECT_THAT(compared.output, AllOf(HasSubstr("3 of 9 readings are points of failure"),
+                                       HasSubstr("failure.csv:2 (peak)")));
+    const Outcome run = run_pendular("diagnose " + path + " --quiet --json -");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto json = nlohmann::json::parse(run.output);
+    EXPECT_EQ(json.at("verdict"), "missing") << run.errors;
+    EXPECT_EQ(json.at("effects"), nlohmann::json({"peak-strength"})) << run.errors;
+    const Outcome added = run_pendular("add " + path + " peak-strength --quiet --json -");
+    ASSERT_EQ(added.code, 0) << added.errors;
+    const auto change = nlohmann::json::parse(added.output);
+    const auto fit = nlohmann::json::parse(content_of(folder_.path() / "out" / "fit.json"));
+    const auto& factor = fit.at("parameters").at("peak-strength.factor");
+    EXPECT_NEAR(factor.at("value").get<double>(), 1.2, 4 * factor.at("stderr").get<double>());
+    EXPECT_LT(factor.at("stderr").get<double>(), 0.05);
+    EXPECT_LT(change.at("after").at("chi2").get<double>(),
+              0.1 * change.at("before").at("chi2").get<double>());
+}
+
+TEST_F(DiagnoseCommand, OffersPeakStrengthOnlyForPointsOfFailure) {
+    const std::string path = study("300,76.91,0.77,0.6189,0.0012,0.003\n");
+    const Outcome run = run_pendular("effects peak-strength --study " + path);
+    EXPECT_THAT(run.output + run.errors, HasSubstr("state = \"failure\""));
+}
+
 TEST_F(DiagnoseCommand, SaysWhatCannotBeDiagnosed) {
     const std::string path = study(
         "300,79,0.8,0.5995,0.0012,0.003\n"

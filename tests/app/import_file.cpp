@@ -104,4 +104,31 @@ TEST(ImportFile, BeginsAStudyOfSteadyShearWithItsRecording) {
     EXPECT_EQ(run_pendular("import " + study).code, 0);
 }
 
+TEST(ImportFile, ComparesTheHeaderWithTheStudyBesideTheFile) {
+    const TemporaryFolder folder;
+    std::string rows =
+        "# Inner radius: 20 mm\n# Outer radius: 45 mm\n"
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity [rad/s]\n";
+    for (int i = 0; i < 400; ++i)
+        rows +=
+            std::to_string(0.1 * i) + "," + std::to_string(30 + (i * i) % 7 * 0.01) + ",5,2.1,1\n";
+    const auto file = folder.write("run.csv", rows);
+    const std::string study = (folder.path() / "begun").string();
+    const Outcome alone = run_pendular("import " + file.string() + " --study " + study);
+    EXPECT_EQ(alone.code, 0) << alone.errors;
+    EXPECT_THAT(alone.output, HasSubstr("Nothing was found."));
+    const std::string begun = content_of(study + "/study.toml");
+    EXPECT_THAT(begun, AllOf(HasSubstr("inner_radius = \"20 mm\"           # from line 1"),
+                             HasSubstr("outer_radius = \"45 mm\"           # from line 2")));
+    std::string other = begun;
+    other.replace(other.find("20 mm"), 5, "21 mm");
+    folder.write("begun/study.toml", other);
+    for (const std::string& named : {study, study + "/run.csv"}) {
+        const Outcome run = run_pendular("import " + named);
+        EXPECT_EQ(run.code, 0) << run.errors;
+        EXPECT_THAT(run.output, HasSubstr("ine 1: the header states Inner radius = 20 mm"));
+        EXPECT_THAT(run.output, HasSubstr("study.toml gives 21 mm"));
+    }
+}
+
 }  // namespace app_import_file_test

@@ -103,3 +103,25 @@ E
 attack "sizes: 300,000 different keys in a Rheoplus file" 2 "" <<'E'
 python3 -c 'print("Data Series Information"); [print(f"k{i}:\tv") for i in range(300000)]' >t.csv; run import t.csv
 E
+attack "workbooks: a sheet that unpacks to 600 MB" 2 "unpacks to more than 256 MB" <<'E'
+book 'b"<worksheet><sheetData>" + b" " * 600000000'; run import b.xlsx
+E
+attack "workbooks: 60 million empty cells" 2 "million tags" <<'E'
+book 'b"<worksheet><sheetData><row>" + b"<c/>" * 60000000 + b"</row></sheetData></worksheet>"'; run import b.xlsx
+E
+attack "workbooks: a cell in column ZZZZ of 1000 rows" 2 "cells" <<'E'
+book 'b"<worksheet><sheetData>" + b"".join(b"<row><c r=\"ZZZZ%d\"><v>1</v></c></row>" % (i + 1) for i in range(1000)) + b"</sheetData></worksheet>"'; run import b.xlsx
+E
+attack "workbooks: row 4 billion" 2 "at most 1048576 rows" <<'E'
+book 'b"<worksheet><sheetData><row r=\"4000000000\"><c><v>1</v></c></row></sheetData></worksheet>"'; run import b.xlsx
+E
+attack "workbooks: entities of entities" 2 "b.xlsx" <<'E'
+book 'b"<!DOCTYPE x [<!ENTITY a \"aaaaaaaaaa\">" + b"".join(b"<!ENTITY a%d \"%s\">" % (i, b"&a%d;" % (i - 1) * 10) for i in range(1, 10)) + b"<!ENTITY f SYSTEM \"file:///etc/passwd\">]><worksheet><sheetData><row><c t=\"inlineStr\"><is><t>Time [s]&f;&a9;</t></is></c></row><row><c><v>x</v></c></row></sheetData></worksheet>"'
+run import b.xlsx; ! grep -q root: ../out ../err || fail "a file was read"
+E
+attack "workbooks: 100,000 nested tags" 2 "b.xlsx" <<'E'
+book 'b"<worksheet>" + b"<a>" * 100000 + b"</a>" * 100000 + b"</worksheet>"'; run import b.xlsx
+E
+attack "workbooks: a cut archive" 2 "no workbook" <<'E'
+book 'b"<worksheet/>"'; truncate -s 300 b.xlsx; run import b.xlsx
+E

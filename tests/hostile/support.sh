@@ -62,3 +62,14 @@ own_effect() {
   printf '[[effect]]\nname = "own"\nparameter = "a"\nunit = "N m"\nlower = -1\nupper = 1\nsummary = "%s"\ntorque = "%s"\n' \
     "${2:-a torque}" "$1" >>s/study.toml
 }
+
+# book SHEET: the workbook b.xlsx, whose one sheet is this Python expression of bytes.
+book() {
+  python3 - "$1" <<'P'
+import sys, zipfile
+with zipfile.ZipFile("b.xlsx", "w", zipfile.ZIP_DEFLATED, compresslevel=1) as z:
+    z.writestr("xl/workbook.xml", '<workbook xmlns:r="r"><sheets><sheet name="A" r:id="r1"/></sheets></workbook>')
+    z.writestr("xl/_rels/workbook.xml.rels", '<Relationships><Relationship Id="r1" Target="worksheets/sheet1.xml"/></Relationships>')
+    z.writestr("xl/worksheets/sheet1.xml", eval(sys.argv[1]))
+P
+}

@@ -95,7 +95,7 @@ class ConditionEffects : public EveryEffect {
         return changed_condition(condition, {{&effect(), values}}, std::nullopt);
     }
     bool touches(const EffectiveCondition& condition) const {
-        return !touching({{&effect(), effect().neutral()}}, condition.dry()).empty();
+        return !touching({{&effect(), effect().neutral()}}, condition).empty();
     }
 };
 

@@ -55,6 +55,17 @@ inline std::vector<Condition> conditions() {
     return all;
 }
 
+/// The conditions of `conditions()`. Every other one is a point of failure where an effect acts on
+/// these alone.
+inline std::vector<Condition> conditions_for(const std::vector<const Effect*>& effects) {
+    std::vector<Condition> all = conditions();
+    const bool at_failure = std::ranges::any_of(
+        effects, [](const Effect* effect) { return effect->touches == Touches::failure; });
+    for (std::size_t k = 0; k < all.size(); k += 2)
+        all[k].at_failure = at_failure;
+    return all;
+}
+
 /// Models of a study with any effects, predicted by the emulator of all atlas runs.
 class Laboratory {
   public:
@@ -77,9 +88,10 @@ class Laboratory {
     EffectModel predictor(std::vector<const Effect*> effects) const {
         return {inside_, study_, std::move(effects)};
     }
-    /// Model with these effects of the readings at `conditions()`.
+    /// Model with these effects of the readings at `conditions_for(effects)`.
     ModelOfReadings with(std::vector<const Effect*> effects) const {
-        return {std::make_shared<EffectModel>(predictor(std::move(effects))), conditions()};
+        const auto at = conditions_for(effects);
+        return {std::make_shared<EffectModel>(predictor(std::move(effects))), at};
     }
 
   private:

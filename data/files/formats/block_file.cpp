@@ -27,16 +27,16 @@ bool marks_no_value(std::string_view text) {
 }  // namespace
 
 std::string BlockFile::fact(std::string_view key) const {
-    for (const auto& [name, value] : facts)
-        if (same_word(name, key)) return value;
+    for (const Fact& each : facts)
+        if (same_word(each.key, key)) return each.value;
     return "";
 }
 
-void BlockFile::add_fact(const std::string& key, const std::string& value) {
-    std::string word = key;
+void BlockFile::add_fact(Fact fact) {
+    std::string word = fact.key;
     for (char& c : word)
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (known_keys.insert(std::move(word)).second) facts.emplace_back(key, value);
+    if (known_keys.insert(std::move(word)).second) facts.push_back(std::move(fact));
 }
 
 Row SourceLines::row(std::size_t line, char delimiter) const {
@@ -128,7 +128,8 @@ void set_columns(BlockFile& file, Block& block, Row header, const std::vector<st
         const bool used = std::ranges::any_of(best, [&](const auto& each) {
             return each.first == meanings[i].quantity && each.second.column == i;
         });
-        BlockColumn column{names[i], unit, used ? std::string(meanings[i].quantity) : ""};
+        BlockColumn column{names[i], unit, used ? std::string(meanings[i].quantity) : "",
+                           std::string(set_point_of(names[i], unit))};
         // A text that names no quantity, so that the column is not read.
         const std::string other =
             names[i].empty() ? "" : fmt::format("{}, column {}", names[i], i + 1);

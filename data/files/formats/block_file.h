@@ -15,9 +15,16 @@ namespace pendular {
 
 /// Column of a block, as the file calls it.
 struct BlockColumn {
-    std::string name;      ///< "Contrainte de Cisaillement"
-    std::string unit;      ///< "Pa"; empty if the file states none
-    std::string quantity;  ///< name of the quantity that it is read as; empty: not used
+    std::string name;               ///< "Contrainte de Cisaillement"
+    std::string unit;               ///< "Pa"; empty if the file states none
+    std::string quantity;           ///< name of the quantity that it is read as; empty: not used
+    std::string set_point_of = {};  ///< name of the quantity whose set points it holds; empty: none
+};
+
+/// Key and value before the rows of a file, such as "Stress constant" and "79577.5 Pa/N.m".
+struct Fact {
+    std::string key, value;
+    int line = 0;  ///< line of the file, from 1
 };
 
 /// Stretch of a file under one header, such as an interval of a rheometer's test.
@@ -58,8 +65,7 @@ struct BlockFile {
     std::string encoding;  ///< name of the character encoding
     char delimiter = ',';
     NumberStyle numbers;
-    /// Keys and values before the rows, such as {"Stress constant", "79577.5 Pa/N.m"}.
-    std::vector<std::pair<std::string, std::string>> facts;
+    std::vector<Fact> facts;  ///< each key once
     std::vector<Block> blocks;
     std::vector<SkippedRows> skipped;
     FileCounts counts;                 ///< what was read so far
@@ -70,7 +76,7 @@ struct BlockFile {
     std::string fact(std::string_view key) const;
 
     /// Adds a fact unless its key is known, upper and lower case being equal.
-    void add_fact(const std::string& key, const std::string& value);
+    void add_fact(Fact fact);
 };
 
 /// Lines of a file that a layout reads. The lines refer to a text that the caller keeps.

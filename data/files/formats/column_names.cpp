@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/quantities/units.h"
 
@@ -86,6 +87,29 @@ ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
     const Quantity* const known = find_quantity(name);
     if (!known || known->unit.empty() || !unit_fits(unit, known->name)) return {};
     return {known->name, 100};
+}
+
+std::string_view set_point_of(std::string_view name, std::string_view unit) {
+    static const std::vector<std::string> marks = {
+        "set point", "setpoint", "set value",  "set",       "setting",  "target",
+        "demand",    "demanded", "commanded",  "requested", "sollwert", "soll",
+        "consigne",  "preset",   "prescribed", "imposed"};
+    const std::string text = compared(name);
+    const auto remainder = [&](const std::string& mark) -> std::string_view {
+        std::string_view rest = text;
+        for (const std::string& end : {" " + mark, "_" + mark, "(" + mark + ")", "[" + mark + "]"})
+            if (rest.ends_with(end)) return trimmed(rest.substr(0, rest.size() - end.size()));
+        for (const std::string& begin : {mark + " ", mark + "_"})
+            if (rest.starts_with(begin)) return trimmed(rest.substr(begin.size()));
+        return "";
+    };
+    for (const std::string& mark : marks) {
+        const std::string_view rest = remainder(mark);
+        if (rest.empty()) continue;
+        if (const ColumnMeaning meaning = meaning_of_column(rest, unit); !meaning.quantity.empty())
+            return meaning.quantity;
+    }
+    return "";
 }
 
 bool counts_points(std::string_view name) {

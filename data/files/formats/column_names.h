@@ -15,6 +15,10 @@ struct ColumnMeaning {
 /// `find_quantity` knows.
 ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit);
 
+/// Quantity whose set points a column holds, by its name and unit: "normal_force" for "Normal Force
+/// set" or "Normal Force (target) [N]"; empty for other columns.
+std::string_view set_point_of(std::string_view name, std::string_view unit);
+
 /// Whether a name is that of a column that counts the points of an interval, such as "Point No.".
 bool counts_points(std::string_view name);
 

@@ -12,6 +12,7 @@ struct FileFormat {
     std::string layout;    ///< name of the layout, as `layout_names` lists them
     std::string encoding;  ///< name of the character encoding, such as "UTF-8" or "windows-1252"
     std::string decimal;   ///< decimal mark: "." or ","
+    std::string sheet;     ///< name of the sheet of a workbook; empty: the first one
     /// Header cells `name [unit]` of all columns, for a file without a header or without units.
     std::vector<std::string> columns;
     /// Intervals by role: role ("failure"), then numbers or names of intervals ("4").

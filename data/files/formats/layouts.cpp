@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "data/files/text_file.h"
+#include "data/files/workbook.h"
 
 namespace pendular {
 namespace {
@@ -23,6 +24,18 @@ void unify_numbers(BlockFile& file, const FileFormat& format) {
     file.numbers = finder.style(format.decimal);
     for (Block& block : file.blocks)
         rewrite_numbers(block.table, file.numbers);
+}
+
+/// Text of a file, or of a sheet of a workbook.
+DecodedText text_of_file(const std::filesystem::path& path, const FileFormat& format) {
+    std::string bytes = read_bytes(path, largest_table);
+    if (is_archive(bytes))
+        return {sheet_text(bytes, path.string(), format.sheet), "UTF-8, of a sheet of a workbook"};
+    if (!format.sheet.empty())
+        throw InputError({path.string()},
+                         "is no workbook (.xlsx), so that 'sheet' cannot name a "
+                         "part of it; leave 'sheet' out");
+    return decode_bytes(bytes, path, format.encoding);
 }
 
 }  // namespace
@@ -50,7 +63,7 @@ const std::vector<std::string>& interval_roles() {
 }
 
 BlockFile read_blocks(const std::filesystem::path& path, const FileFormat& format) {
-    const DecodedText decoded = decode_file(path, format.encoding);
+    const DecodedText decoded = text_of_file(path, format);
     const SourceLines source{path.string(), split_lines(decoded.text)};
     BlockFile file;
     file.file = source.file;

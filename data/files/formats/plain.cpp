@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "data/files/formats/column_names.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/header_cell.h"
 #include "data/quantities/number.h"
@@ -39,6 +40,17 @@ void refuse_lists(const Table& table) {
         }
 }
 
+/// Reads facts such as "# Inner radius: 21 mm" before the header.
+void read_comments(const SourceLines& source, int header, BlockFile& file) {
+    for (int line = 1; line < header; ++line) {
+        std::string_view text = trimmed(source.lines[static_cast<std::size_t>(line) - 1]);
+        const std::size_t colon = text.find_first_of(":=");
+        if (!text.starts_with('#') || colon == std::string_view::npos) continue;
+        file.add_fact({std::string(trimmed(text.substr(1, colon - 1))),
+                       std::string(trimmed(text.substr(colon + 1))), line});
+    }
+}
+
 }  // namespace
 
 /// The program's own layout: one header of cells `name [unit]`, one row per sample.
@@ -51,9 +63,11 @@ Layout plain_layout() {
                 for (const Cell& cell : block.table.header.cells) {
                     const HeaderCell parts = parse_header_cell(cell.text);
                     const Quantity* const quantity = find_quantity(parts.name);
-                    block.columns.push_back(
-                        {parts.name, parts.unit, quantity ? std::string(quantity->name) : ""});
+                    block.columns.push_back({parts.name, parts.unit,
+                                             quantity ? std::string(quantity->name) : "",
+                                             std::string(set_point_of(parts.name, parts.unit))});
                 }
+                read_comments(source, block.table.header.line, file);
                 file.delimiter = block.table.delimiter;
                 file.blocks.push_back(std::move(block));
             }};

@@ -80,7 +80,7 @@ class RheoCompassReader {
                                          "test; leave out those that are not needed",
                                          most_facts));
         group_.emplace_back(key, cells[1]);
-        file_.add_fact(key, cells[1]);
+        file_.add_fact({key, cells[1], static_cast<int>(line_) + 1});
     }
 
     /// Name of the test: all facts but the first, which names the project. It is kept with every

@@ -57,7 +57,7 @@ class RheoplusReader {
         if (key == "Number of Data Points" || key == "Anzahl Messpunkte" ||
             key == "Nombre de points de mesure")
             if (const int rows = count_of(value)) declared_ = static_cast<std::size_t>(rows);
-        file_.add_fact(key, value);
+        file_.add_fact({key, value, static_cast<int>(line_)});
     }
 
     void read_block() {

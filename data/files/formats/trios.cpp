@@ -22,7 +22,7 @@ void read_trios_facts(const SourceLines& source, std::size_t end, BlockFile& fil
         // A value may contain the delimiter.
         for (std::size_t k = 2; k < row.cells.size(); ++k)
             value += file.delimiter + row.cells[k].text;
-        file.facts.emplace_back(row.cells[0].text, value);
+        file.add_fact({row.cells[0].text, value, row.line});
     }
 }
 
@@ -36,7 +36,9 @@ std::size_t read_trios_step(const SourceLines& source, std::size_t line, BlockFi
         throw InputError({source.file, static_cast<int>(line)},
                          "names and units of the columns must follow '[step]'; the file was cut "
                          "off: export it again");
-    block.name = std::string(source.lines[line]);
+    std::string_view name = source.lines[line];  // a sheet of a workbook has empty cells behind it
+    name = name.substr(0, name.find_last_not_of(" \t;,") + 1);
+    block.name = std::string(name);
     const Row header = source.row(line + 1, file.delimiter);
     std::vector<std::string> names, units;
     for (const Cell& cell : header.cells)

@@ -1,0 +1,190 @@
+#include "data/recordings/quick_recording.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "data/files/columns.h"
+#include "data/files/file_parts.h"
+#include "data/files/formats/column_names.h"
+#include "data/files/formats/layouts.h"
+#include "data/files/text_file.h"
+#include "data/quantities/number.h"
+
+namespace pendular {
+namespace {
+
+/// Column of the file that a column of the recording is read from.
+struct ReadColumn {
+    std::vector<double> Recording::*member;
+    std::string_view name;
+    Columns::Conversion from;
+};
+
+bool states_nothing(const FileFormat& format) {
+    return (format.layout.empty() || format.layout == "plain") && format.encoding.empty() &&
+           (format.decimal.empty() || format.decimal == ".") && format.sheet.empty() &&
+           format.columns.empty() && format.roles.empty() && !format.repair;
+}
+
+/// Reads the rows of one file. Every function returns false where the file needs the general
+/// reader.
+class QuickReader {
+  public:
+    QuickReader(const std::filesystem::path& path, const FileFormat& format) : format_(format) {
+        recording_.file = path.string();
+    }
+
+    /// Reads the whole lines of a part of the file and keeps what follows the last line end.
+    bool read_part(std::string_view part) {
+        std::string_view text = part;
+        if (!rest_.empty()) {
+            rest_ += part;
+            text = rest_;
+        }
+        if (line_ == 0) {
+            if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+            if (!begin(text)) return false;
+        }
+        std::size_t from = 0;
+        for (std::size_t end = text.find('\n', from); end != std::string_view::npos;
+             end = text.find('\n', from)) {
+            if (!read_line(text.substr(from, end - from))) return false;
+            from = end + 1;
+        }
+        rest_ = std::string(text.substr(from));
+        return rest_.size() < longest_line;
+    }
+
+    bool finish() {
+        const std::string last = std::exchange(rest_, "");
+        return (last.empty() || read_line(last)) && recording_.size() > 1;
+    }
+
+    Recording take() { return std::move(recording_); }
+
+  private:
+    static constexpr std::size_t longest_line = 1 << 20;
+
+    /// Takes the columns from the header, once the first lines show a plain table.
+    bool begin(std::string_view text) {
+        std::vector<std::string_view> lines = split_lines(text.substr(0, text.rfind('\n') + 1));
+        if (lines.size() > 1000) lines.resize(1000);
+        if (lines.size() < 2 || lines[0].starts_with('#')) return false;
+        const SourceLines source{recording_.file, lines};
+        if (format_.layout.empty())
+            for (const Layout& layout : layouts())
+                if (layout.recognise(source) && layout.name != "plain") return false;
+        try {
+            const Table table = table_of(recording_.file, {lines[0], lines[1]});
+            cells_ = table.header.cells.size();
+            delimiter_ = table.delimiter;
+            return begin_columns(table, Columns(table));
+        } catch (const InputError&) {
+            return false;
+        }
+    }
+
+    bool begin_columns(const Table& table, const Columns& columns) {
+        for (const Cell& cell : table.header.cells) {
+            const HeaderCell parts = parse_header_cell(cell.text);
+            if (!set_point_of(parts.name, parts.unit).empty()) return false;
+        }
+        const std::vector<std::pair<std::vector<double> Recording::*, std::string_view>> all = {
+            {&Recording::time, "time"},
+            {&Recording::torque, "torque"},
+            {&Recording::normal_force, "normal_force"},
+            {&Recording::height, "height"},
+            {&Recording::angular_velocity, "angular_velocity"},
+            {&Recording::interval, "interval"},
+            {&Recording::shear_stress, "shear_stress"},
+            {&Recording::normal_stress, "normal_stress"},
+            {&Recording::shear_rate, "shear_rate"}};
+        std::vector<std::string_view> names;
+        for (const auto& [member, name] : all) {
+            names.push_back(name);
+            if (const auto from = columns.conversion(name))
+                columns_.push_back({member, name, *from});
+        }
+        recording_.unused_columns = columns.others(names);
+        numbers_.resize(cells_);
+        const bool shear = columns.has("torque") || columns.has("shear_stress");
+        const bool normal = columns.has("normal_force") || columns.has("normal_stress");
+        return shear && normal && columns.has("time") && columns.has("height") &&
+               columns.has("angular_velocity");
+    }
+
+    bool read_line(std::string_view line) {
+        ++line_;
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (line_ == 1) return true;  // the header
+        if (line.empty()) return true;
+        return split(line) && add_row();
+    }
+
+    bool split(std::string_view line) {
+        const char *at = line.data(), *const end = at + line.size();
+        for (std::size_t i = 0; i < cells_; ++i) {
+            while (at < end && *at == ' ')
+                ++at;
+            const auto [after, error] = std::from_chars(at, end, numbers_[i]);
+            if (error != std::errc() || !std::isfinite(numbers_[i])) return false;
+            at = after;
+            while (at < end && *at == ' ')
+                ++at;
+            const bool last = i + 1 == cells_;
+            if (last != (at == end) || (!last && *at != delimiter_)) return false;
+            ++at;
+        }
+        return true;
+    }
+
+    bool add_row() {
+        const std::size_t row = recording_.line.size();
+        if (row * columns_.size() > most_quick_numbers) return false;
+        recording_.line.push_back(line_);
+        for (const ReadColumn& column : columns_) {
+            const double value =
+                column.from.factor * numbers_[column.from.index] + column.from.offset;
+            if (!(std::abs(value) <= largest_magnitude)) return false;
+            (recording_.*column.member).push_back(value);
+        }
+        return is_valid(row);
+    }
+
+    bool is_valid(std::size_t row) const {
+        const auto& [time, interval] = std::tie(recording_.time, recording_.interval);
+        if (recording_.height[row] <= 0) return false;
+        if (!interval.empty() && interval[row] != std::floor(interval[row])) return false;
+        if (row == 0 || time[row] >= time[row - 1]) return true;
+        return !interval.empty() && interval[row] != interval[row - 1];
+    }
+
+    const FileFormat& format_;
+    Recording recording_;
+    std::string rest_;  ///< begin of a line whose end is in the next part
+    int line_ = 0;
+    char delimiter_ = ',';
+    std::size_t cells_ = 0;
+    std::vector<ReadColumn> columns_;
+    std::vector<double> numbers_;  ///< of the present row
+};
+
+}  // namespace
+
+std::optional<Recording> quick_recording(const std::filesystem::path& path,
+                                         const FileFormat& format) {
+    if (!states_nothing(format)) return std::nullopt;
+    QuickReader reader(path, format);
+    const bool all = read_in_parts(path, largest_quick_recording,
+                                   [&](std::string_view part) { return reader.read_part(part); });
+    if (!all || !reader.finish()) return std::nullopt;
+    return reader.take();
+}
+
+}  // namespace pendular

@@ -1,0 +1,274 @@
+#include "reports/recording_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "reports/figure_style.h"
+#include "reports/figure_text.h"
+#include "reports/layout.h"
+
+namespace pendular {
+namespace {
+
+const std::string reached_colour = "#2f8f4e", missed_colour = "#c8502d", circle_colour = "#5b9bd5";
+
+std::string name_of(const FileView& view) {
+    return std::filesystem::path(view.file.file).stem().string();
+}
+
+/// Name of a figure: letters, digits and underscores of a text.
+std::string figure_name(const std::string& prefix, const std::string& text) {
+    std::string name = prefix;
+    for (const char c : text)
+        name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    return name;
+}
+
+/// Rows of a file that are averaged, by their numbers from 1, and whether a plateau was reached.
+struct Window {
+    std::size_t begin = 0, end = 0;
+    bool reached = true;
+};
+
+/// A quantity of all intervals of a file against the number of the row.
+class Course {
+  public:
+    Course(const FileView& view, bool shear) {
+        for (const IntervalSeries& series : view.series) {
+            const std::vector<double>& column = shear ? series.shear() : series.normal();
+            is_stress_ =
+                is_stress_ || !(shear ? series.shear_stress : series.normal_stress).empty();
+            for (std::size_t i = 0; i < series.size(); ++i) {
+                const double value = i < column.size() ? column[i] : std::nan("");
+                values_.push_back(shear ? std::abs(value) : value);
+            }
+        }
+    }
+
+    bool is_stress() const { return is_stress_; }
+
+    /// All known values; of many rows only every n-th, so that a figure stays small.
+    Curve curve() const {
+        constexpr std::size_t most_points = 20'000;
+        const std::size_t step = values_.size() / most_points + 1;
+        Curve curve{.label = "recorded", .style = Curve::Style::line, .colour = measured_colour};
+        for (std::size_t i = 0; i < values_.size(); i += step)
+            if (std::isfinite(values_[i])) add(curve, i, values_[i]);
+        curve.weight = 0.5;
+        return curve;
+    }
+
+    /// The mean over a window, as a line from its begin to its end.
+    Curve mean(const Window& window, bool first) const {
+        double sum = 0;
+        std::size_t count = 0;
+        for (std::size_t i = window.begin; i < std::min(window.end, values_.size()); ++i)
+            if (std::isfinite(values_[i])) sum += values_[i], ++count;
+        Curve curve{.label = window.reached ? "averaged" : "averaged, no plateau",
+                    .style = Curve::Style::line,
+                    .colour = window.reached ? reached_colour : missed_colour,
+                    .weight = 3,
+                    .in_key = first};
+        if (count == 0) return curve;
+        for (const std::size_t i : {window.begin, window.end - 1})
+            add(curve, i, sum / static_cast<double>(count));
+        return curve;
+    }
+
+  private:
+    static void add(Curve& curve, std::size_t row, double value) {
+        curve.x.push_back(static_cast<double>(row + 1));
+        curve.y.push_back(value);
+    }
+
+    std::vector<double> values_;
+    bool is_stress_ = false;
+};
+
+/// Windows of preshears and points of failure.
+std::vector<Window> windows_of_roles(const FileView& view) {
+    std::vector<Window> windows;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < view.series.size(); ++i) {
+        const IntervalSeries& series = view.series[i];
+        const bool stresses = !series.shear_stress.empty() && !series.normal_stress.empty();
+        if (stresses && view.roles[i].role == "preshear") {
+            const PreshearPoint point = preshear_point(series);
+            windows.push_back({first + point.begin, first + series.size(), point.plateau});
+        }
+        first += series.size();
+    }
+    for (const YieldLocus& locus : view.loci)
+        for (const FailurePoint& point : locus.points) {
+            first = 0;
+            for (const IntervalSeries& series : view.series) {
+                const bool own = !series.line.empty() && series.line.front() <= point.line &&
+                                 point.line <= series.line.back();
+                if (own && point.smoothed_end > 0)
+                    windows.push_back(
+                        {first + point.smoothed_begin, first + point.smoothed_end, !point.at_end});
+                first += series.size();
+            }
+        }
+    return windows;
+}
+
+/// Windows of the readings of a study, and of the steps that made none.
+std::vector<Window> windows_of_study(const FileView& view, const std::vector<Reading>& readings,
+                                     const std::vector<Excluded>& excluded) {
+    std::vector<int> lines;
+    for (const IntervalSeries& series : view.series)
+        lines.insert(lines.end(), series.line.begin(), series.line.end());
+    const auto row_of = [&](int line) {
+        return static_cast<std::size_t>(std::ranges::lower_bound(lines, line) - lines.begin());
+    };
+    std::vector<Window> windows;
+    for (const Reading& reading : readings)
+        if (reading.origin.file == view.file.file && reading.last_line >= reading.origin.line)
+            windows.push_back({row_of(reading.origin.line), row_of(reading.last_line + 1), true});
+    for (const Excluded& rows : excluded)
+        if (rows.origin.file == view.file.file && !rows.reason.starts_with("transient") &&
+            rows.last_line > rows.origin.line)
+            windows.push_back({row_of(rows.origin.line), row_of(rows.last_line + 1), false});
+    return windows;
+}
+
+Panel course_panel(const FileView& view, const std::vector<Window>& windows, bool shear) {
+    const Course course(view, shear);
+    const char* const label =
+        shear ? (course.is_stress() ? "shear stress [Pa]" : "torque [N m]")
+              : (course.is_stress() ? "normal stress [Pa]" : "normal force [N]");
+    Panel panel{.x_label = "row of the recording", .y_label = label, .curves = {course.curve()}};
+    bool first[2] = {true, true};
+    for (const Window& window : windows) {
+        panel.curves.push_back(course.mean(window, first[window.reached]));
+        first[window.reached] = false;
+    }
+    std::erase_if(panel.curves, [](const Curve& curve) { return curve.x.empty(); });
+    panel.key = Key::outside;
+    return panel;
+}
+
+/// Upper half of a Mohr circle [Pa].
+Curve half_circle(const std::string& label, double centre, double radius) {
+    Curve curve{.label = label, .style = Curve::Style::line, .colour = circle_colour};
+    constexpr int parts = 90;
+    for (int k = 0; k <= parts; ++k) {
+        const double angle = std::numbers::pi * k / parts;
+        curve.x.push_back(centre - radius * std::cos(angle));
+        curve.y.push_back(radius * std::sin(angle));
+    }
+    return curve;
+}
+
+/// Largest normal stress [Pa] that the figure of a yield locus shows.
+double greatest_stress(const YieldLocus& locus) {
+    double greatest = 0;
+    for (const FailurePoint& point : locus.points)
+        greatest = std::max({greatest, point.normal_stress, point.shear_stress});
+    if (locus.preshear) greatest = std::max(greatest, locus.preshear->normal_stress);
+    return std::max({greatest, locus.line->major_principal_stress.value_or(0),
+                     locus.line->unconfined_strength});
+}
+
+Panel locus_panel(const YieldLocus& locus) {
+    const LinearYieldLocus& line = *locus.line;
+    Curve failures{.label = "points of failure", .colour = measured_colour};
+    Curve at_end{.label = "failure perhaps not reached",
+                 .colour = missed_colour,
+                 .symbol = {Shape::circle, Filling::hollow}};
+    for (const FailurePoint& point : locus.points) {
+        Curve& curve = point.at_end ? at_end : failures;
+        curve.x.push_back(point.normal_stress);
+        curve.y.push_back(point.shear_stress);
+    }
+    const double greatest = greatest_stress(locus);
+    const auto on_line = [&](double stress) {
+        return line.intercept + std::tan(line.slope_angle) * stress;
+    };
+    Curve fitted{.label = "yield locus", .style = Curve::Style::line, .colour = calibrated_colour};
+    fitted.x = {0, greatest};
+    fitted.y = {on_line(0), on_line(greatest)};
+    Panel panel{
+        .x_label = "normal stress [Pa]", .y_label = "shear stress [Pa]", .curves = {fitted}};
+    if (line.unconfined_strength > 0)
+        panel.curves.push_back(half_circle("Mohr circle of strength", line.unconfined_strength / 2,
+                                           line.unconfined_strength / 2));
+    if (line.preshear_centre) {
+        panel.curves.push_back(half_circle("Mohr circle of preshear", *line.preshear_centre,
+                                           *line.major_principal_stress - *line.preshear_centre));
+        panel.curves.back().style = Curve::Style::dashed_line;
+    }
+    if (locus.preshear) {
+        panel.curves.push_back({.label = "preshear",
+                                .colour = reached_colour,
+                                .symbol = {Shape::square, Filling::filled}});
+        panel.curves.back().x = {locus.preshear->normal_stress};
+        panel.curves.back().y = {locus.preshear->shear_stress};
+    }
+    for (Curve* const curve : {&failures, &at_end})
+        if (!curve->x.empty()) panel.curves.push_back(*curve);
+    panel.key = Key::outside;
+    return panel;
+}
+
+/// Sets ranges with which one pascal is as long on both axes.
+void set_equal_scales(Figure& figure, double greatest) {
+    Panel& panel = figure.panels.front();
+    panel.x_range = {{0, 1.05 * greatest}};
+    const PanelPlace place = page_of(figure).panels.front();
+    const double aspect = (place.top - place.bottom) / (place.right - place.left);
+    panel.y_range = {{0, aspect * panel.x_range->second}};
+}
+
+std::string locus_title(const YieldLocus& locus) {
+    const LinearYieldLocus& line = *locus.line;
+    std::string title = fmt::format(
+        "cohesion {:.4g} Pa, slope {:.3g}°, unconfined strength {:.4g} Pa", line.cohesion,
+        line.slope_angle * 180 / std::numbers::pi, line.unconfined_strength);
+    if (line.flowability)
+        title += fmt::format(", major principal stress {:.4g} Pa: {}", *line.major_principal_stress,
+                             line.flow_class);
+    return title;
+}
+
+}  // namespace
+
+Figure recording_figure(const FileView& view, const std::vector<Reading>& readings,
+                        const std::vector<Excluded>& excluded) {
+    std::vector<Window> windows = windows_of_roles(view);
+    if (!readings.empty() || !excluded.empty())
+        windows = windows_of_study(view, readings, excluded);
+    Figure figure{.name = figure_name("recording_", name_of(view)),
+                  .title = plain_text(name_of(view)),
+                  .panels = {course_panel(view, windows, true), course_panel(view, windows, false)},
+                  .stacked = true};
+    std::erase_if(figure.panels, [](const Panel& panel) { return panel.curves.empty(); });
+    return figure;
+}
+
+std::vector<Figure> yield_locus_figures(const FileView& view) {
+    std::vector<Figure> figures;
+    for (const YieldLocus& locus : view.loci) {
+        if (!locus.line) continue;
+        Figure figure{.name = fmt::format("yield_locus_{}", figures.size() + 1),
+                      .title = locus_title(locus),
+                      .panels = {locus_panel(locus)}};
+        set_equal_scales(figure, greatest_stress(locus));
+        figures.push_back(std::move(figure));
+    }
+    return figures;
+}
+
+std::vector<Figure> file_figures(const FileView& view) {
+    std::vector<Figure> figures = {recording_figure(view)};
+    if (figures.front().panels.empty()) figures.clear();
+    std::ranges::move(yield_locus_figures(view), std::back_inserter(figures));
+    return figures;
+}
+
+}  // namespace pendular

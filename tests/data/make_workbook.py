@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Writes a workbook (.xlsx) whose sheets hold the rows of CSV files.
+
+    make_workbook.py OUT.xlsx NAME=FILE.csv...
+
+Numbers are stored as numbers. Every other text is shared, every other one in its cell, as different
+programs write them. Rows without cells are left out.
+"""
+import csv
+import sys
+import zipfile
+from xml.sax.saxutils import escape, quoteattr
+
+
+def letters(column):
+    text = ""
+    column += 1
+    while column:
+        column, rest = divmod(column - 1, 26)
+        text = chr(65 + rest) + text
+    return text
+
+
+def cell(text, row, column, shared):
+    place = f'r="{letters(column)}{row}"'
+    try:
+        float(text)
+        return f"<c {place}><v>{text}</v></c>"
+    except ValueError:
+        pass
+    if (row + column) % 2:
+        shared.append(text)
+        return f'<c {place} t="s"><v>{len(shared) - 1}</v></c>'
+    return f'<c {place} t="inlineStr"><is><t>{escape(text)}</t></is></c>'
+
+
+def sheet(rows, shared):
+    text = ""
+    for number, row in enumerate(rows, 1):
+        cells = "".join(cell(each, number, k, shared) for k, each in enumerate(row) if each)
+        if cells:
+            text += f'<row r="{number}">{cells}</row>\n'
+    return f'<?xml version="1.0"?><worksheet xmlns="x"><sheetData>{text}</sheetData></worksheet>'
+
+
+def main():
+    shared, parts, names, links = [], {}, "", ""
+    for number, argument in enumerate(sys.argv[2:], 1):
+        name, path = argument.split("=", 1)
+        text = open(path, encoding="utf-8").read()
+        delimiter = max("\t;,", key=text.count)
+        parts[f"xl/worksheets/sheet{number}.xml"] = sheet(csv.reader(text.splitlines(), delimiter=delimiter), shared)
+        names += f'<sheet name={quoteattr(name)} sheetId="{number}" r:id="rId{number}"/>'
+        links += f'<Relationship Id="rId{number}" Type="t" Target="worksheets/sheet{number}.xml"/>'
+    parts["xl/workbook.xml"] = f'<workbook xmlns="x" xmlns:r="r"><sheets>{names}</sheets></workbook>'
+    parts["xl/_rels/workbook.xml.rels"] = f'<Relationships xmlns="x">{links}</Relationships>'
+    strings = "".join(f"<si><r><t>{escape(each[:2])}</t></r><r><t>{escape(each[2:])}</t></r></si>" for each in shared)
+    parts["xl/sharedStrings.xml"] = f'<sst xmlns="x">{strings}</sst>'
+    with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in parts.items():
+            archive.writestr(name, content)
+
+
+main()

@@ -1,0 +1,102 @@
+// The quick reader of plain recordings reads what the general reader reads.
+#include "data/recordings/quick_recording.h"
+
+#include <fmt/format.h>
+
+#include <random>
+
+#include "data/files/formats/layouts.h"
+#include "tests/support/data_support.h"
+
+namespace pendular::data_quick_recording_test {
+
+using testing::HasSubstr;
+
+class QuickRecording : public testing::Test {
+  protected:
+    std::optional<Recording> quick(const std::string& text, const FileFormat& format = {}) {
+        file_ = folder_.write("t.csv", text);
+        return quick_recording(file_, format);
+    }
+    TemporaryFolder folder_;
+    std::filesystem::path file_;
+};
+
+const std::string header = "Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [rpm]";
+
+std::string rows(int count, const std::string& more = "") {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text += fmt::format("{},{:.6g},{},{:.5e},0.5{}\n", 0.1 * i, 30 + normal(random),
+                            5 + 0.01 * normal(random), 4 + 0.001 * normal(random), more);
+    return text;
+}
+
+void expect_same(const Recording& a, const Recording& b) {
+    EXPECT_EQ(a.file, b.file);
+    EXPECT_EQ(a.line, b.line);
+    EXPECT_EQ(a.unused_columns, b.unused_columns);
+    for (auto member :
+         {&Recording::time, &Recording::torque, &Recording::normal_force, &Recording::height,
+          &Recording::angular_velocity, &Recording::interval, &Recording::shear_stress,
+          &Recording::normal_stress, &Recording::shear_rate})
+        EXPECT_EQ(a.*member, b.*member);  // bit for bit
+}
+
+TEST_F(QuickRecording, EqualsTheGeneralReaderBitForBit) {
+    // The first has more than a part of the file that is read at a time (4 MB).
+    const std::vector<std::string> files = {
+        header + "\n" + rows(120'000),
+        "\xEF\xBB\xBF" + header + ",Shear stress [kPa],Interval,Room [1]\n" + rows(50, ",1.5,3,7"),
+        header + "\r\n1, 2 ,3,4,5\r\n\r\n2,2,3,4,5\r\n3,-2.5e-1,3,4,5",
+        "Speed [rpm];Gap [um];Normal stress [Pa];Shear stress [Pa];Time "
+        "[min]\n1;2;3;4;5\n1;2;3;4;6\n"};
+    for (const std::string& text : files) {
+        const auto recording = quick(text);
+        ASSERT_TRUE(recording) << text.substr(0, 200);
+        expect_same(*recording, recording_of(read_blocks(file_), {}));
+        expect_same(*recording, read_recording(file_));
+    }
+}
+
+TEST_F(QuickRecording, LeavesOtherFilesToTheGeneralReader) {
+    const std::string begin = header + "\n" + rows(3);
+    const std::vector<std::string> others = {
+        begin + "0.3,1e20,5,4,1\n",
+        begin + "0.3,,5,4,1\n",
+        begin + "0.3,30,5,4\n",
+        begin + "0.3,30,5,4,1,2\n",
+        begin + "0.3,x,5,4,1\n",
+        begin + "0.3,nan,5,4,1\n",
+        begin + "0.05,30,5,4,1\n",
+        begin + "0.3,30,5,-4,1\n",
+        begin + "# a comment\n",
+        begin + "0.3,\"30\",5,4,1\n",
+        begin + "\"0.3\",30,5,4,1\n",
+        "# Ri: 21 mm\n" + begin,
+        "Time [s];Torque [mN m];Normal force [N];Gap [mm];Speed "
+        "[rpm]\n1;2,5;3;4;5\n2;2,5;3;4;5\n",
+        "Time [s],Torque [mN m],Torque set [mN m],Normal force [N],Gap [mm],Speed [rpm]\n"
+        "1,2,2,3,4,5\n2,2,2,3,4,5\n",
+        "Time [s],Torque [mN m]\n1,2\n2,3\n",
+        header + "\n",
+        std::string()};
+    for (const std::string& text : others)
+        EXPECT_FALSE(quick(text)) << text;
+    FileFormat format;
+    format.encoding = "windows-1252";
+    EXPECT_FALSE(quick(begin, format));
+    EXPECT_TRUE(quick(begin));
+    for (const char* const name : {"trios.csv", "unit_row.csv", "headerless.csv", "rspace.csv"})
+        EXPECT_FALSE(quick_recording(
+            std::filesystem::path(PENDULAR_SOURCE_DIR) / "tests/data/formats" / name, {}));
+}
+
+TEST_F(QuickRecording, LeavesErrorsToTheGeneralReader) {
+    EXPECT_FALSE(quick(header + "\n" + rows(3) + "0.3,1,2,x,4\n"));
+    EXPECT_THAT(input_error([&] { read_recording(file_); }), HasSubstr(":5:9: column 'Gap [mm]'"));
+}
+
+}  // namespace pendular::data_quick_recording_test

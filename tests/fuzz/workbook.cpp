@@ -1,0 +1,17 @@
+// Workbooks (.xlsx): the sheet, and its rows as a recording.
+#include "data/files/workbook.h"
+
+#include "data/recordings/recording.h"
+#include "tests/fuzz/support.h"
+
+using namespace pendular;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string bytes(fuzz::text_of(data, size));
+    fuzz::refuse_or([&] {
+        const std::string text = sheet_text(bytes, "book.xlsx", "");
+        fuzz::demand(text.empty() || text.ends_with('\n'));
+        read_recording(fuzz::file_of("book.xlsx", bytes));
+    });
+    return 0;
+}

@@ -1,0 +1,103 @@
+// Figures of a recording and of yield loci.
+#include "reports/recording_figures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reports/layout.h"
+#include "tests/support/data_support.h"
+
+namespace pendular::reports_recording_figures_test {
+
+const std::string cell_file = PENDULAR_SOURCE_DIR "/tests/data/formats/powder_cell_all.txt";
+
+const Curve& curve_named(const Panel& panel, const std::string& label) {
+    const auto found = std::ranges::find(panel.curves, label, &Curve::label);
+    if (found == panel.curves.end()) throw std::runtime_error("no curve " + label);
+    return *found;
+}
+
+std::size_t count_named(const Panel& panel, const std::string& label) {
+    return static_cast<std::size_t>(std::ranges::count(panel.curves, label, &Curve::label));
+}
+
+/// Distance of the centre of a half circle of a figure from the fitted line, over its radius.
+double distance_from(const Curve& circle, const Curve& line) {
+    const double centre = (circle.x.front() + circle.x.back()) / 2;
+    const double radius = (circle.x.back() - circle.x.front()) / 2;
+    const double slope = (line.y[1] - line.y[0]) / (line.x[1] - line.x[0]);
+    return (line.y[0] + slope * centre) / std::hypot(1, slope) / radius;
+}
+
+TEST(YieldLocusFigures, DrawTangentMohrCirclesOnEqualScales) {
+    const FileView view = view_of_file(cell_file);
+    const std::vector<Figure> figures = yield_locus_figures(view);
+    ASSERT_EQ(figures.size(), 1u);
+    const Panel& panel = figures[0].panels[0];
+    EXPECT_EQ(curve_named(panel, "points of failure").x.size(), view.loci[0].points.size());
+    EXPECT_EQ(curve_named(panel, "preshear").x.size(), 1u);
+    const Curve& line = curve_named(panel, "yield locus");
+    for (const char* const name : {"Mohr circle of preshear", "Mohr circle of strength"})
+        EXPECT_NEAR(distance_from(curve_named(panel, name), line), 1, 1e-9) << name;
+    // The circle of the unconfined strength begins where the smaller principal stress is 0.
+    EXPECT_NEAR(curve_named(panel, "Mohr circle of strength").x.front(), 0, 1e-9);
+    // The preshear is on its circle.
+    const Curve& circle = curve_named(panel, "Mohr circle of preshear");
+    const double centre = (circle.x.front() + circle.x.back()) / 2;
+    const Curve& preshear = curve_named(panel, "preshear");
+    EXPECT_NEAR(std::hypot(preshear.x[0] - centre, preshear.y[0]),
+                (circle.x.back() - circle.x.front()) / 2, 1e-6 * centre);
+    const PanelPlace place = page_of(figures[0]).panels[0];
+    EXPECT_NEAR((place.x.second - place.x.first) / (place.right - place.left),
+                (place.y.second - place.y.first) / (place.top - place.bottom),
+                0.01 * (place.x.second - place.x.first) / (place.right - place.left));
+}
+
+TEST(RecordingFigure, ShowsWhatIsAveraged) {
+    const FileView view = view_of_file(cell_file);
+    const Figure figure = recording_figure(view);
+    ASSERT_EQ(figure.panels.size(), 2u);
+    const auto preshears = std::ranges::count_if(
+        view.roles, [](const IntervalRole& role) { return role.role == "preshear"; });
+    const std::size_t windows = count_named(figure.panels[0], "averaged") +
+                                count_named(figure.panels[0], "averaged, no plateau");
+    EXPECT_EQ(windows, view.loci[0].points.size() + static_cast<std::size_t>(preshears));
+}
+
+TEST(RecordingFigure, TellsAPlateauFromNone) {
+    const TemporaryFolder folder;
+    const auto file = [&](double rise) {
+        std::string text = "Point No.,Normal Stress,Shear Stress\n,[Pa],[Pa]\n";
+        for (const double normal : {3000.0, 1000.0})
+            for (int i = 1; i <= 100; ++i)
+                text += std::to_string(i) + "," + std::to_string(normal) + "," +
+                        std::to_string(0.3 * normal * (i < 50 ? 0.02 * i : 1 + rise * (i - 50))) +
+                        "\n";
+        return folder.write("test.csv", text);
+    };
+    const FileView steady = view_of_file(file(0)), rising = view_of_file(file(0.004));
+    ASSERT_EQ(steady.roles[0].role, "preshear");
+    EXPECT_TRUE(preshear_point(steady.series[0]).plateau);
+    EXPECT_FALSE(preshear_point(rising.series[0]).plateau);
+    EXPECT_EQ(count_named(recording_figure(steady).panels[0], "averaged, no plateau"), 0u);
+    // The preshear and the failure, whose peak is at its last row.
+    EXPECT_EQ(count_named(recording_figure(rising).panels[0], "averaged, no plateau"), 2u);
+}
+
+TEST(RecordingFigure, ShowsTheRowsOfReadings) {
+    const FileView view = view_of_file(cell_file);
+    Reading reading;
+    reading.origin = {view.file.file, view.series[0].line[4], 0};
+    reading.last_line = view.series[0].line[13];
+    const Figure figure = recording_figure(view, {reading});
+    const Curve& window = curve_named(figure.panels[0], "averaged");
+    EXPECT_THAT(window.x, testing::ElementsAre(5, 14));
+    double mean = 0;
+    for (std::size_t i = 4; i < 14; ++i)
+        mean += std::abs(view.series[0].shear_stress[i]) / 10;
+    EXPECT_NEAR(window.y[0], mean, 1e-9);
+}
+
+}  // namespace pendular::reports_recording_figures_test
