@@ -115,7 +115,7 @@ E
 attack "workbooks: row 4 billion" 2 "at most 1048576 rows" <<'E'
 book 'b"<worksheet><sheetData><row r=\"4000000000\"><c><v>1</v></c></row></sheetData></worksheet>"'; run import b.xlsx
 E
-attack "workbooks: entities of entities" 2 "b.xlsx" <<'E'
+attack "workbooks: entities of entities" 0 "&f;&a9;" <<'E'
 book 'b"<!DOCTYPE x [<!ENTITY a \"aaaaaaaaaa\">" + b"".join(b"<!ENTITY a%d \"%s\">" % (i, b"&a%d;" % (i - 1) * 10) for i in range(1, 10)) + b"<!ENTITY f SYSTEM \"file:///etc/passwd\">]><worksheet><sheetData><row><c t=\"inlineStr\"><is><t>Time [s]&f;&a9;</t></is></c></row><row><c><v>x</v></c></row></sheetData></worksheet>"'
 run import b.xlsx; ! grep -q root: ../out ../err || fail "a file was read"
 E
