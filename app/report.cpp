@@ -92,8 +92,9 @@ int report(const std::vector<std::string>& arguments) {
     const SwitchedModels& fits = content.switched;
     console.answer(verdict_line(d.diagnosis, *d.models, content.checks));
     console.line(fmt::format("Page: {}", file.string()));
-    console.line(fmt::format("It has {} switches ({} fitted models) and {} readings.",
-                             fits.switches.size(), fits.models.size(), d.readings.size()));
+    console.line(fmt::format("It has {} switch{} ({} fitted models) and {} readings.",
+                             fits.switches.size(), fits.switches.size() == 1 ? "" : "es",
+                             fits.models.size(), d.readings.size()));
     console.json({{"page", file.string()},
                   {"verdict", to_string(d.diagnosis.verdict)},
                   {"switches", fits.switches},

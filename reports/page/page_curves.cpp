@@ -68,21 +68,38 @@ void add_curve(PageSeries& series, const PagePanel& panel, const std::vector<Rea
     }
 }
 
-/// Panel of some readings with a series for each value of `apart` in each of `groups`.
+/// Divides groups into steady readings and points of failure.
+std::vector<std::vector<std::size_t>> divided_by_state(
+    const std::vector<Reading>& readings, const std::vector<std::vector<std::size_t>>& groups) {
+    std::vector<std::vector<std::size_t>> result;
+    for (std::vector<std::size_t> group : groups) {
+        const auto peaks = std::ranges::stable_partition(
+            group, [&](std::size_t k) { return !readings[k].condition.at_failure; });
+        const std::vector<std::size_t> failures(peaks.begin(), peaks.end());
+        group.erase(peaks.begin(), peaks.end());
+        if (!group.empty()) result.push_back(group);
+        if (!failures.empty()) result.push_back(failures);
+    }
+    return result;
+}
+
+/// Panel of some readings with a series for each of `groups`, and apart for points of failure.
 PagePanel panel_of(const std::vector<Reading>& readings,
                    const std::vector<std::vector<std::size_t>>& groups, PagePanel panel,
                    const Coordinate& along, const OfCondition& x_of,
                    const std::function<std::string(const Condition&)>& label) {
     panel.x.assign(readings.size(), std::numeric_limits<double>::quiet_NaN());
-    for (std::vector<std::size_t> members : groups) {
+    for (std::vector<std::size_t> members : divided_by_state(readings, groups)) {
         for (const std::size_t k : members) {
             panel.x[k] = x_of(readings[k].condition);
         }
         std::ranges::stable_sort(members, {}, [&](std::size_t k) { return panel.x[k]; });
-        PageSeries series{.label = label(readings[members.front()].condition),
-                          .members = members,
-                          .x = {},
-                          .along = {}};
+        const Condition& condition = readings[members.front()].condition;
+        PageSeries series{
+            .label = label(condition) + (condition.at_failure ? ", points of failure" : ""),
+            .members = members,
+            .x = {},
+            .along = {}};
         if (panel.series.size() < most_curves) add_curve(series, panel, readings, along, x_of);
         panel.series.push_back(std::move(series));
     }

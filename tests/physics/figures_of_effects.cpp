@@ -90,6 +90,9 @@ Study study_of(const Case& one) {
     study.sources = {{.liquid_content = 0.0}, {.liquid_content = 0.03}};
     for (const std::string& effect : one.effects) {
         study.model.effects.push_back({effect, {}});
+        const auto built_in = std::ranges::find(built_in_effects(), effect, &Effect::name);
+        study.sources.front().at_failure |=
+            built_in != built_in_effects().end() && built_in->touches == Touches::failure;
     }
     if (!one.written.empty()) {
         study.written_effects =
@@ -117,6 +120,9 @@ struct Planted {
         for (const Condition& condition : conditions_of_files(study)) {
             c.readings.push_back({.origin = {condition.time > 3600 ? "two.csv" : "one.csv", 1},
                                   .condition = condition});
+            // With points of failure, they are the second file.
+            c.readings.back().condition.at_failure =
+                study.sources.front().at_failure && condition.time > 3600;
             if (one.normal_stress > 0 && condition.dry()) {
                 c.readings.back().condition.inertial_number = 0;
                 c.readings.back().condition.normal_stress = one.normal_stress;
