@@ -68,7 +68,7 @@ int reproduce(const std::vector<std::string>& arguments) {
     }
     const Reproduction reproduction(common->fidelity, store.get());
     console.answer(verdict_of(reproduction));
-    console.table(scoreboard_table(reproduction.rows(), common->all), 30);
+    console.table(scoreboard_table(reproduction.rows(), common->all), 40);
     if (const std::size_t missing = reproduction.study().missing().size(); missing > 0) {
         console.note(fmt::format(
             "No run simulates {} of the {} states of the paper's grid; 'pendular reproduce "
