@@ -53,19 +53,25 @@ std::vector<std::string> file_findings_lines(const std::vector<FileFinding>& fin
     return lines;
 }
 
-/// A figure of each recording of a study, with the rows that its readings average.
-std::vector<Figure> figures_of_recordings(const StudyInput& input) {
+/// A figure of each recording of a study, with the rows that its readings average. A recording that
+/// is too long to be drawn makes a note instead.
+std::vector<Figure> figures_of_recordings(const StudyInput& input, Console& console) {
     std::vector<Figure> figures;
     for (const Source& source : input.study.study().sources) {
         if (source.kind != Source::Kind::recording) continue;
         for (const std::filesystem::path& path : source.files) {
-            Figure figure =
-                recording_figure(view_of_file(path, source.format, input.study.study().cell),
-                                 input.measurements.readings, input.measurements.excluded);
-            const auto same = std::ranges::count_if(
-                figures, [&](const Figure& other) { return other.name.starts_with(figure.name); });
-            if (same > 0) figure.name += fmt::format("_{}", same + 1);
-            figures.push_back(std::move(figure));
+            try {
+                Figure figure =
+                    recording_figure(view_of_file(path, source.format, input.study.study().cell),
+                                     input.measurements.readings, input.measurements.excluded);
+                const std::string name = figure.name;
+                for (int k = 2;
+                     std::ranges::find(figures, figure.name, &Figure::name) != figures.end(); ++k)
+                    figure.name = fmt::format("{}_{}", name, k);
+                figures.push_back(std::move(figure));
+            } catch (const InputError& error) {
+                console.note(fmt::format("There is no figure of this recording: {}", error.what()));
+            }
         }
     }
     return figures;
@@ -126,7 +132,8 @@ int import(const std::vector<std::string>& arguments) {
     }
     console.next(fmt::format("pendular calibrate {}", common->study.string()));
     console.json(to_json(measurements));
-    if (!file.figures.empty()) draw_all(figures_of_recordings(input), file.figures, console);
+    if (!file.figures.empty())
+        draw_all(figures_of_recordings(input, console), file.figures, console);
     return done;
 }
 

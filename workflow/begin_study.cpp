@@ -172,6 +172,29 @@ std::string format_text(const FileFormat& format) {
     return text;
 }
 
+/// Name of an interval in `intervals` of study.toml: its number, its name or, where these mean
+/// other intervals too, the name of its test.
+/// @throws InputError where no name tells the intervals of different roles apart
+std::string name_in_study(const FileView& view, std::size_t i) {
+    const auto alone = [&](const auto& is_meant) {
+        for (std::size_t k = 0; k < view.roles.size(); ++k) {
+            if (is_meant(view.file.blocks[k]) && view.roles[k].role != view.roles[i].role)
+                return false;
+        }
+        return true;
+    };
+    const Block& block = view.file.blocks[i];
+    if (block.number > 0 && alone([&](const Block& b) { return b.number == block.number; }))
+        return std::to_string(block.number);
+    if (!block.name.empty() && alone([&](const Block& b) { return b.name == block.name; }))
+        return block.name;
+    if (!block.test.empty() && alone([&](const Block& b) { return b.test == block.test; }))
+        return block.test;
+    throw InputError({view.file.file},
+                     "holds several tests whose intervals have the same numbers and other roles; "
+                     "export each test to a file of its own");
+}
+
 /// Line that gives the intervals of other roles than steady to these, so that only steady shear is
 /// read from the recording; empty if there are none.
 std::string roles_text(const FileView& view) {
@@ -180,8 +203,9 @@ std::string roles_text(const FileView& view) {
         const Block& block = view.file.blocks[i];
         const std::string& role = view.roles[i].role;
         if (role == "steady" || (block.number == 0 && block.name.empty())) continue;
-        intervals[role].push_back(
-            toml_string(block.number > 0 ? std::to_string(block.number) : block.name));
+        const std::string name = toml_string(name_in_study(view, i));
+        if (std::ranges::find(intervals[role], name) == intervals[role].end())
+            intervals[role].push_back(name);
     }
     std::vector<std::string> roles;
     for (const auto& [role, names] : intervals)

@@ -5,8 +5,11 @@
 #include <zip.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <pugixml.hpp>
+#include <regex>
 #include <vector>
 
 #include "data/files/csv.h"
@@ -100,14 +103,42 @@ pugi::xml_node child(const pugi::xml_node& node, std::string_view name) {
     return {};
 }
 
-/// Part with the sheet of a name, or with the first sheet.
+/// Parts of a workbook that a part names: by identifier, and by the last word of their kinds, such
+/// as "officeDocument" or "sharedStrings".
+struct Relations {
+    std::map<std::string, std::string> by_identifier, by_kind;
+};
+
+/// Relations of a part, "" for the archive as a whole. Names of parts have no leading slash.
+Relations relations_of(Archive& archive, const std::filesystem::path& part) {
+    const std::filesystem::path folder = part.parent_path();
+    const std::string name = (folder / "_rels" / (part.filename().string() + ".rels")).string();
+    std::string content = archive.part(name);
+    Relations relations;
+    if (content.empty()) return relations;
+    pugi::xml_document document;
+    parse(archive, name, content, document);
+    for (const pugi::xml_node& each : document.document_element().children()) {
+        const std::string target = each.attribute("Target").value(),
+                          kind = each.attribute("Type").value();
+        const std::filesystem::path whole =
+            target.starts_with('/') ? std::filesystem::path(target.substr(1)) : folder / target;
+        const std::string named = whole.lexically_normal().string();
+        relations.by_identifier[each.attribute("Id").value()] = named;
+        relations.by_kind[kind.substr(kind.rfind('/') + 1)] = named;
+    }
+    return relations;
+}
+
+/// Part with the sheet of a name, or with the first sheet, of the workbook in part `book`.
 /// @throws InputError if there is none, naming the sheets
-std::string part_of_sheet(Archive& archive, const std::string& file, const std::string& wanted) {
+std::string part_of_sheet(Archive& archive, const std::string& book, const Relations& relations,
+                          const std::string& file, const std::string& wanted) {
     std::string identifier;
     std::vector<std::string> names;
-    pugi::xml_document workbook, relations;
-    std::string content = archive.part("xl/workbook.xml");
-    parse(archive, "xl/workbook.xml", content, workbook);
+    pugi::xml_document workbook;
+    std::string content = archive.part(book);
+    parse(archive, book, content, workbook);
     for (const pugi::xml_node& each : child(workbook.document_element(), "sheets").children()) {
         if (local_name(each.name()) != "sheet") continue;
         names.emplace_back(each.attribute("name").value());
@@ -116,18 +147,13 @@ std::string part_of_sheet(Archive& archive, const std::string& file, const std::
             if (std::string_view(attribute.name()).ends_with(":id")) identifier = attribute.value();
     }
     if (identifier.empty()) {
-        if (names.size() > 20) names.resize(20);
         throw InputError({file}, fmt::format("has no sheet \"{}\"; it has \"{}\"", wanted,
                                              fmt::join(names, "\", \"")));
     }
-    std::string links = archive.part("xl/_rels/workbook.xml.rels");
-    parse(archive, "xl/_rels/workbook.xml.rels", links, relations);
-    for (const pugi::xml_node& each : relations.document_element().children()) {
-        if (identifier != each.attribute("Id").value()) continue;
-        const std::string target = each.attribute("Target").value();
-        return target.starts_with('/') ? target.substr(1) : "xl/" + target;
-    }
-    archive.refuse("it does not say which part holds the sheet");
+    const auto found = relations.by_identifier.find(identifier);
+    if (found == relations.by_identifier.end())
+        archive.refuse("it does not say which part holds the sheet");
+    return found->second;
 }
 
 /// Text of a node `si` or `is`: of its child `t`, or of the runs `r`, without phonetic guides.
@@ -141,12 +167,13 @@ std::string text_of_item(const pugi::xml_node& item) {
     return text;
 }
 
-std::vector<std::string> shared_strings(Archive& archive) {
+std::vector<std::string> shared_strings(Archive& archive, const Relations& relations) {
     std::vector<std::string> strings;
-    std::string content = archive.part("xl/sharedStrings.xml");
-    if (content.empty()) return strings;
+    const auto found = relations.by_kind.find("sharedStrings");
+    if (found == relations.by_kind.end()) return strings;
+    std::string content = archive.part(found->second);
     pugi::xml_document document;
-    parse(archive, "xl/sharedStrings.xml", content, document);
+    parse(archive, found->second, content, document);
     for (const pugi::xml_node& item : document.document_element().children())
         if (local_name(item.name()) == "si") strings.push_back(text_of_item(item));
     return strings;
@@ -162,6 +189,24 @@ std::size_t column_of(std::string_view reference, std::size_t next) {
     return column == 0 ? next : column - 1;
 }
 
+/// Text with the escapes of ASCII characters, such as "_x000D_" for a carriage return, replaced.
+std::string unescaped(const std::string& text) {
+    static const std::regex escape("_x00([0-7][0-9A-Fa-f])_");
+    std::string result;
+    auto from = text.begin();
+    for (std::sregex_iterator each(text.begin(), text.end(), escape), end; each != end; ++each) {
+        result.append(from, text.begin() + each->position());
+        result += static_cast<char>(std::stoi((*each)[1].str(), nullptr, 16));
+        from = text.begin() + each->position() + each->length();
+    }
+    return result.append(from, text.end());
+}
+
+/// Whether a node is a cell with a value; blank cells may have a style alone.
+bool has_value(const pugi::xml_node& node) {
+    return local_name(node.name()) == "c" && (child(node, "v") || child(node, "is"));
+}
+
 /// Text of a cell, without tabs and line ends.
 std::string text_of_cell(const pugi::xml_node& cell, const std::vector<std::string>& shared) {
     const std::string_view type = cell.attribute("t").value();
@@ -172,10 +217,13 @@ std::string text_of_cell(const pugi::xml_node& cell, const std::vector<std::stri
         const bool known = index && *index >= 0 && *index < static_cast<double>(shared.size());
         text = known ? shared[static_cast<std::size_t>(*index)] : "";
     }
+    if (type == "e") text.clear();  // an error such as #DIV/0! is no value
+    text = unescaped(text);
     for (char& c : text)
         if (c == '\t' || c == '\n' || c == '\r') c = ' ';
     text = trimmed(text);
-    return csv_cell(text);  // other delimiters and quotes within a cell are no delimiters
+    const std::string cell_text = csv_cell(text);  // delimiters and quotes within are none
+    return cell_text.starts_with('#') ? '"' + cell_text + '"' : cell_text;  // no comment
 }
 
 /// Writes the rows of a sheet as lines.
@@ -214,11 +262,13 @@ class SheetWriter {
     }
 
     std::size_t width_of(const pugi::xml_node& row) const {
-        std::size_t next = 0;
-        for (const pugi::xml_node& cell : row.children())
-            if (local_name(cell.name()) == "c")
-                next = column_of(cell.attribute("r").value(), next) + 1;
-        return next;
+        std::size_t next = 0, width = 0;
+        for (const pugi::xml_node& cell : row.children()) {
+            if (local_name(cell.name()) != "c") continue;
+            next = column_of(cell.attribute("r").value(), next) + 1;
+            if (has_value(cell)) width = next;
+        }
+        return width;
     }
 
     void add_line(std::string_view line) {
@@ -228,18 +278,20 @@ class SheetWriter {
     }
 
     void add_row(const pugi::xml_node& row, std::size_t width) {
-        std::size_t next = 0;
+        std::size_t next = 0, written = 0;  // columns
         for (const pugi::xml_node& cell : row.children()) {
             if (local_name(cell.name()) != "c") continue;
             const std::size_t column = column_of(cell.attribute("r").value(), next);
             if (column < next)
                 throw InputError({file_, static_cast<int>(lines_) + 1},
                                  "the cells of this row are not in order; save the workbook anew");
-            text_.append(column - next + (next > 0 ? 1 : 0), '\t');
-            text_ += text_of_cell(cell, shared_);
             next = column + 1;
+            if (!has_value(cell)) continue;
+            text_.append(column - written + (written > 0 ? 1 : 0), '\t');
+            text_ += text_of_cell(cell, shared_);
+            written = next;
         }
-        text_.append(width - next, '\t');
+        text_.append(width - written, '\t');
         add_line("");
     }
 
@@ -258,8 +310,12 @@ bool is_archive(std::string_view bytes) {
 std::string sheet_text(const std::string& bytes, const std::string& file,
                        const std::string& sheet) {
     Archive archive(bytes, file);
-    const std::string part = part_of_sheet(archive, file, sheet);
-    const std::vector<std::string> shared = shared_strings(archive);
+    const auto books = relations_of(archive, "").by_kind;
+    const auto book = books.find("officeDocument");
+    const std::string name = book == books.end() ? "xl/workbook.xml" : book->second;
+    const Relations relations = relations_of(archive, name);
+    const std::string part = part_of_sheet(archive, name, relations, file, sheet);
+    const std::vector<std::string> shared = shared_strings(archive, relations);
     std::string content = archive.part(part);
     pugi::xml_document document;
     parse(archive, part, content, document);

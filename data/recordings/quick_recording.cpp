@@ -13,6 +13,7 @@
 #include "data/files/file_parts.h"
 #include "data/files/formats/column_names.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/printable.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"
 
@@ -76,6 +77,7 @@ class QuickReader {
         std::vector<std::string_view> lines = split_lines(text.substr(0, text.rfind('\n') + 1));
         if (lines.size() > 1000) lines.resize(1000);
         if (lines.size() < 2 || lines[0].starts_with('#')) return false;
+        if (printable(lines[0]) != lines[0]) return false;  // perhaps of another encoding
         const SourceLines source{recording_.file, lines};
         if (format_.layout.empty())
             for (const Layout& layout : layouts())

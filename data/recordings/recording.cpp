@@ -262,8 +262,8 @@ Recording recording_of(const BlockFile& file, const FileFormat& format) {
                          "; steady shear needs time, torque or shear stress, normal force or "
                          "normal stress, gap, and the lid's speed in one interval. 'pendular "
                          "import FILE' shows what the file has");
-    if ((whole.torque.empty() && whole.shear_stress.empty()) ||
-        (whole.normal_force.empty() && whole.normal_stress.empty()))
+    if (whole.size() > 0 && ((whole.torque.empty() && whole.shear_stress.empty()) ||
+                             (whole.normal_force.empty() && whole.normal_stress.empty())))
         throw InputError({file.file},
                          "some intervals have torque or normal force and others only stresses; "
                          "export all intervals with the same columns");

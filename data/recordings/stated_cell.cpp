@@ -33,9 +33,9 @@ const std::vector<CellFact>& cell_facts() {
         {&StatedCell::outer_radius,
          "m",
          1,
-         {"outer radius", "outside radius", "external radius", "cup outer radius", "re", "ro", "ra",
+         {"outer radius", "outside radius", "external radius", "cup outer radius", "re", "ro",
           "rayon exterieur", "rayon extérieur", "rayon externe", "außenradius", "aussenradius",
-          "äußerer radius"}},
+          "äußerer radius", "Äußerer radius"}},
         {&StatedCell::inner_radius,
          "m",
          0.5,
@@ -44,7 +44,7 @@ const std::vector<CellFact>& cell_facts() {
         {&StatedCell::outer_radius,
          "m",
          0.5,
-         {"outer diameter", "outside diameter", "external diameter", "de", "do", "da",
+         {"outer diameter", "outside diameter", "external diameter", "de", "do",
           "diametre exterieur", "diamètre extérieur", "diamètre externe", "außendurchmesser",
           "aussendurchmesser"}},
         {&StatedCell::stress_per_torque, "Pa/(N m)", 1, {"stress constant"}},
@@ -60,10 +60,14 @@ std::string lower(std::string_view text) {
 }
 
 /// Value of a fact in SI units; empty if it is no positive number with a unit.
-std::optional<double> value_of(std::string text, const std::string& unit_of_key, const char* unit) {
+std::optional<double> value_of(std::string text, const std::string& unit_of_key, const char* unit,
+                               const NumberStyle& style) {
     // TRIOS writes a stress per torque as "Pa/N.m", which reads as (Pa/N) m elsewhere.
     if (const std::size_t at = text.find("Pa/N.m"); at != std::string::npos)
         text.replace(at, 6, "Pa/(N m)");
+    // The number comes first, whether a unit follows or not.
+    const std::size_t end = std::min(text.find(' '), text.size());
+    text = rewritten(text.substr(0, end), style) + text.substr(end);
     if (parse_number(text) && !unit_of_key.empty()) text += " " + unit_of_key;
     try {
         const double value = quantity_in_si(text, Unit(unit));
@@ -94,11 +98,12 @@ void compare(const StatedCell& stated, const std::vector<Constant>& constants, d
         findings.push_back(
             {.lines = {{own->line, own->line}},
              .kind = kind,
-             .what = fmt::format("the header states {} = {}, which is a {} of {} {}; {} {} {} {} "
-                                 "({:+.1f} %).",
-                                 own->key, own->text, name, short_text(own->value / scale), unit,
-                                 source, short_text(std::abs(value) / scale), unit, "instead",
-                                 100 * (ratio - 1)),
+             .what = fmt::format(
+                 "the header states {} = {}, which is {} {} of {} {}; {} {} {} {} "
+                 "({:+.1f} %).",
+                 own->key, own->text, std::string_view("io").find(name[0]) < 2 ? "an" : "a", name,
+                 short_text(own->value / scale), unit, source, short_text(std::abs(value) / scale),
+                 unit, "instead", 100 * (ratio - 1)),
              .done = done});
     }
 }
@@ -113,7 +118,7 @@ StatedCell stated_cell(const BlockFile& file) {
         for (const CellFact& each : cell_facts()) {
             if (cell.*each.member || std::ranges::find(each.names, name) == each.names.end())
                 continue;
-            if (const auto value = value_of(fact.value, key.unit, each.unit))
+            if (const auto value = value_of(fact.value, key.unit, each.unit, file.numbers))
                 cell.*each.member = {each.factor * *value, fact.line, fact.key, fact.value};
         }
     }

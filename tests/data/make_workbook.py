@@ -3,7 +3,7 @@
 
     make_workbook.py OUT.xlsx NAME=FILE.csv...
 
-Numbers are stored as numbers. Every other text is shared, every other one in its cell, as different
+Numbers are stored as numbers, "#DIV/0!" as an error of a formula. Every other text is shared, every other one in its cell, as different
 programs write them. Rows without cells are left out.
 """
 import csv
@@ -28,6 +28,8 @@ def cell(text, row, column, shared):
         return f"<c {place}><v>{text}</v></c>"
     except ValueError:
         pass
+    if text == "#DIV/0!":
+        return f'<c {place} t="e"><v>{text}</v></c>'
     if (row + column) % 2:
         shared.append(text)
         return f'<c {place} t="s"><v>{len(shared) - 1}</v></c>'
@@ -44,6 +46,7 @@ def sheet(rows, shared):
 
 
 def main():
+    types = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
     shared, parts, names, links = [], {}, "", ""
     for number, argument in enumerate(sys.argv[2:], 1):
         name, path = argument.split("=", 1)
@@ -51,11 +54,12 @@ def main():
         delimiter = max("\t;,", key=text.count)
         parts[f"xl/worksheets/sheet{number}.xml"] = sheet(csv.reader(text.splitlines(), delimiter=delimiter), shared)
         names += f'<sheet name={quoteattr(name)} sheetId="{number}" r:id="rId{number}"/>'
-        links += f'<Relationship Id="rId{number}" Type="t" Target="worksheets/sheet{number}.xml"/>'
+        links += f'<Relationship Id="rId{number}" Type="{types}/worksheet" Target="worksheets/sheet{number}.xml"/>'
+    links += f'<Relationship Id="rId0" Type="{types}/sharedStrings" Target="/xl/texts/shared.xml"/>'
     parts["xl/workbook.xml"] = f'<workbook xmlns="x" xmlns:r="r"><sheets>{names}</sheets></workbook>'
     parts["xl/_rels/workbook.xml.rels"] = f'<Relationships xmlns="x">{links}</Relationships>'
     strings = "".join(f"<si><r><t>{escape(each[:2])}</t></r><r><t>{escape(each[2:])}</t></r></si>" for each in shared)
-    parts["xl/sharedStrings.xml"] = f'<sst xmlns="x">{strings}</sst>'
+    parts["xl/texts/shared.xml"] = f'<sst xmlns="x">{strings}</sst>'
     with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in parts.items():
             archive.writestr(name, content)

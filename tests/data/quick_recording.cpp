@@ -82,6 +82,8 @@ TEST_F(QuickRecording, LeavesOtherFilesToTheGeneralReader) {
         "1,2,2,3,4,5\n2,2,2,3,4,5\n",
         "Time [s],Torque [mN m]\n1,2\n2,3\n",
         header + "\n",
+        "Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [rpm],Temp\xE9rature\n" +
+            rows(3, ",20"),  // Windows-1252
         std::string()};
     for (const std::string& text : others)
         EXPECT_FALSE(quick(text)) << text;

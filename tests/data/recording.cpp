@@ -29,8 +29,9 @@ class ReadRecording : public testing::Test {
 TEST_F(ReadRecording, LeavesOutIntervalsToWhichTheUserGaveAnotherRole) {
     FileFormat format;
     format.roles = {{"failure", {"2"}}, {"steady", {"3"}}};
-    const auto file = folder_.write("r.csv", header + ",Interval\n1,30,5,20,0.1,1\n"
-                                                      "2,31,5,20,0.1,2\n3,32,5,20,0.1,3\n");
+    const auto file = folder_.write("r.csv", header +
+                                                 ",Interval\n1,30,5,20,0.1,1\n"
+                                                 "2,31,5,20,0.1,2\n3,32,5,20,0.1,3\n");
     const Recording recording = read_recording(file, format);
     EXPECT_THAT(recording.interval, ElementsAre(1, 3));
     ASSERT_EQ(recording.left_out.size(), 1u);
@@ -52,8 +53,9 @@ TEST_F(ReadRecording, NeedsEveryStressThatStandsInForATorque) {
     // A table of an instrument leaves cells empty where it measured nothing: these rows are left
     // out.
     const Recording recording = read_recording(
-        folder_.write("u.csv", "Point No.,Time,Shear Stress,Normal Force,Gap,Speed\n"
-                               ",[s],[Pa],[N],[mm],[rad/s]\n1,1,300,5,20,0.1\n2,2,,5,20,0.1\n"));
+        folder_.write("u.csv",
+                      "Point No.,Time,Shear Stress,Normal Force,Gap,Speed\n"
+                      ",[s],[Pa],[N],[mm],[rad/s]\n1,1,300,5,20,0.1\n2,2,,5,20,0.1\n"));
     EXPECT_THAT(recording.shear_stress, ElementsAre(300));
     ASSERT_EQ(recording.left_out.size(), 1u);
     EXPECT_THAT(recording.left_out[0].reason, HasSubstr("no value of shear_stress"));

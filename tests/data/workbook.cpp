@@ -77,6 +77,14 @@ TEST_F(Workbook, NamesTheRowOfAWrongCell) {
                 AllOf(HasSubstr(":3:"), HasSubstr("\"x\" is not a finite number")));
 }
 
+TEST_F(Workbook, HasNoValueWhereAFormulaFailed) {
+    const auto book = of_table("Torque [N m],Force [N]\n1,2\n#DIV/0!,4\n");
+    const BlockFile file = read_blocks(book);
+    ASSERT_EQ(file.blocks[0].table.rows.size(), 2u);
+    EXPECT_EQ(file.blocks[0].table.rows[1].cells[0].text, "");
+    EXPECT_EQ(file.blocks[0].table.rows[1].cells[1].text, "4");
+}
+
 TEST_F(Workbook, KeepsQuotesAndBlankRows) {
     const auto book = of_table("Torque [N m],\"\"\"G\"\"\"\n1,2\n,\n3,4\n");
     const BlockFile file = read_blocks(book);

@@ -100,4 +100,17 @@ TEST(RecordingFigure, ShowsTheRowsOfReadings) {
     EXPECT_NEAR(window.y[0], mean, 1e-9);
 }
 
+TEST(RecordingFigure, ShowsStepsThatNeverBecameSteadyButNoRunIn) {
+    const FileView view = view_of_file(cell_file);
+    const auto rows = [&](std::size_t from, std::size_t to, const std::string& reason) {
+        return Excluded{
+            {view.file.file, view.series[0].line[from], 0}, view.series[0].line[to], reason};
+    };
+    const Figure figure =
+        recording_figure(view, {}, {rows(0, 3, "transient"), rows(4, 13, "no steady state")});
+    EXPECT_EQ(count_named(figure.panels[0], "averaged"), 0u);
+    EXPECT_THAT(curve_named(figure.panels[0], "averaged, no plateau").x,
+                testing::ElementsAre(5, 14));
+}
+
 }  // namespace pendular::reports_recording_figures_test
