@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/misfit/compare.h"
+#include "calib/model/mohr_coulomb.h"
 #include "data/recordings/replicate_groups.h"
 
 namespace pendular {
@@ -70,7 +71,7 @@ std::optional<LeftOut> left_out_errors(const std::shared_ptr<const Predictor>& m
     const auto end_of_fitted = c.readings.begin() + static_cast<std::ptrdiff_t>(c.fitted);
     const std::vector<Reading> fitted(c.readings.begin(), end_of_fitted);
     const auto groups = replicate_groups(fitted);
-    if (groups.size() < 2) {
+    if (groups.size() < 2 || fitted_cohesions(c.model, c.grains, c.liquid) > 0) {
         return std::nullopt;
     }
     LeftOut result{.conditions = groups.size()};

@@ -27,7 +27,7 @@ struct LeftOut {
 /// replicates, is predicted by the model refitted to the other conditions; refits start from the
 /// optimum and need no new runs. Readings that the calibration did not fit count with its
 /// prediction, so that every fit of a study is judged on the same readings. Empty where fewer than
-/// two conditions are fitted.
+/// two conditions are fitted, and where cohesions were fitted to wet readings beforehand.
 std::optional<LeftOut> left_out_errors(const std::shared_ptr<const Predictor>& model,
                                        const Calibration& calibration);
 

@@ -49,13 +49,17 @@ struct DryStudy {
     }
 };
 
-/// Indices of the dry readings at the lowest inertial number, within 5 %, for the figure
-/// `calibration`.
+/// Indices of the dry readings in steady shear at the lowest inertial number, within 5 %, for the
+/// figure `calibration`; points of failure where there is no steady shear.
 std::vector<std::size_t> slowest_of(const DryStudy& study) {
     const auto number = [&](std::size_t k) { return study.condition(k).inertial_number; };
-    const double least = number(std::ranges::min(study.readings, {}, number));
+    std::vector<std::size_t> steady;
+    std::ranges::copy_if(study.readings, std::back_inserter(steady),
+                         [&](std::size_t k) { return !study.condition(k).at_failure; });
+    const std::vector<std::size_t>& from = steady.empty() ? study.readings : steady;
+    const double least = number(std::ranges::min(from, {}, number));
     std::vector<std::size_t> result;
-    std::ranges::copy_if(study.readings, std::back_inserter(result),
+    std::ranges::copy_if(from, std::back_inserter(result),
                          [&](std::size_t k) { return number(k) <= 1.05 * least; });
     return result;
 }

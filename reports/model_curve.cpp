@@ -179,9 +179,12 @@ ConditionPath CurveGroup::path(const std::vector<Reading>& readings,
     return {std::move(conditions), along};
 }
 
-std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
-                                     const Predictor& model, const Calibration& c,
-                                     const Coordinate& along, const std::vector<Apart>& apart) {
+namespace {
+
+/// Groups of readings that are all in steady shear, or all points of failure (`curve_groups`).
+std::vector<CurveGroup> groups_of_state(const std::vector<std::size_t>& members,
+                                        const Predictor& model, const Calibration& c,
+                                        const Coordinate& along, const std::vector<Apart>& apart) {
     const auto judge = [&](std::vector<CurveGroup>& all) {
         for (CurveGroup& series : all) {
             series.curve = passes(series, model, c, along);
@@ -206,6 +209,26 @@ std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
         best = std::move(finer);
     }
     return best;
+}
+
+}  // namespace
+
+std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
+                                     const Predictor& model, const Calibration& c,
+                                     const Coordinate& along, const std::vector<Apart>& apart) {
+    std::vector<std::size_t> steady, failures;
+    for (const std::size_t k : members) {
+        (c.readings[k].condition.at_failure ? failures : steady).push_back(k);
+    }
+    if (steady.empty() || failures.empty()) {
+        return groups_of_state(members, model, c, along, apart);
+    }
+    std::vector<CurveGroup> groups = groups_of_state(steady, model, c, along, apart);
+    for (CurveGroup& group : groups_of_state(failures, model, c, along, apart)) {
+        group.name = "points of failure" + (group.name.empty() ? "" : ", " + group.name);
+        groups.push_back(std::move(group));
+    }
+    return groups;
 }
 
 ModelCurve::ModelCurve(std::vector<double> at, const Prediction& predicted,

@@ -59,7 +59,8 @@ struct CurveGroup {
 
 /// Divides readings into groups such that one model curve represents the predictions of each group.
 /// Tries no division, then division by one quantity of `apart`, then by several in their order,
-/// with at most 8 groups. `CurveGroup::curve` tells for each group whether a curve represents it.
+/// with at most 8 groups. Points of failure form groups apart from steady shear, with "points of
+/// failure" in their names. `CurveGroup::curve` tells for each group whether a curve represents it.
 /// @param members indices in the calibration of the readings to divide
 std::vector<CurveGroup> curve_groups(const std::vector<std::size_t>& members,
                                      const Predictor& model, const Calibration& calibration,

@@ -120,6 +120,11 @@ Curve points_of(const std::string& kind, double liquid_content, const Symbol& sy
             .in_key = false};
 }
 
+/// Beginning of the labels of a group's curves.
+std::string kind_of(const WetGroup& group) {
+    return group.at_failure ? "points of failure, " : "";
+}
+
 /// Curve of the model for a group of readings, from nearly dry to the largest 1/P* of the group.
 ModelCurve model_of(const WetStudy& study, const CurveGroup& series) {
     constexpr int steps = 60;
@@ -142,7 +147,7 @@ void draw_model(Panel& panel, const WetStudy& study, const WetGroup& group, std:
          curve_groups(group.members, study.model, study.calibration, along_inverse_normal_stress,
                       {Apart::bead_volume, Apart::file})) {
         if (!series.curve) continue;
-        Curve look = points_of("model", group.liquid_content, {});
+        Curve look = points_of(kind_of(group) + "model", group.liquid_content, {});
         if (!series.name.empty()) look.label += ", " + series.name;
         model_of(study, series).draw_in(panel, o, look, look.label);
     }
@@ -150,9 +155,9 @@ void draw_model(Panel& panel, const WetStudy& study, const WetGroup& group, std:
 
 void draw_points(Panel& panel, const WetStudy& study, const WetGroup& group, std::size_t o) {
     const Calibration& c = study.calibration;
-    Curve simulated = points_of(study.at_readings(), group.liquid_content,
+    Curve simulated = points_of(kind_of(group) + study.at_readings(), group.liquid_content,
                                 simulated_symbol(study.friction(), group.liquid_content));
-    Curve measured = points_of("measured", group.liquid_content, measured_symbol);
+    Curve measured = points_of(kind_of(group) + "measured", group.liquid_content, measured_symbol);
     for (const std::size_t k : group.members) {
         const Condition& condition = c.readings[k].condition;
         const double x = study.inverse_pressure(condition);
@@ -171,7 +176,7 @@ void draw_dry(Panel& panel, const WetStudy& study, std::size_t o) {
     std::vector<std::size_t> dry;
     for (std::size_t k = 0; k < c.readings.size(); ++k) {
         const Condition& condition = c.readings[k].condition;
-        if (condition.dry() &&
+        if (condition.dry() && !condition.at_failure &&
             agree(condition.inertial_number, study.inertial_number(), inertial_number_tolerance)) {
             dry.push_back(k);
         }
@@ -232,8 +237,10 @@ void explain(Panel& panel, const WetStudy& study, bool with_dry, bool with_lines
         curve.in_key = true;
         panel.curves.push_back(curve);
     };
+    std::string last;
     for (const WetGroup& group : study.groups) {
-        code(group.liquid_content, content_text(group.liquid_content));
+        const std::string text = content_text(group.liquid_content);
+        if (std::exchange(last, text) != text) code(group.liquid_content, text);
     }
     if (with_dry) {
         code(0, "dry");

@@ -12,6 +12,7 @@
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/nearby_fit.h"
 #include "calib/fit/reading_order.h"
+#include "data/input_error.h"
 #include "workflow/rival_effects.h"
 
 namespace pendular {
@@ -92,14 +93,6 @@ Fit fit_as_added(const SwitchedModel& model, const ResolvedStudy& study, const C
     return fit_first(c.fitted, model, study, start);
 }
 
-Eigen::VectorXd standard_errors(const Fit& fit) {
-    Eigen::VectorXd errors(fit.parameters.size());
-    for (Eigen::Index k = 0; k < errors.size(); ++k) {
-        errors(k) = fit.standard_error(k);
-    }
-    return errors;
-}
-
 /// Rows of a response.
 Response rows_of(const Response& all, const std::vector<Eigen::Index>& rows) {
     return {.at = all.at,
@@ -135,7 +128,7 @@ void expand(SwitchedModel& model, const ResolvedStudy& study, const std::vector<
     const Calibration& c = model.calibration;
     const ModelOfReadings all(model.predictor, conditions_of(c.readings), study.direct());
     const Measured measured = stack(c.readings, study.direct());
-    const Eigen::VectorXd errors = standard_errors(c.fit);
+    const Eigen::VectorXd errors = c.fit.standard_errors();
     respond_at(model, study, errors, along);
     const auto readings = 2 * static_cast<Eigen::Index>(c.readings.size());
     model.trusted =
@@ -229,9 +222,12 @@ SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis&
         try {
             result.models[index] = fitted_with(effects, study, diagnosis, session, options.along,
                                                best_with_fewer(result, index));
-        } catch (const std::logic_error& error) {
-            // Readings that are impossible with these effects, or no run with one of them.
-            result.why_not[index] = error.what();
+        } catch (const std::domain_error&) {
+            result.why_not[index] = "the readings are impossible with these effects";
+        } catch (const std::invalid_argument& error) {
+            result.why_not[index] = error.what();  // no known run has an effect alone
+        } catch (const InputError& error) {
+            result.why_not[index] = error.what();  // effects that the base model does not allow
         }
     };
     // In the order of the number of effects, so that each fit begins near a fit with fewer.

@@ -85,19 +85,19 @@ class Diagnostician {
 void Diagnostician::fit_base() {
     const std::shared_ptr<const Model> model = space_.with({});
     const auto entries = evidence_.measured.value.size();
-    const auto parameters = static_cast<Eigen::Index>(model->parameters().size());
-    if (entries <= parameters) {
+    const auto fitted = std::ssize(model->parameters()) + space_.fitted_beforehand();
+    if (entries <= fitted) {
         throw InputError(
-            fmt::format("{} measured values and {} calibrated parameters leave no degree of "
+            fmt::format("{} measured values and {} fitted values leave no degree of "
                         "freedom to test the model with; add readings",
-                        entries, parameters));
+                        entries, fitted));
     }
     say("fit", 0, 1);
     base_ = explanations_.refit({}, {}, options_.start.value_or(start_of(*model)));
     residuals_ = explanations_.residuals_of(base_);
     result_.fit = base_.fit;
     result_.chi2 = base_.chi2;
-    result_.dof = static_cast<int>(entries - parameters);
+    result_.dof = static_cast<int>(entries - fitted);
     result_.errors_assumed = evidence_.errors_assumed;
     base_.lack_of_fit_p = result_.lack_of_fit_p = explanations_.lack_of_fit_p(*residuals_);
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <stdexcept>
 
 namespace pendular {
@@ -29,23 +30,26 @@ Eigen::MatrixXd chi2_form(const Measured& measured, const Eigen::MatrixXd& simul
 
 Eigen::MatrixXd without_each(const Measured& measured, const Prediction& prediction,
                              std::size_t fitted) {
-    const auto root = root_of(measured.covariance + prediction.covariance);
-    const Eigen::MatrixXd& jacobian = prediction.jacobian;
-    const Eigen::MatrixXd weighted = root.solve(jacobian);  // Sigma^-1 J
-    const Eigen::MatrixXd covariance =
-        root_of(jacobian.transpose() * weighted)
-            .solve(Eigen::MatrixXd::Identity(jacobian.cols(), jacobian.cols()));
-    const Eigen::MatrixXd inverse =
-        root.solve(Eigen::MatrixXd::Identity(jacobian.rows(), jacobian.rows()));
-    const Eigen::MatrixXd projected = inverse - weighted * covariance * weighted.transpose();
+    const Eigen::MatrixXd covariance = measured.covariance + prediction.covariance;
+    const Eigen::MatrixXd white =
+        root_of(covariance)
+            .matrixL()
+            .solve(Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols()));
+    const Eigen::MatrixXd slopes = white * prediction.jacobian;
+    const Eigen::VectorXd norms = slopes.colwise().norm();
+    const Eigen::VectorXd unit = (norms.array() > 0).select(norms.cwiseInverse(), 1.0);
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+    solver.setThreshold(1e-8);
+    solver.compute(slopes * unit.asDiagonal());
+    const Eigen::MatrixXd estimator = unit.asDiagonal() * (solver.pseudoInverse() * white);
+    const Eigen::MatrixXd projected = white.transpose() * (white - slopes * estimator);
     const Eigen::VectorXd pulled = projected * (measured.value - prediction.value);
-    Eigen::MatrixXd result(static_cast<Eigen::Index>(fitted), 1 + jacobian.cols());
+    Eigen::MatrixXd result(static_cast<Eigen::Index>(fitted), 1 + slopes.cols());
     for (Eigen::Index k = 0; k < result.rows(); ++k) {
         const Eigen::Vector2d pull = pulled.segment<2>(2 * k);
         const Eigen::Vector2d freed = projected.block<2, 2>(2 * k, 2 * k).inverse() * pull;
         result(k, 0) = pull.dot(freed);
-        result.row(k).tail(jacobian.cols()) =
-            -(covariance * weighted.middleRows(2 * k, 2).transpose() * freed).transpose();
+        result.row(k).tail(slopes.cols()) = -(estimator.middleCols(2 * k, 2) * freed).transpose();
     }
     return result;
 }

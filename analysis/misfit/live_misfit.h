@@ -18,13 +18,14 @@ Eigen::MatrixXd chi2_form(const Measured& measured, const Eigen::MatrixXd& simul
 
 /// Change of a fit when one reading is left out, in linear approximation: a row for each reading
 /// with the fall of chi2 [1], then the shift of each parameter [its unit]. With e the residuals,
-/// J the derivatives, C = (J' Sigma^-1 J)^-1 and R = Sigma^-1 - Sigma^-1 J C J' Sigma^-1, and k the
-/// two entries of a reading:
-///     fall = (R e)_k' R_kk^-1 (R e)_k,   shift = -C (J' Sigma^-1)_k R_kk^-1 (R e)_k.
+/// J the derivatives, K the estimator (K J = 1), R = Sigma^-1 (1 - J K), and k the two entries of
+/// a reading (columns of K):
+///     fall = (R e)_k' R_kk^-1 (R e)_k,   shift = -K_k R_kk^-1 (R e)_k.
+/// Combinations of parameters that the readings do not determine do not shift.
 /// Source: Cook and Weisberg, Residuals and Influence in Regression (1982), section 3.2, with
 /// correlated errors.
 /// @param fitted number of readings that the fit uses, the first; a row each
-/// @throws std::logic_error where Sigma or J' Sigma^-1 J is not positive definite
+/// @throws std::logic_error where Sigma is not positive definite
 Eigen::MatrixXd without_each(const Measured& measured, const Prediction& prediction,
                              std::size_t fitted);
 

@@ -179,6 +179,7 @@ std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& re
     std::vector<CohesionLine> result;
     const double limit = options.lowest_reduced_pressure;
     for (const WetGroup& group : wet_groups(readings)) {
+        if (group.at_failure) continue;  // a line is one of steady shear
         const Points all = points_of(group, readings, task, grains, liquid);
         const Split which = split(all, options);
         if (!has_two_distinct(all.only(which.fitted))) {

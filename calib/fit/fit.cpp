@@ -300,6 +300,13 @@ Measured stack(const std::vector<Reading>& readings, const std::vector<DirectMea
 double Fit::standard_error(Eigen::Index k) const {
     return std::sqrt(covariance(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
 }
+Eigen::VectorXd Fit::standard_errors() const {
+    Eigen::VectorXd errors(parameters.size());
+    for (Eigen::Index k = 0; k < errors.size(); ++k) {
+        errors(k) = standard_error(k);
+    }
+    return errors;
+}
 double Fit::measurement_error(Eigen::Index k) const {
     return std::sqrt(measurement_part(k, k) + (widening.size() > 0 ? widening(k, k) : 0.0));
 }

@@ -48,6 +48,8 @@ struct Fit {
     /// Standard error of the parameter with index `k`, in its unit, widened where few replicates
     /// determine the scatter of the readings.
     double standard_error(Eigen::Index k) const;
+    /// Standard errors of all parameters, each in its unit, as `standard_error` gives them.
+    Eigen::VectorXd standard_errors() const;
     /// Part of the standard error of the parameter with index `k` that comes from the measurement,
     /// in its unit, widened like `standard_error`.
     double measurement_error(Eigen::Index k) const;

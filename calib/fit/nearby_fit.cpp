@@ -49,7 +49,8 @@ double chi2_at(const Model& model, const Measured& measured,
 
 /// Steps to the minimum with the covariance at the start, from parameters that are replaced by the
 /// result.
-void descend(const Model& model, const Measured& measured, Eigen::VectorXd& at) {
+/// @return whether the last step was short
+bool descend(const Model& model, const Measured& measured, Eigen::VectorXd& at) {
     Prediction here = model.predict(at);
     const Eigen::MatrixXd covariance = measured.covariance + here.covariance;
     const Eigen::LLT<Eigen::MatrixXd> root(covariance);
@@ -67,11 +68,13 @@ void descend(const Model& model, const Measured& measured, Eigen::VectorXd& at) 
             step /= 2;
             lower = chi2_at(model, measured, root, at + step);
         }
-        if (!(lower <= chi2)) return;
+        const bool is_short = root.matrixL().solve(slopes * step).norm() < short_step;
+        if (!(lower <= chi2)) return is_short;
         at += step;
         chi2 = lower;
-        if (root.matrixL().solve(slopes * step).norm() < short_step) return;
+        if (is_short) return true;
     }
+    return false;
 }
 
 }  // namespace
@@ -80,9 +83,17 @@ Fit nearby_fit(const Model& model, const Measured& measured, const Eigen::Vector
     const ParameterBounds bounds = model.bounds();
     Eigen::VectorXd at = start.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
     descend(model, measured, at);
-    descend(model, measured, at);
-    return fit(model, measured, at,
-               {.most_steps = 0, .tolerance = 1e-6, .settled = short_step, .elsewhere = false});
+    const bool ended = descend(model, measured, at);
+    Fit result =
+        fit(model, measured, at,
+            {.most_steps = 0, .tolerance = 1e-6, .settled = short_step, .elsewhere = false});
+    // `fit` did not search; a parameter without effect on any reading is not fitted.
+    const bool all_act = (result.prediction.jacobian.colwise().norm().array() > 0).all();
+    if (ended && all_act && !result.converged) {
+        result.converged = true;
+        result.message = "the last step was shorter than a thousandth of a standard error";
+    }
+    return result;
 }
 
 }  // namespace pendular

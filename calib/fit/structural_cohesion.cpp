@@ -121,6 +121,7 @@ std::vector<StructuralCohesion> structural_cohesions(const StudyModel& model,
                                                      const CohesionOptions& options) {
     std::vector<StructuralCohesion> result;
     for (const WetGroup& group : wet_groups(calibration.readings)) {
+        if (group.at_failure) continue;
         const auto conditions = fitted_conditions(group, calibration, options);
         if (!conditions.empty()) {
             const Means means(model, calibration, conditions);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <tuple>
 
 namespace pendular {
 namespace {
@@ -11,7 +11,8 @@ namespace {
 constexpr double liquid_content_tolerance = 0.02;
 
 bool alike(const Condition& a, const Condition& b) {
-    return agree(a.liquid_content, b.liquid_content, liquid_content_tolerance) &&
+    return a.at_failure == b.at_failure &&
+           agree(a.liquid_content, b.liquid_content, liquid_content_tolerance) &&
            agree(a.inertial_number, b.inertial_number, inertial_number_tolerance);
 }
 
@@ -35,6 +36,7 @@ std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings) {
         (home == groups.end() ? groups.emplace_back() : *home).members.push_back(k);
     }
     for (WetGroup& group : groups) {
+        group.at_failure = readings[group.members.front()].condition.at_failure;
         for (const std::size_t k : group.members) {
             group.liquid_content += readings[k].condition.liquid_content;
             group.inertial_number += readings[k].condition.inertial_number;
@@ -43,7 +45,7 @@ std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings) {
         group.liquid_content /= count, group.inertial_number /= count;
     }
     std::ranges::sort(groups, {}, [](const WetGroup& g) {
-        return std::pair(g.liquid_content, g.inertial_number);
+        return std::tuple(g.liquid_content, g.inertial_number, g.at_failure);
     });
     return groups;
 }

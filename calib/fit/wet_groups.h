@@ -7,18 +7,20 @@
 
 namespace pendular {
 
-/// Group of wet readings with about equal liquid contents and inertial numbers (`wet_groups`).
+/// Group of wet readings with about equal liquid contents and inertial numbers, all in steady shear
+/// or all points of failure (`wet_groups`).
 struct WetGroup {
     std::vector<std::size_t> members;  ///< indices of the readings in the list of all readings
     double liquid_content = 0;         ///< liquid content Phi_L/Phi_S [1], mean of the members
     /// Inertial number I [1], mean of the members; 0: the quasi-static limit.
     double inertial_number = 0;
+    bool at_failure = false;  ///< whether the members are points of failure
 };
 
 /// Groups the wet readings among `readings`. All members of a group agree with its first member
 /// within 2 % in liquid content and within 20 % in inertial number. Quasi-static readings (inertial
-/// number 0) form groups of their own. Groups are sorted by liquid content, then by inertial
-/// number.
+/// number 0) form groups of their own, and so do points of failure. Groups are sorted by liquid
+/// content, then by inertial number, steady shear first.
 std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
 
 /// Whether two values differ by at most `tolerance` times the larger of their magnitudes.

@@ -44,6 +44,10 @@ class ModelSpace {
     /// bare model, then those of the chosen candidates; switches have none.
     virtual std::shared_ptr<const Model> with(const EffectSet& chosen) const = 0;
 
+    /// Number of values that were fitted to the readings beforehand and are no parameters, such as
+    /// the cohesions of straight lines; each takes a degree of freedom.
+    virtual int fitted_beforehand() const { return 0; }
+
     /// Covariances of the simulation errors of the change g = f(with) - f(without) of n predicted
     /// values f, when a candidate is added to a model; n x n each, empty where the errors are
     /// negligible.

@@ -30,7 +30,7 @@ bool same_content(const CohesionGroup& group, const MeasuredStrength& strength) 
 /// Whether two conditions impose the same state, whatever height and time they state.
 bool same_state(const Condition& a, const Condition& b) {
     return a.normal_stress == b.normal_stress && a.inertial_number == b.inertial_number &&
-           a.liquid_content == b.liquid_content;
+           a.liquid_content == b.liquid_content && a.at_failure == b.at_failure;
 }
 
 }  // namespace
@@ -187,7 +187,7 @@ Study with_strengths(Study study, const std::vector<Reading>& readings) {
     if (study.model.base != "mohr-coulomb") return study;
     study.model.strengths.clear();
     for (const Reading& reading : readings) {
-        if (reading.condition.dry()) continue;
+        if (reading.condition.dry() || reading.condition.at_failure) continue;
         study.model.strengths.push_back(
             {reading.condition, reading.stress_ratio(),
              std::sqrt(reading.covariance(0, 0)) / reading.condition.normal_stress});

@@ -42,10 +42,11 @@ Eigen::VectorXd to_corner(const ParameterBounds& box, const Eigen::VectorXd& at,
 bool holds_at_corners(const Model& model, const Response& response,
                       const Eigen::VectorXd& tolerance, const ParameterBounds& box) {
     const std::size_t corners = std::size_t(1) << response.at.size();
-    // The stride is odd, so that every parameter is tried at both of its ends.
-    const std::size_t stride = corners > most_corners ? corners / most_corners + 1 : 1;
-    for (std::size_t corner = 0; corner < corners; corner += stride) {
-        if (excess(model, response, tolerance, to_corner(box, response.at, corner)) > 1) {
+    // An odd stride of about five eighths leads to corners that differ in each parameter.
+    const std::size_t stride = corners > most_corners ? corners * 5 / 8 | 1 : 1;
+    for (std::size_t k = 0; k < std::min(corners, most_corners); ++k) {
+        if (!(excess(model, response, tolerance,
+                     to_corner(box, response.at, k * stride % corners)) <= 1)) {
             return false;
         }
     }
@@ -57,9 +58,12 @@ bool holds_at_corners(const Model& model, const Response& response,
 double trusted_end(const Model& model, const Response& response, const Eigen::VectorXd& tolerance,
                    Eigen::Index k, double step, double end) {
     Eigen::VectorXd change = Eigen::VectorXd::Zero(response.at.size());
+    double tried = NAN;
     for (double size = largest_box; size >= smallest_box; size *= shrink) {
         const double wanted = response.at(k) + size * step;
         const double reached = step > 0 ? std::min(wanted, end) : std::max(wanted, end);
+        if (reached == tried) continue;  // the end of the range, beyond which steps led
+        tried = reached;
         change(k) = reached - response.at(k);
         if (change(k) * step <= 0) return response.at(k);
         if (excess(model, response, tolerance, change) <= 1) return reached;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "calib/model/mohr_coulomb.h"
 #include "data/input_error.h"
 
 namespace pendular {
@@ -147,11 +148,16 @@ std::shared_ptr<const Model> StudyModels::with(const EffectSet& chosen) const {
     return std::make_shared<ModelOfReadings>(predictor(chosen), conditions_, direct());
 }
 
+int StudyModels::fitted_beforehand() const {
+    const Study& study = study_.study();
+    return fitted_cohesions(study.model, study.grains, study.liquid);
+}
+
 ModelSpace::ChangeErrors StudyModels::change_errors(const EffectSet& chosen,
                                                     const Eigen::VectorXd& parameters,
                                                     std::size_t added, double value) const {
     if (offered_[added]->of_closure()) {
-        return {};  // negligible beside the errors of readings: 2 per mille at most
+        return {};  // a closure has no known error
     }
     EffectSet more = chosen;
     more.push_back(added);

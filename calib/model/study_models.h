@@ -53,6 +53,7 @@ class StudyModels : public ModelSpace {
     /// Returns these models with the effects `more` as further candidates, after the existing
     /// candidates. The effects, which must not act on grains, must outlive the result.
     StudyModels offering(const std::vector<Effect>& more) const;
+    int fitted_beforehand() const override;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
                                std::size_t added, double value) const override;
 

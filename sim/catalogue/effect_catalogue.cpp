@@ -97,7 +97,8 @@ std::optional<std::string> why_no_closure(const Effect& effect, const Study& stu
 
 /// Why an effect that is no level of the ladder of closures cannot act on the study's base model.
 std::optional<std::string> why_not_beside_lines(const Effect& effect, const Study& study) {
-    if (level_of(study) != closures::Level::mohr_coulomb) return std::nullopt;
+    const bool beside = effect.touches == Touches::failure;  // the lines have no such points
+    if (beside || level_of(study) != closures::Level::mohr_coulomb) return std::nullopt;
     const auto next = std::ranges::find(built_in_effects(), closures::Level::rumpf, &Effect::level);
     return fmt::format(
         "{} cannot be told from the cohesions that base = \"mohr-coulomb\" fits to the wet "

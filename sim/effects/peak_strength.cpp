@@ -25,7 +25,7 @@ Effect peak_strength() {
                 return point;
             }},
             .touches = Touches::failure,
-            .acts_through = {"solid_fraction"},
+            .acts_through = {"shear_stress"},
             .directly = "the peak and the plateau of one test that is sheared on after failure",
             .references = {
                 "Schulze, Powders and Bulk Solids (2008): yield locus, incipient and steady flow",

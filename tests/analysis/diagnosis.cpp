@@ -300,7 +300,7 @@ TEST(Diagnosis, NeedsMoreReadingsThanParameters) {
         diagnose(space, evidence, quickly());
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("3 measured values and 3 calibrated parameters"));
+        EXPECT_THAT(error.what(), HasSubstr("3 measured values and 3 fitted values"));
     }
 }
 

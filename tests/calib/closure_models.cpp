@@ -13,33 +13,12 @@
 #include "data/input_error.h"
 #include "tests/support/emulator_support.h"
 #include "tests/support/known_flow.h"
+#include "tests/support/small_wet_study.h"
 
 namespace calib_closure_models_test {
 
 using namespace pendular;
-
-/// Soft, small and fast: behaviour, not numbers.
-const Fidelity tiny{"tiny", 150, 300, 0.03, 2};
-
-/// P* = 1 is 129 Pa.
-Study wet_study() {
-    Study study;
-    study.grains = {.diameter = 5e-4, .density = 1050};
-    study.liquid = Liquid{.surface_tension = 20.6e-3};
-    return study;
-}
-
-Condition condition(double reduced_pressure, double content, double inertial_number = 0.05) {
-    const Study study = wet_study();
-    const double unit = 1 / pendular::reduced_pressure(1, study.grains, *study.liquid);
-    return {.normal_stress = reduced_pressure * unit,
-            .inertial_number = inertial_number,
-            .liquid_content = content};
-}
-
-Eigen::VectorXd at(double friction) {
-    return Eigen::VectorXd::Constant(1, friction);
-}
+using namespace small_wet;
 
 std::shared_ptr<const EmulatedSimulation> planned(const Study& study,
                                                   const std::vector<Condition>& conditions) {
@@ -164,6 +143,26 @@ TEST(MohrCoulombModel, IsTheStraightLineThroughItsStrengths) {
               std::pow(0.0045 * 4 / 5 * conditions[4].normal_stress, 2));
     EXPECT_EQ(fitted_cohesions(study.model, study.grains, study.liquid), 2);
     EXPECT_EQ(fitted_cohesions(wet_study().model, study.grains, study.liquid), 0);
+}
+
+TEST(MohrCoulombModel, FitsSteadyShearAlone) {
+    Study study = wet_study();
+    study.model.base = "mohr-coulomb";
+    Reading steady, failure, dry;
+    steady.condition = condition(4, 0.03);
+    steady.value = {0.4 * steady.condition.normal_stress, 0.6};
+    steady.covariance(0, 0) = std::pow(0.01 * steady.condition.normal_stress, 2);
+    failure = steady;
+    failure.condition.at_failure = true;
+    dry = steady;
+    dry.condition.liquid_content = 0;
+    const Study with = with_strengths(study, {failure, steady, dry});
+    ASSERT_EQ(with.model.strengths.size(), 1u);
+    EXPECT_FALSE(with.model.strengths[0].condition.at_failure);
+    EXPECT_NEAR(with.model.strengths[0].stress_ratio, 0.4, 1e-12);
+    EXPECT_NEAR(with.model.strengths[0].standard_error, 0.01, 1e-12);
+    study.model.base = "dem";
+    EXPECT_TRUE(with_strengths(study, {steady}).model.strengths.empty());
 }
 
 TEST(MohrCoulombModel, NeedsStrengthsAtLargePressures) {

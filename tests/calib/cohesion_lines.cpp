@@ -287,6 +287,19 @@ TEST(CohesionLines, GroupByLiquidContentAndInertialNumber) {
     EXPECT_TRUE(measured({reading(3, 0.26, 0.003, 0), reading(9, 0.26, 0.003, 0)}).notes.empty());
 }
 
+TEST(CohesionLines, LeaveOutPointsOfFailure) {
+    std::vector<Reading> readings = on_line({3, 6, 12});
+    for (const double p : {2.5, 5.0, 10.0}) {
+        readings.push_back(reading(p, on_line(p, 0.4, 0.5)));
+        readings.back().condition.at_failure = true;
+    }
+    const Lines found = measured(readings);
+    ASSERT_EQ(found.lines.size(), 1u);
+    EXPECT_EQ(found.lines[0].points, 3);
+    EXPECT_NEAR(found.lines[0].reduced_cohesion.value, 0.3, 1e-9);
+    EXPECT_THAT(found.notes, testing::IsEmpty());
+}
+
 TEST(CohesionLines, NoteGroupsThatHaveNone) {
     // Two readings 1 % apart in P*, and one that is too low.
     const Lines close = measured(on_line({4, 4.04, 1}));

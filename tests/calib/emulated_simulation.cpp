@@ -81,8 +81,8 @@ EmulatedSimulation emulated_from(const Study& study, const Fidelity& fidelity,
 TEST(EmulatedSimulation, HasDerivativesOfItsOwnPredictions) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.003), dry_at(300, 0),
                                                wet_at(300, 0.003, 0.03), wet_at(600, 0.01, 0.007)};
-    const EmulatedSimulation model =
-        emulated_from(wet_study(), fidelity_named("quick"), shipped_runs(), shipped_hyperparameters());
+    const EmulatedSimulation model = emulated_from(wet_study(), fidelity_named("quick"),
+                                                   shipped_runs(), shipped_hyperparameters());
     constexpr double step = 1e-4;
     for (const double friction : {0.05, 0.2}) {
         const Prediction here = model.predict(at(friction), conditions);

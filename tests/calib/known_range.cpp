@@ -101,7 +101,8 @@ TEST(KnownRange, RefusesWhereTheEmulatorIsUnsureBetweenRuns) {
         const FlowState between_run_scatter{friction, 0.01};
         const std::string why = known.why_unsupported(between_run_scatter);
         unsure += why.find("standard error") != std::string::npos;
-        EXPECT_EQ(known.why_unsupported(known.nearest_supported(between_run_scatter)), "") << friction;
+        EXPECT_EQ(known.why_unsupported(known.nearest_supported(between_run_scatter)), "")
+            << friction;
     }
     EXPECT_GT(unsure, 0);
 }

@@ -13,36 +13,16 @@
 #include "sim/runs/run_request.h"
 #include "tests/support/emulator_support.h"
 #include "tests/support/known_flow.h"
+#include "tests/support/small_wet_study.h"
 
 namespace calib_wet_test {
 
 using namespace pendular;
+using namespace small_wet;
 using testing::HasSubstr;
 
-/// Soft, small and fast: behaviour, not numbers.
-const Fidelity tiny{"tiny", 150, 300, 0.03, 2};
 /// Where not even the behaviour needs good averages.
 const Fidelity least{"least", 100, 300, 0.05, 1};
-
-/// P* = 1 is 129 Pa.
-Study wet_study() {
-    Study study;
-    study.grains = {.diameter = 5e-4, .density = 1050};
-    study.liquid = Liquid{.surface_tension = 20.6e-3};
-    return study;
-}
-
-Condition condition(double reduced_pressure, double content, double inertial_number = 0.05) {
-    const Study study = wet_study();
-    const double unit = 1 / pendular::reduced_pressure(1, study.grains, *study.liquid);
-    return {.normal_stress = reduced_pressure * unit,
-            .inertial_number = inertial_number,
-            .liquid_content = content};
-}
-
-Eigen::VectorXd at(double friction) {
-    return Eigen::VectorXd::Constant(1, friction);
-}
 
 Reading reading_of(const Condition& condition, double ratio, double fraction) {
     Reading r;

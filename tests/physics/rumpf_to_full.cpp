@@ -15,12 +15,6 @@ using namespace pendular;
 using testing::ElementsAre;
 namespace fs = std::filesystem;
 
-nlohmann::json told(const std::string& command) {
-    const Outcome outcome = run_pendular(command + " --quiet --json -");
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    return nlohmann::json::parse(outcome.output, nullptr, false);
-}
-
 /// By how much the mean shear stress of a condition is over-predicted; the most of any wet one.
 double largest_overestimate(const nlohmann::json& compared) {
     double largest = -1;
@@ -41,29 +35,26 @@ double largest_overestimate(const nlohmann::json& compared) {
 
 TEST(RumpfToFull, FindsTheShearStressThatBridgesCarry) {
     const TemporaryFolder folder;
-    const fs::path study = folder.path() / "study";
-    fs::copy(fs::path(PENDULAR_SOURCE_DIR) / "examples/rumpf-to-full", study,
-             fs::copy_options::recursive);
-    const std::string path = study.string();
-    const auto fit = told("calibrate " + path + " --no-confirm");
+    const std::string path = copied_example("rumpf-to-full", folder).string();
+    const auto fit = json_of("calibrate " + path + " --no-confirm");
     const auto friction = fit.at("parameters").at("friction");
     EXPECT_NEAR(friction.at("value"), 0.12, 3 * friction.at("stderr").get<double>());
 
-    const auto before = told("compare " + path);
+    const auto before = json_of("compare " + path);
     EXPECT_GT(largest_overestimate(before), 0.10);
     EXPECT_LT(before.at("where").at("p"), 0.001);
 
-    const auto diagnosis = told("diagnose " + path);
+    const auto diagnosis = json_of("diagnose " + path);
     EXPECT_EQ(diagnosis.at("verdict"), "missing");
     EXPECT_THAT(diagnosis.at("effects"), ElementsAre("capillary-shear-stress"));
 
-    told("add " + path + " capillary-shear-stress");
-    const auto after = told("compare " + path);
+    json_of("add " + path + " capillary-shear-stress");
+    const auto after = json_of("compare " + path);
     EXPECT_LT(std::abs(largest_overestimate(after)), 0.03);
     EXPECT_LT(after.at("rms_percent").at("shear_stress"), 2);
     EXPECT_GT(after.at("p"), 0.01);
     // Nothing is found missing; whether all that matters could be seen is another question.
-    EXPECT_THAT(told("diagnose " + path).at("verdict").get<std::string>(),
+    EXPECT_THAT(json_of("diagnose " + path).at("verdict").get<std::string>(),
                 testing::AnyOf("nothing-missing", "inconclusive"));
 }
 

@@ -15,12 +15,6 @@ using namespace pendular;
 using testing::ElementsAre;
 namespace fs = std::filesystem;
 
-nlohmann::json told(const std::string& command) {
-    const Outcome outcome = run_pendular(command + " --quiet --json -");
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    return nlohmann::json::parse(outcome.output, nullptr, false);
-}
-
 /// By how much shear stress is over-predicted on average over readings of a normal stress [Pa].
 double overestimate(const nlohmann::json& compared, double normal_stress) {
     double sum = 0, count = 0;
@@ -41,22 +35,19 @@ double overestimate(const nlohmann::json& compared, double normal_stress) {
 
 TEST(StraightLine, FailsAtSmallPressuresAndTheLadderLeadsToTheSimulation) {
     const TemporaryFolder folder;
-    const fs::path study = folder.path() / "study";
-    fs::copy(fs::path(PENDULAR_SOURCE_DIR) / "examples/straight-line", study,
-             fs::copy_options::recursive);
-    const std::string path = study.string();
-    const auto fit = told("calibrate " + path + " --no-confirm");
+    const std::string path = copied_example("straight-line", folder).string();
+    const auto fit = json_of("calibrate " + path + " --no-confirm");
     const auto friction = fit.at("parameters").at("friction");
     EXPECT_NEAR(friction.at("value"), 0.12, 3 * friction.at("stderr").get<double>());
 
     // The line is right where it was fitted and too high below; two cohesions take two degrees of
     // freedom of the 48 wet values.
-    const auto line = told("compare " + path);
+    const auto line = json_of("compare " + path);
     EXPECT_LT(std::abs(overestimate(line, 777)), 0.015);
     EXPECT_GT(overestimate(line, 77.7), 0.04);
     EXPECT_EQ(line.at("dof"), 57);
 
-    const auto diagnosis = told("diagnose " + path);
+    const auto diagnosis = json_of("diagnose " + path);
     EXPECT_EQ(diagnosis.at("verdict"), "missing");
     EXPECT_THAT(diagnosis.at("effects"), ElementsAre("contact-stress"));
 
@@ -65,16 +56,16 @@ TEST(StraightLine, FailsAtSmallPressuresAndTheLadderLeadsToTheSimulation) {
     for (const std::string level :
          {"rumpf-cohesion", "distant-bridge-force", "capillary-shear-stress",
           "capillary-normal-stress", "contact-stress"}) {
-        const auto change = told("add " + path + " " + level);
+        const auto change = json_of("add " + path + " " + level);
         const double after = change.at("after").at("chi2");
         EXPECT_LT(after, before) << level;
         EXPECT_EQ(change.at("after").at("dof"), 59);
         before = after;
     }
     EXPECT_LT(before, 90);  // 59 degrees of freedom
-    const auto full = told("compare " + path);
+    const auto full = json_of("compare " + path);
     EXPECT_LT(std::abs(overestimate(full, 77.7)), 0.02);
-    EXPECT_THAT(told("diagnose " + path).at("verdict").get<std::string>(),
+    EXPECT_THAT(json_of("diagnose " + path).at("verdict").get<std::string>(),
                 testing::AnyOf("nothing-missing", "inconclusive"));
 }
 

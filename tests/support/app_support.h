@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
@@ -55,4 +56,11 @@ inline void expect_refused(const std::string& words, const std::string& why) {
     const Outcome run = run_pendular(words);
     EXPECT_EQ(run.code, 2) << words;
     EXPECT_THAT(run.errors, testing::HasSubstr(why));
+}
+
+/// JSON that `pendular` prints for a command that must succeed.
+inline nlohmann::json json_of(const std::string& command) {
+    const Outcome outcome = run_pendular(command + " --quiet --json -");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return nlohmann::json::parse(outcome.output, nullptr, false);
 }

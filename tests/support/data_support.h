@@ -84,4 +84,13 @@ inline std::vector<double> autoregressive(std::size_t n, double rho, std::mt1993
     return series;
 }
 
+/// Copies an example study, without results, to a folder, and returns the path of the copy.
+inline std::filesystem::path copied_example(const std::string& name, const TemporaryFolder& to) {
+    const auto study = to.path() / "study";
+    std::filesystem::copy(std::filesystem::path(PENDULAR_SOURCE_DIR) / "examples" / name, study,
+                          std::filesystem::copy_options::recursive);
+    std::filesystem::remove_all(study / "out");
+    return study;
+}
+
 }  // namespace pendular

@@ -21,15 +21,9 @@ using testing::ElementsAre;
 class SwitchedModelsTest : public testing::Test {
   protected:
     TemporaryFolder folder;
-    std::filesystem::path study = folder.path() / "study";
+    std::filesystem::path study = copied_example("hidden-effect", folder);
     SessionOptions options{.fidelity = fidelity_named("standard"), .threads = 2};
 
-    void SetUp() override {
-        std::filesystem::copy(
-            std::filesystem::path(PENDULAR_SOURCE_DIR) / "examples" / "hidden-effect", study,
-            std::filesystem::copy_options::recursive);
-        std::filesystem::remove_all(study / "out");
-    }
     SwitchedModels models(std::size_t most) const {
         const Session session(study, options);
         return switched_models(session.resolved(), session.diagnose(), options, {.most = most});
