@@ -16,6 +16,7 @@
 #include "calib/fit/calibration.h"
 #include "data/input_error.h"
 #include "reports/tables.h"
+#include "sim/catalogue/effect_catalogue.h"
 #include "workflow/fit_file.h"
 #include "workflow/json_parts.h"
 
@@ -47,8 +48,10 @@ std::string source_of_wet(const Calibration& c) {
         return fmt::format("straight lines in 1/P*, with {} fitted to those at P* >= {}",
                            cohesions == 1 ? "one cohesion" : fmt::format("{} cohesions", cohesions),
                            lowest_cohesion_pressure);
-    return std::string(c.model.base == "dem" ? "the model"
-                                             : "the closure on the simulated dry law") +
+    const Study study{.grains = c.grains, .liquid = c.liquid, .model = c.model};
+    return std::string(level_of(study) == closures::Level::simulation
+                           ? "the model"
+                           : "the closure on the simulated dry law") +
            " without any further parameter";
 }
 

@@ -33,7 +33,7 @@ std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& r
     } else {
         console.line(
             "No formulas are evaluated: the known runs do not give the stress ratio of dry grains "
-            "for this friction, inertial number and these effects.");
+            "for this friction, inertial number, damping and these effects.");
     }
     return values;
 }

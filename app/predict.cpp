@@ -218,6 +218,9 @@ int predict(const std::vector<std::string>& arguments) {
     if (along.empty() && !drawn.empty()) {
         throw InputError("--draw needs --along NAME=FROM:TO, the curve to draw");
     }
+    for (auto name = drawn.begin(); name != drawn.end();) {  // each once
+        name = std::find(drawn.begin(), name, *name) == name ? name + 1 : drawn.erase(name);
+    }
     if (drawn.empty()) drawn = {"stress_ratio", "solid_fraction"};
     if (simulate && !along.empty()) {
         throw InputError(

@@ -185,7 +185,8 @@ std::optional<closures::ClosureValues> StatePredictor::closures_of(
     const bool others = std::ranges::any_of(p.effects, [](const EffectValues& values) {
         return built_in_effect(values.effect).touches != Touches::wet;
     });
-    if (!p.wetting || others || !known_.why_unsupported(dry).empty()) return {};
+    const bool damped_alike = p.damping == dem::RunParameters{}.damping;
+    if (!p.wetting || others || !damped_alike || !known_.why_unsupported(dry).empty()) return {};
     const double ratio = emulator_.mean({{dry, dem::Observable::stress_ratio}})(0);
     return closures::closure_values(run, ratio);
 }

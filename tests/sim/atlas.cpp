@@ -8,10 +8,10 @@
 #include <functional>
 #include <map>
 
-#include "sim/closures/inertial_law.h"
 #include "sim/runs/campaign.h"
 #include "sim/runs/run_request.h"
 #include "sim/runs/store/run_table.h"
+#include "tests/sim/inertial_law_fit.h"
 
 namespace pendular::sim_atlas_test {
 

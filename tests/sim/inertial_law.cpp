@@ -1,5 +1,5 @@
 // The law of the inertial number, fitted with its exponent.
-#include "sim/closures/inertial_law.h"
+#include "tests/sim/inertial_law_fit.h"
 
 #include <gtest/gtest.h>
 

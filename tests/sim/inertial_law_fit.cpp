@@ -1,4 +1,4 @@
-#include "sim/closures/inertial_law.h"
+#include "tests/sim/inertial_law_fit.h"
 
 #include <Eigen/Dense>
 #include <boost/math/tools/minima.hpp>
