@@ -62,12 +62,7 @@ int report(const std::vector<std::string>& arguments) {
     const OpenSession session(console, *common, {"report.html"}, seed);
     const StudyDiagnosis d = session->diagnose();
     const std::vector<PagePanel> panels = page_panels(d.readings, session->study());
-    SwitchOptions switching{.most = switches};
-    for (const PagePanel& panel : panels) {
-        for (const PageSeries& series : panel.series) {
-            switching.along.insert(switching.along.end(), series.along.begin(), series.along.end());
-        }
-    }
+    const SwitchOptions switching{.most = switches, .along = points_of_curves(panels)};
     const auto folder = common->out_folder();
     std::error_code error;
     const PageContent content{
@@ -92,13 +87,18 @@ int report(const std::vector<std::string>& arguments) {
     const SwitchedModels& fits = content.switched;
     console.answer(verdict_line(d.diagnosis, *d.models, content.checks));
     console.line(fmt::format("Page: {}", file.string()));
-    console.line(fmt::format("It has {} switch{} ({} fitted models) and {} readings.",
-                             fits.switches.size(), fits.switches.size() == 1 ? "" : "es",
-                             fits.models.size(), d.readings.size()));
+    const auto models = std::ranges::count_if(fits.models, [](const auto& m) { return !!m; });
+    const auto counted = [](std::ptrdiff_t count, const char* one, const char* several) {
+        return fmt::format("{} {}", count, count == 1 ? one : several);
+    };
+    console.line(fmt::format("It has {} ({}) and {}.",
+                             counted(std::ssize(fits.switches), "switch", "switches"),
+                             counted(models, "fitted model", "fitted models"),
+                             counted(std::ssize(d.readings), "reading", "readings")));
     console.json({{"page", file.string()},
                   {"verdict", to_string(d.diagnosis.verdict)},
                   {"switches", fits.switches},
-                  {"models", fits.models.size()}});
+                  {"models", models}});
     console.next(next_step(d.diagnosis, common->study.string(), !d.proposals.empty()));
     return done;
 }

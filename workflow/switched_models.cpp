@@ -36,7 +36,8 @@ Effects leading(const StudyDiagnosis& d) {
     for (const std::string& effect : diagnosis.effects) {
         const bool is_candidate =
             std::ranges::find(candidates, effect, &Candidate::name) != candidates.end();
-        if (is_candidate) add_once(names, effect);
+        // An inconclusive verdict lists what the readings could not reveal, in no order of rank.
+        if (is_candidate && diagnosis.verdict != Verdict::inconclusive) add_once(names, effect);
     }
     for (const Explanation& each : diagnosis.confidence_set) {
         for (const std::size_t k : each.chosen) {

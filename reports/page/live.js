@@ -71,8 +71,19 @@ function withError(value, error) {
   const places = Math.max(0, digits);
   return `${value.toFixed(places)} ± ${error.toFixed(places)}`;
 }
+const fitText = p => p.determined ? p.text : "not determined by the readings";
 const unitText = unit => unit === "1" ? "" : " " + unit;
 const three = value => Math.abs(value) >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(3)));
+
+// Whether the curve of a series passes the model's values at the readings to half of their errors; it
+// does not where these depend on more than the quantity along the x axis.
+function passes(series) {
+  return series.curve.length < 2 || series.marks.every((m, k) => {
+    const found = series.curve.findIndex(([x]) => x >= m.x), after = found < 0 ? series.curve.length - 1 : Math.max(1, found);
+    const [a, b] = [series.curve[after - 1], series.curve[after]];
+    return Math.abs(a[1] + (b[1] - a[1]) * (m.x - a[0]) / (b[0] - a[0]) - m.y) < series.points[k].error / 2;
+  });
+}
 
 class Page {
   constructor(data) {
@@ -101,7 +112,7 @@ class Page {
       box.addEventListener("change", () => this.flip(k, box.checked));
       return {box, gain};
     });
-    if (this.boxes.length === 0) html("p", {}, field, "No known effect applies to this study.");
+    if (this.boxes.length === 0) html("p", {}, field, "This page has no switches: no effect leads, or it was made with --switches 0.");
   }
   flip(k, on) {
     const wanted = on ? this.index | 1 << k : this.index & ~(1 << k);
@@ -130,6 +141,7 @@ class Page {
       const slider = html("input", {type: "range", min: low, max: high, step: "any", value: p.value, "data-parameter": p.name,
         "aria-label": p.name + unitText(p.unit)}, label);
       slider.disabled = !(low < high);
+      if (slider.disabled) slider.title = "The expansion of the model about its fit does not hold along this parameter.";
       slider.addEventListener("input", () => {
         this.d[k] = p.error > 0 ? (Number(slider.value) - p.value) / p.error : 0;
         this.update();
@@ -159,8 +171,8 @@ class Page {
     }
     this.plots.push(new Plot(figures, {name: "quantiles", title: "Residuals against a normal distribution", xLabel: "expected from the normal distribution [1]",
       yLabel: "(measured − model)/error [1]", zero: true}, () => this.quantiles(), this));
-    this.plots.push(new Plot(figures, {name: "ladder", title: "Error as effects are switched on", xLabel: "effects switched on, one after the other",
-      yLabel: "RMS error [%]", fromZero: true, names: () => ["none", ...this.order.map(k => "+ " + this.data.switches[k].name)]}, () => this.path(), this));
+    this.plots.push(new Plot(figures, {name: "ladder", title: "Error as effects are switched on", xLabel: "number of effects switched on, one after the other",
+      yLabel: "RMS error [%]", fromZero: true, names: () => ["none", ...this.order.map(k => this.data.switches[k].name)]}, () => this.path(), this));
   }
   seriesOf(number, which) {
     const panel = this.data.panels[number], predicted = this.model.predict(this.d, which), n = this.data.readings.length;
@@ -169,7 +181,7 @@ class Page {
       points: s.members.map(id => ({x: panel.x[id], y: this.data.readings[id].values[which], error: this.data.readings[id].errors[which], id})),
       marks: s.members.map(id => ({x: panel.x[id], y: predicted[id]})),
       curve: s.x.map((x, k) => [x, predicted[n + s.first + k]]).sort((a, b) => a[0] - b[0])
-    }));
+    })).map(s => passes(s) ? s : {...s, curve: []});
   }
   normalised(which) {
     const predicted = this.model.predict(this.d, which);
@@ -205,11 +217,11 @@ class Page {
       const other = this.models[this.index ^ 1 << k];
       if (other.why_not !== undefined) { gain.textContent = "(cannot be fitted)"; return; }
       const change = other.chi2 - model.chi2;
-      gain.textContent = this.isOn(k) ? `(without it chi2 = ${three(other.chi2)})` : change > -.05 ? "(with it chi2 does not fall)" : `(with it chi2 falls by ${three(-change)})`;
+      gain.textContent = this.isOn(k) ? `(without it chi2 = ${three(other.chi2)})` : Math.abs(change) < .05 ? "(with it chi2 stays)" : `(with it chi2 ${change > 0 ? "rises" : "falls"} by ${three(Math.abs(change))})`;
     });
     model.parameters.forEach((p, k) => {
       const value = p.value + this.d[k] * p.error, moved = this.d[k] !== 0;
-      this.sliders[k].text.textContent = `${p.name} = ${moved ? Number(value.toPrecision(4)) + unitText(p.unit) + " (fit: " : ""}${withError(p.value, p.error)}${unitText(p.unit)}${moved ? ")" : ""}`;
+      this.sliders[k].text.textContent = `${p.name} = ${moved ? Number(value.toPrecision(4)) + unitText(p.unit) + " (fit: " : ""}${fitText(p)}${moved ? ")" : ""}`;
     });
     this.score();
     for (const plot of this.plots) plot.draw();
@@ -269,10 +281,11 @@ class Page {
     const table = html("table", {}, place);
     html("caption", {}, table, `Fitted to ${model.fitted} readings: chi2 = ${model.chi2.toFixed(2)} of all readings for ${model.dof} degrees of freedom; reduced chi2 = ${(model.chi2 / model.dof).toFixed(3)}`);
     const head = html("tr", {}, html("thead", {}, table)), body = html("tbody", {}, table);
-    for (const text of ["parameter", "unit", "value ± standard error", "relative error [%]", "least allowed", "largest allowed", "remark"]) html("th", {scope: "col"}, head, text);
+    for (const text of ["parameter", "value ± standard error", "relative error [%]", "least allowed", "largest allowed", "unit of the range", "remark"]) html("th", {scope: "col"}, head, text);
     for (const p of model.parameters) {
       const row = html("tr", {}, body);
-      for (const text of [p.name, p.unit, withError(p.value, p.error), p.value ? (100 * p.error / Math.abs(p.value)).toPrecision(2) : "", three(p.lower), three(p.upper), p.at_bound ? "at an end of its range" : ""]) html("td", {}, row, text);
+      const relative = p.determined && p.value ? (100 * p.error / Math.abs(p.value)).toPrecision(2) : "";
+      for (const text of [p.name, fitText(p), relative, three(p.lower), three(p.upper), p.unit, p.at_bound ? "at an end of its range" : ""]) html("td", {}, row, text);
     }
     if (model.parameters.length < 2) return;
     const second = html("table", {}, place);

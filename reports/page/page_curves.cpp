@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
+#include <map>
 
 #include "data/grains.h"
 #include "reports/model_curve.h"
@@ -15,7 +17,7 @@ namespace {
 
 /// Number of points of a curve, and largest number of series with curves in a panel.
 constexpr int points_of_curve = 9;
-constexpr std::size_t most_curves = 8;
+constexpr std::size_t most_curves = 12;
 /// Largest ratio of two values of a quantity that count as one.
 constexpr double alike_ratio = 1.08;
 
@@ -46,6 +48,59 @@ std::vector<std::vector<std::size_t>> divided(const std::vector<Reading>& readin
         groups.back().push_back(k);
     }
     return groups;
+}
+
+/// Whether readings at one place along the x axis have other beads or heights, so that no
+/// curve through their mean passes them.
+bool mixed(const std::vector<Reading>& readings, const std::vector<std::size_t>& members,
+           const Coordinate& along) {
+    const auto differ = [](double a, double b) {
+        return std::abs(a - b) > (alike_ratio - 1) / 2 * std::max(std::abs(a), std::abs(b));
+    };
+    for (const std::size_t j : members) {
+        for (const std::size_t k : members) {
+            const Condition &a = readings[j].condition, &b = readings[k].condition;
+            if (differ(along.of(a), along.of(b))) continue;
+            if (differ(a.bead_volume.value_or(0), b.bead_volume.value_or(0)) ||
+                differ(a.height.value_or(0), b.height.value_or(0)))
+                return true;
+        }
+    }
+    return false;
+}
+
+/// Part of a series of readings, and what tells it from the others; empty if it is the only one.
+struct Part {
+    std::vector<std::size_t> members;
+    std::string label = {};
+};
+
+/// Divides readings that are mixed by the mass of the beads, or else by file.
+std::vector<Part> divided_if_mixed(const std::vector<Reading>& readings,
+                                   const std::vector<std::size_t>& members, const Study& study,
+                                   const Coordinate& along) {
+    if (!mixed(readings, members, along)) return {{members}};
+    const auto volume = [](const Condition& c) { return c.bead_volume.value_or(0); };
+    std::vector<Part> parts;
+    for (const auto& group : divided(readings, members, volume)) {
+        const double mass = 1e3 * study.grains.density * volume(readings[group[0]].condition);
+        parts.push_back({group, fmt::format("{:.4g} g of beads", mass)});
+    }
+    if (std::ranges::none_of(
+            parts, [&](const Part& part) { return mixed(readings, part.members, along); })) {
+        return parts;
+    }
+    std::map<std::string, Part> by_file;
+    for (const std::size_t k : members) {
+        const std::string& file = readings[k].origin.file;
+        by_file[file].label = std::filesystem::path(file).filename().string();
+        by_file[file].members.push_back(k);
+    }
+    parts.clear();
+    for (auto& [file, part] : by_file) {
+        parts.push_back(std::move(part));
+    }
+    return parts;
 }
 
 /// Adds the points of a curve through the conditions of a series along the x axis.
@@ -84,24 +139,27 @@ std::vector<std::vector<std::size_t>> divided_by_state(
 }
 
 /// Panel of some readings with a series for each of `groups`, and apart for points of failure.
-PagePanel panel_of(const std::vector<Reading>& readings,
+PagePanel panel_of(const std::vector<Reading>& readings, const Study& study,
                    const std::vector<std::vector<std::size_t>>& groups, PagePanel panel,
                    const Coordinate& along, const OfCondition& x_of,
                    const std::function<std::string(const Condition&)>& label) {
     panel.x.assign(readings.size(), std::numeric_limits<double>::quiet_NaN());
-    for (std::vector<std::size_t> members : divided_by_state(readings, groups)) {
-        for (const std::size_t k : members) {
-            panel.x[k] = x_of(readings[k].condition);
+    for (const std::vector<std::size_t>& group : divided_by_state(readings, groups)) {
+        for (Part& part : divided_if_mixed(readings, group, study, along)) {
+            for (const std::size_t k : part.members) {
+                panel.x[k] = x_of(readings[k].condition);
+            }
+            std::ranges::stable_sort(part.members, {}, [&](std::size_t k) { return panel.x[k]; });
+            const Condition& condition = readings[part.members.front()].condition;
+            PageSeries series{.label = label(condition) + (part.label.empty() ? "" : ", ") +
+                                       part.label +
+                                       (condition.at_failure ? ", points of failure" : ""),
+                              .members = part.members,
+                              .x = {},
+                              .along = {}};
+            if (panel.series.size() < most_curves) add_curve(series, panel, readings, along, x_of);
+            panel.series.push_back(std::move(series));
         }
-        std::ranges::stable_sort(members, {}, [&](std::size_t k) { return panel.x[k]; });
-        const Condition& condition = readings[members.front()].condition;
-        PageSeries series{
-            .label = label(condition) + (condition.at_failure ? ", points of failure" : ""),
-            .members = members,
-            .x = {},
-            .along = {}};
-        if (panel.series.size() < most_curves) add_curve(series, panel, readings, along, x_of);
-        panel.series.push_back(std::move(series));
     }
     return panel;
 }
@@ -113,19 +171,20 @@ double inertial_number_of(const Condition& c) {
     return c.inertial_number;
 }
 
-PagePanel dry_panel(const std::vector<Reading>& readings, const std::vector<std::size_t>& dry) {
+PagePanel dry_panel(const std::vector<Reading>& readings, const std::vector<std::size_t>& dry,
+                    const Study& study) {
     const bool by_rate =
         spread(readings, dry, inertial_number_of) > spread(readings, dry, stress_of);
     if (by_rate) {
-        return panel_of(readings, divided(readings, dry, stress_of),
+        return panel_of(readings, study, divided(readings, dry, stress_of),
                         {.title = "Dry readings",
                          .x_label = "inertial number I [1]",
                          .log_x = spread(readings, dry, inertial_number_of) > 5},
                         along_inertial_number, inertial_number_of, [](const Condition& c) {
-                            return fmt::format("normal stress {:.3g} Pa", c.normal_stress);
+                            return fmt::format("normal stress {:.4g} Pa", c.normal_stress);
                         });
     }
-    return panel_of(readings, divided(readings, dry, inertial_number_of),
+    return panel_of(readings, study, divided(readings, dry, inertial_number_of),
                     {.title = "Dry readings",
                      .x_label = "normal stress [Pa]",
                      .log_x = spread(readings, dry, stress_of) > 5},
@@ -144,7 +203,7 @@ PagePanel wet_panel(const std::vector<Reading>& readings, const std::vector<std:
     }
     const bool rates = spread(readings, wet, inertial_number_of) > alike_ratio;
     return panel_of(
-        readings, groups, {.title = "Wet readings", .x_label = "1/P* [1]"},
+        readings, study, groups, {.title = "Wet readings", .x_label = "1/P* [1]"},
         along_inverse_normal_stress,
         [&](const Condition& c) {
             return 1 / reduced_pressure(c.normal_stress, study.grains, *study.liquid);
@@ -157,13 +216,23 @@ PagePanel wet_panel(const std::vector<Reading>& readings, const std::vector<std:
 
 }  // namespace
 
+std::vector<Condition> points_of_curves(const std::vector<PagePanel>& panels) {
+    std::vector<Condition> points;
+    for (const PagePanel& panel : panels) {
+        for (const PageSeries& series : panel.series) {
+            points.insert(points.end(), series.along.begin(), series.along.end());
+        }
+    }
+    return points;
+}
+
 std::vector<PagePanel> page_panels(const std::vector<Reading>& readings, const Study& study) {
     std::vector<std::size_t> dry, wet;
     for (std::size_t k = 0; k < readings.size(); ++k) {
         (readings[k].condition.dry() ? dry : wet).push_back(k);
     }
     std::vector<PagePanel> panels;
-    if (!dry.empty()) panels.push_back(dry_panel(readings, dry));
+    if (!dry.empty()) panels.push_back(dry_panel(readings, dry, study));
     if (!wet.empty() && study.liquid) panels.push_back(wet_panel(readings, wet, study));
     return panels;
 }

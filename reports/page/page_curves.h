@@ -27,7 +27,12 @@ struct PagePanel {
 
 /// Divides the readings of a study into panels: dry readings against normal stress or inertial
 /// number, whichever varies more, and wet readings against 1/P*, the inverse reduced pressure. A
-/// panel has a series for each value of the other quantities.
+/// panel has a series for each value of the other quantities. Readings at one place along the x
+/// axis whose beads or heights differ are divided by the mass of the beads or by file, since
+/// a curve through their mean would pass none of them.
 std::vector<PagePanel> page_panels(const std::vector<Reading>& readings, const Study& study);
+
+/// Conditions of the points of all curves of panels, in the order of panels and series.
+std::vector<Condition> points_of_curves(const std::vector<PagePanel>& panels);
 
 }  // namespace pendular

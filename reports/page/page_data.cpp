@@ -14,6 +14,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "reports/page/page_text.h"
+#include "reports/with_error.h"
+
 namespace pendular {
 namespace {
 
@@ -94,10 +97,7 @@ std::string response_of(const SwitchedModel& model, const std::vector<Condition>
     const std::vector<Condition> readings = conditions_of(model.calibration.readings);
     const Fit& fit = model.calibration.fit;
     const Eigen::Index p = fit.parameters.size();
-    Eigen::VectorXd errors(p);
-    for (Eigen::Index k = 0; k < p; ++k) {
-        errors(k) = fit.standard_error(k);
-    }
+    const Eigen::VectorXd errors = fit.standard_errors();
     const Eigen::VectorXd squares = products(errors);
     const auto part = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::size_t which) {
         return at_all_points(a, b, which, readings, points);
@@ -136,11 +136,7 @@ std::string errors_of(const SwitchedModel& model) {
 
 /// Upper triangle of chi2 as a form of the parameters in units of their standard errors.
 Json form_of(const SwitchedModel& model) {
-    const Fit& fit = model.calibration.fit;
-    Eigen::VectorXd errors(fit.parameters.size());
-    for (Eigen::Index k = 0; k < errors.size(); ++k) {
-        errors(k) = fit.standard_error(k);
-    }
+    const Eigen::VectorXd errors = model.calibration.fit.standard_errors();
     Eigen::VectorXd scale(model.chi2_form.rows());
     scale << 1, errors, products(errors);
     Json array = Json::array();
@@ -158,11 +154,14 @@ Json parameters_of(const SwitchedModel& model) {
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         const Parameter& p = c.parameters[k];
+        const double value = c.fit.parameters(i), error = c.fit.standard_error(i);
         array.push_back(
             {{"name", p.name},
              {"unit", p.unit},
-             {"value", shortened(c.fit.parameters(i))},
-             {"error", shortened(c.fit.standard_error(i))},
+             {"value", shortened(value)},
+             {"error", shortened(error)},
+             {"determined", error < p.upper - p.lower},
+             {"text", page_text(with_error(value, error, p.unit))},
              {"lower", shortened(p.lower)},
              {"upper", shortened(p.upper)},
              {"at_bound", static_cast<bool>(c.fit.at_bound[k])},
@@ -253,12 +252,7 @@ Json panels_json(const std::vector<PagePanel>& panels) {
 }  // namespace
 
 nlohmann::ordered_json page_data(const SwitchedModels& all, const std::vector<PagePanel>& panels) {
-    std::vector<Condition> points;
-    for (const PagePanel& panel : panels) {
-        for (const PageSeries& series : panel.series) {
-            points.insert(points.end(), series.along.begin(), series.along.end());
-        }
-    }
+    const std::vector<Condition> points = points_of_curves(panels);
     Json switches = Json::array(), models = Json::array(), readings = Json::array();
     for (const std::string& name : all.switches) {
         switches.push_back({{"name", name}, {"summary", all.study.catalogue().find(name).summary}});

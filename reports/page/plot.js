@@ -58,7 +58,10 @@ function ticksOf(low, high, log, count) {
 function tickText(value, step) {
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size >= 1e5 || size < 1e-3) return value.toExponential(size < 1e-3 || size >= 1e5 ? 0 : 1).replace("e+", "e");
+  if (size >= 1e5 || size < 1e-3) {
+    const digits = step ? Math.max(0, Math.floor(Math.log10(size) + 1e-9) - Math.floor(Math.log10(step) + 1e-9)) : 0;
+    return value.toExponential(Math.min(digits, 4)).replace("e+", "e");
+  }
   const digits = step ? Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9))) : 0;
   return step ? value.toFixed(digits) : String(Number(value.toPrecision(2)));
 }
@@ -109,6 +112,7 @@ class Plot {
     this.svg.addEventListener("pointerdown", event => this.onDown(event));
     this.svg.addEventListener("pointermove", event => this.onMove(event));
     this.svg.addEventListener("pointerup", () => this.onUp());
+    this.svg.addEventListener("pointercancel", () => this.endBrush());
     this.svg.addEventListener("pointerleave", () => { if (!this.dragged) this.page.show(-1); });
     this.draw();
   }
@@ -140,6 +144,7 @@ class Plot {
     this.key.replaceChildren();
     this.places = [];
     series.forEach((s, index) => this.drawSeries(s, index, xOf, yOf));
+    if (names) names.forEach((name, x) => html("li", {}, this.key, `${x}: ${x > 1 ? "and " : ""}${name}`));
     this.mark();
   }
 
@@ -150,7 +155,7 @@ class Plot {
     const xStep = spec.logX ? 0 : xTicks[1] - xTicks[0], yStep = yTicks[1] - yTicks[0];
     for (const x of xTicks) {
       node("line", {x1: xOf(x), x2: xOf(x), y1: TOP, y2: HEIGHT - BOTTOM, stroke: "var(--grid)"}, svg);
-      node("text", {...text, x: xOf(x), y: HEIGHT - BOTTOM + 16, "text-anchor": "middle", ...(names && names.length > 3 ? {"font-size": "9.5"} : {})}, svg, names ? names[x] : tickText(x, xStep));
+      node("text", {...text, x: xOf(x), y: HEIGHT - BOTTOM + 16, "text-anchor": "middle"}, svg, names ? String(x) : tickText(x, xStep));
     }
     for (const y of yTicks) {
       node("line", {x1: LEFT, x2: WIDTH - RIGHT, y1: yOf(y), y2: yOf(y), stroke: "var(--grid)"}, svg);
@@ -164,7 +169,7 @@ class Plot {
   }
 
   drawSeries(s, index, xOf, yOf) {
-    const colour = COLOURS[index % COLOURS.length], shape = SHAPES[index % SHAPES.length];
+    const colour = COLOURS[index % COLOURS.length], shape = SHAPES[(index + 3 * Math.floor(index / 8)) % SHAPES.length];
     if (s.curve && s.curve.length > 1) {
       const line = s.curve.map(([x, y]) => [xOf(x), yOf(y)]);
       node("path", {d: this.spec.names ? "M" + line.map(p => p.join(" ")).join("L") : curvePath(line), fill: "none", stroke: colour, "stroke-width": 2,
@@ -225,7 +230,15 @@ class Plot {
       event.preventDefault();
     } else if (event.key === "Escape") { this.page.markOnly([]); this.page.show(-1); }
   }
-  onDown(event) { this.dragged = {from: this.position(event), to: null}; }
+  onDown(event) {
+    this.dragged = {from: this.position(event), to: null};
+    this.svg.setPointerCapture(event.pointerId);
+  }
+  endBrush() {
+    this.dragged = null;
+    if (this.brush) this.brush.remove();
+    this.brush = null;
+  }
   onMove(event) {
     const [x, y] = this.position(event);
     if (!this.dragged) { this.page.show(this.nearest(x, y)); return; }
@@ -237,9 +250,7 @@ class Plot {
   onUp() {
     if (!this.dragged) return;
     const {from, to} = this.dragged;
-    this.dragged = null;
-    if (this.brush) this.brush.remove();
-    this.brush = null;
+    this.endBrush();
     if (!to || Math.hypot(to[0] - from[0], to[1] - from[1]) < 5) {
       const id = this.nearest(...from);
       this.page.markOnly(id < 0 ? [] : [id]);
@@ -251,11 +262,12 @@ class Plot {
 
   csv() {
     const quoted = text => /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
+    const names = this.spec.names ? this.spec.names() : null, at = x => names ? quoted(`${x}: ${names[x]}`) : x;
     const rows = [["series", "kind", this.spec.xLabel, this.spec.yLabel, "standard error"].map(quoted)];
     for (const s of this.shown) {
-      for (const p of s.points) rows.push([quoted(s.label), s.kind || "measured", p.x, p.y, p.error || ""]);
+      for (const p of s.points) rows.push([quoted(s.label), s.kind || "measured", at(p.x), p.y, p.error || ""]);
       for (const m of s.marks || []) rows.push([quoted(s.label), "model at the reading", m.x, m.y, ""]);
-      for (const [x, y] of s.curve || []) rows.push([quoted(s.label), "model curve", x, y, ""]);
+      if (!names) for (const [x, y] of s.curve || []) rows.push([quoted(s.label), "model curve", x, y, ""]);
     }
     return rows.map(row => row.join(",")).join("\n") + "\n";
   }
@@ -264,6 +276,14 @@ class Plot {
     const copy = this.svg.cloneNode(true), style = getComputedStyle(document.documentElement);
     copy.setAttribute("xmlns", SVG);
     copy.setAttribute("style", "background:" + style.getPropertyValue("--ground").trim());
+    // The key, below the axes.
+    const entries = [...this.key.children], ROW = 18;
+    copy.setAttribute("viewBox", `0 0 ${WIDTH} ${HEIGHT + ROW * entries.length + 6}`);
+    entries.forEach((entry, k) => {
+      const line = node("g", {transform: `translate(${LEFT} ${HEIGHT + ROW * k})`}, copy), icon = entry.querySelector("svg path");
+      if (icon) line.append(icon.cloneNode(true));
+      node("text", {x: 22, y: 10, fill: "var(--ink)", "font-size": "12.5", "font-family": "system-ui, sans-serif"}, line, entry.textContent.trim());
+    });
     return copy.outerHTML.replace(/var\((--[a-z]+)\)/g, (_, name) => style.getPropertyValue(name).trim());
   }
 }

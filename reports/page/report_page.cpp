@@ -14,6 +14,7 @@
 #include "reports/impact_report.h"
 #include "reports/page/page_data.h"
 #include "reports/page/page_files.h"
+#include "reports/page/page_text.h"
 #include "reports/proposal_report.h"
 #include "reports/with_error.h"
 #include "workflow/rival_effects.h"
@@ -38,18 +39,10 @@ struct PageSection {
     std::vector<PageTable> tables = {};
 };
 
-/// Text with a real plus-minus sign.
-std::string typeset(std::string text) {
-    for (std::size_t at = 0; (at = text.find("+-", at)) != std::string::npos;) {
-        text.replace(at, 2, "±");
-    }
-    return text;
-}
-
 data list_of(const std::vector<std::string>& texts) {
     data list{data::type::list};
     for (const std::string& text : texts) {
-        list << typeset(text);
+        list << page_text(text);
     }
     return list;
 }
@@ -60,7 +53,7 @@ data to_data(const PageTable& table) {
         rows << data{"cells", list_of(cells)};
     }
     data result;
-    result.set("caption", typeset(table.caption));
+    result.set("caption", page_text(table.caption));
     result.set("head", list_of(table.head));
     result.set("rows", rows);
     return result;
@@ -81,10 +74,6 @@ data to_data(const std::vector<PageSection>& sections) {
         result << one;
     }
     return result;
-}
-
-std::string p_cell(double p) {
-    return p < 0.001 ? "< 0.001" : fmt::format("{:.3f}", p);
 }
 
 std::string trimmed(const std::string& line) {
@@ -116,7 +105,7 @@ PageTable scan_table(const PageContent& content) {
             {candidate.name, candidate.group, size,
              fmt::format("{:.1f}", finding.test.predicted_reduction),
              finding.refitted_reduction ? fmt::format("{:.1f}", *finding.refitted_reduction) : "",
-             p_cell(finding.p), fmt::format("{:.2f}", finding.power), finding.decision});
+             p_text(finding.p, ""), fmt::format("{:.2f}", finding.power), finding.decision});
     }
     return table;
 }
@@ -139,7 +128,7 @@ PageTable rivals_table(const PageContent& content) {
         table.rows.push_back({names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
                               fmt::format("{:.2f}", each.chi2), fmt::format("{}", each.fit.dof),
                               with_error(each.fit.parameters(0), each.fit.standard_error(0)),
-                              p_cell(each.lack_of_fit_p), p_cell(each.further_p)});
+                              p_text(each.lack_of_fit_p, ""), p_text(each.further_p, "")});
     };
     for (const Explanation& each : d.confidence_set) {
         add(each);
@@ -212,6 +201,8 @@ PageSection next_section(const PageContent& content) {
 std::vector<std::string> used_effects(const PageContent& content) {
     std::set<std::string> names(content.switched.switches.begin(), content.switched.switches.end());
     names.insert(content.switched.always.begin(), content.switched.always.end());
+    const Diagnosis& d = content.diagnosis.diagnosis;
+    if (d.verdict != Verdict::inconclusive) names.insert(d.effects.begin(), d.effects.end());
     return {names.begin(), names.end()};
 }
 
@@ -222,6 +213,9 @@ PageSection provenance_section(const PageContent& content) {
                     "{}, seed {}.",
                     content.version, content.diagnosis.readings.size(), content.runs,
                     content.options.fidelity.name, content.options.seed),
+        "No simulation was made for the fits of this page: the emulator predicts what the runs "
+        "would give, with its error. 'pendular calibrate' confirms the fit of the study's model by "
+        "runs of its own.",
         "Contact and capillary laws, closures and the friction's calibration follow Badetti, Fall, "
         "Chevoir and Roux, Shear strength of wet granular materials: macroscopic cohesion and "
         "effective stress (2018)."};
@@ -255,10 +249,16 @@ std::vector<std::string> warnings_of(const PageContent& content) {
     for (const Doubt& doubt : content.measurements.doubts) {
         warnings.push_back("Doubt: " + doubt.what);
     }
-    if (!content.calibrated) {
+    if (content.resolved.study().model.fit_to == "dry" &&
+        std::ranges::none_of(content.diagnosis.readings,
+                             [](const Reading& r) { return r.condition.dry(); })) {
+        warnings.push_back(
+            "No reading is dry, so that 'pendular calibrate' cannot fit the friction: measure the "
+            "beads without liquid as well.");
+    } else if (!content.calibrated) {
         warnings.push_back(fmt::format(
-            "This study has not been calibrated: no simulation confirms the fits of this page. To "
-            "confirm them: pendular calibrate {}",
+            "This study has not been calibrated yet: give 'pendular calibrate {}' to confirm its "
+            "fit by simulations.",
             content.study_argument));
     }
     return warnings;
@@ -285,7 +285,7 @@ std::string report_page(const PageContent& content) {
     kainjow::mustache::mustache page{page_template};
     data values;
     values.set("study", content.study);
-    values.set("verdict", typeset(verdict_line(d.diagnosis, *d.models, content.checks)));
+    values.set("verdict", page_text(verdict_line(d.diagnosis, *d.models, content.checks)));
     values.set("warnings", list_of(warnings_of(content)));
     values.set("evidence", list_of({fit_line(d.diagnosis)}));
     values.set("sections", to_data(sections_of(content)));
