@@ -1,9 +1,11 @@
 #include "data/recordings/autoregression.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <unsupported/Eigen/FFT>
 
 namespace pendular {
 namespace {
@@ -44,6 +46,7 @@ LaggedCovariances::LaggedCovariances(std::span<const double> first, std::span<co
     : first_(centred(first)), second_(centred(second)) {}
 
 double LaggedCovariances::operator()(std::size_t lag) {
+    if (lag >= lags_alone && known_.size() < first_.size()) known_ = all();
     while (known_.size() <= lag)
         known_.push_back(at(known_.size()));
     return known_[lag];
@@ -62,6 +65,25 @@ double LaggedCovariances::at(std::size_t lag) const {
     for (std::size_t i = 0; i < pairs; ++i)
         sum += first_[i] * second_[i + lag] + first_[i + lag] * second_[i];
     return sum / (2 * static_cast<double>(pairs));
+}
+
+std::vector<double> LaggedCovariances::all() const {
+    const std::size_t n = first_.size(), padded = std::bit_ceil(2 * n);
+    std::vector<double> a = first_, b = second_, sums;
+    a.resize(padded);  // zeros, so that no lag wraps around
+    b.resize(padded);
+    std::vector<std::complex<double>> of_a, of_b;
+    Eigen::FFT<double> transform;
+    transform.fwd(of_a, a);
+    transform.fwd(of_b, b);
+    for (std::size_t k = 0; k < of_a.size(); ++k)
+        of_a[k] = std::conj(of_a[k]) * of_b[k];
+    transform.inv(sums, of_a);
+    std::vector<double> covariances{at(0)};
+    for (std::size_t lag = 1; lag < n; ++lag)
+        covariances.push_back((sums[lag] + sums[padded - lag]) /
+                              (2 * static_cast<double>(n - lag)));
+    return covariances;
 }
 
 double Autoregression::spectrum_at_zero(double count) const {

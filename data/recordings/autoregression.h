@@ -10,11 +10,15 @@ namespace pendular {
 double plain_mean(std::span<const double> samples);
 
 /// Lagged covariances C(t) of two series, in the product of their units. Each lag is computed when
-/// it is first needed, since windows are short and most lags are never used.
+/// it is first needed, since windows are short and most lags are never used. From `lags_alone` on,
+/// all lags of a series are computed at once, by Fourier transforms.
 class LaggedCovariances {
   public:
     /// @param second series as long as `first`
     LaggedCovariances(std::span<const double> first, std::span<const double> second);
+
+    /// Number of lags that are computed one by one.
+    static constexpr std::size_t lags_alone = 512;
 
     /// C(lag), averaged over both directions of the lag.
     double operator()(std::size_t lag);
@@ -23,6 +27,7 @@ class LaggedCovariances {
 
   private:
     double at(std::size_t lag) const;
+    std::vector<double> all() const;
 
     std::vector<double> first_, second_, known_;
 };

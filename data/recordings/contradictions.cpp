@@ -165,7 +165,7 @@ void exclude_rows(const Recording& recording, const std::set<std::size_t>& rows,
 
 Contradictions take_out_contradictions(Recording& recording, const AnnularCell& cell,
                                        const ImportSettings& choice, Measurements& result) {
-    Contradictions found;
+    Contradictions found{.averaged_rows = recording.averaged_rows};
     std::set<std::size_t> rows;
     for (const ColumnPair& pair : pairs_of(recording, cell))
         judge(pair, recording, !choice.keep_implausible, result, rows, found.file);
@@ -186,7 +186,8 @@ void set_aside_contradicted(const Contradictions& contradictions, Measurements& 
         const auto& lines = contradictions.lines;
         const auto spoilt = std::distance(lines.lower_bound(reading.origin.line),
                                           lines.upper_bound(reading.last_line));
-        const int rows = reading.last_line - reading.origin.line + 1;
+        const int rows =
+            (reading.last_line - reading.origin.line) / contradictions.averaged_rows + 1;
         if (contradictions.file)
             part.excluded.push_back(left_out(reading, "set aside: " + *contradictions.file));
         else if (100 * spoilt > rows)

@@ -13,7 +13,8 @@ namespace pendular {
 
 /// Contradictions between columns of one recording that hold the same quantity.
 struct Contradictions {
-    std::set<int> lines;  ///< lines in the file of the rows that were removed
+    std::set<int> lines;    ///< lines in the file of the rows that were removed
+    int averaged_rows = 1;  ///< `Recording::averaged_rows` of the recording
     /// Reason to use no reading of the recording's file; empty if there is none.
     std::optional<std::string> file;
 };

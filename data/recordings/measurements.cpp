@@ -51,7 +51,14 @@ struct FilesBefore {
 /// points.
 Recording read_checked(const std::filesystem::path& path, const FileFormat& format,
                        const AnnularCell& cell, Measurements& result) {
-    if (auto recording = quick_recording(path, format)) return *std::move(recording);
+    if (auto recording = quick_recording(path, format)) {
+        if (recording->averaged_rows > 1)
+            result.notes.push_back(fmt::format(
+                "{} has more than {} rows: each {} consecutive rows count as one, with their mean. "
+                "Spikes and saturation within such a group are not seen.",
+                path.filename().string(), most_kept_rows, recording->averaged_rows));
+        return *std::move(recording);
+    }
     const BlockFile file = read_blocks(path, format);
     Recording recording = recording_of(file, format);
     append(result.file_findings, compare_with_study(file, cell));

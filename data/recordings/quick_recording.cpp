@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "data/files/printable.h"
 #include "data/files/text_file.h"
 #include "data/quantities/number.h"
+#include "data/recordings/averaged_rows.h"
 
 namespace pendular {
 namespace {
@@ -37,7 +37,8 @@ bool states_nothing(const FileFormat& format) {
 /// reader.
 class QuickReader {
   public:
-    QuickReader(const std::filesystem::path& path, const FileFormat& format) : format_(format) {
+    QuickReader(const std::filesystem::path& path, const FileFormat& format, std::size_t most_rows)
+        : format_(format), most_rows_(most_rows) {
         recording_.file = path.string();
     }
 
@@ -64,7 +65,9 @@ class QuickReader {
 
     bool finish() {
         const std::string last = std::exchange(rest_, "");
-        return (last.empty() || read_line(last)) && recording_.size() > 1;
+        if (!last.empty() && !read_line(last)) return false;
+        if (rows_) rows_->finish();
+        return recording_.size() > 1;
     }
 
     Recording take() { return std::move(recording_); }
@@ -115,6 +118,11 @@ class QuickReader {
         }
         recording_.unused_columns = columns.others(names);
         numbers_.resize(cells_);
+        std::vector<std::vector<double> Recording::*> members;
+        for (const ReadColumn& column : columns_)
+            members.push_back(column.member);
+        values_.resize(members.size());
+        rows_.emplace(recording_, std::move(members), most_rows_);
         const bool shear = columns.has("torque") || columns.has("shear_stress");
         const bool normal = columns.has("normal_force") || columns.has("normal_stress");
         return shear && normal && columns.has("time") && columns.has("height") &&
@@ -147,24 +155,22 @@ class QuickReader {
     }
 
     bool add_row() {
-        const std::size_t row = recording_.line.size();
-        if (row * columns_.size() > most_quick_numbers) return false;
-        recording_.line.push_back(line_);
-        for (const ReadColumn& column : columns_) {
+        double time = 0, interval = 0;
+        for (std::size_t k = 0; k < columns_.size(); ++k) {
+            const ReadColumn& column = columns_[k];
             const double value =
                 column.from.factor * numbers_[column.from.index] + column.from.offset;
             if (!(std::abs(value) <= largest_magnitude)) return false;
-            (recording_.*column.member).push_back(value);
+            if (column.member == &Recording::height && value <= 0) return false;
+            if (column.member == &Recording::time) time = value;
+            if (column.member == &Recording::interval) interval = value;
+            values_[k] = value;
         }
-        return is_valid(row);
-    }
-
-    bool is_valid(std::size_t row) const {
-        const auto& [time, interval] = std::tie(recording_.time, recording_.interval);
-        if (recording_.height[row] <= 0) return false;
-        if (!interval.empty() && interval[row] != std::floor(interval[row])) return false;
-        if (row == 0 || time[row] >= time[row - 1]) return true;
-        return !interval.empty() && interval[row] != interval[row - 1];
+        if (interval != std::floor(interval)) return false;
+        if (time < time_ && interval == interval_) return false;
+        time_ = time;
+        interval_ = interval;
+        return rows_->add(line_, values_);
     }
 
     const FileFormat& format_;
@@ -174,15 +180,19 @@ class QuickReader {
     char delimiter_ = ',';
     std::size_t cells_ = 0;
     std::vector<ReadColumn> columns_;
-    std::vector<double> numbers_;  ///< of the present row
+    std::vector<double> numbers_;             ///< of the present row
+    std::vector<double> values_;              ///< of its columns, in SI units
+    double time_ = -INFINITY, interval_ = 0;  ///< of the row before; 0 without intervals
+    std::size_t most_rows_;
+    std::optional<AveragedRows> rows_;
 };
 
 }  // namespace
 
 std::optional<Recording> quick_recording(const std::filesystem::path& path,
-                                         const FileFormat& format) {
+                                         const FileFormat& format, std::size_t most_rows) {
     if (!states_nothing(format)) return std::nullopt;
-    QuickReader reader(path, format);
+    QuickReader reader(path, format, most_rows);
     const bool all = read_in_parts(path, largest_quick_recording,
                                    [&](std::string_view part) { return reader.read_part(part); });
     if (!all || !reader.finish()) return std::nullopt;

@@ -14,8 +14,11 @@ namespace pendular {
 
 /// Raw time series of an annular cell, one element per row of the file.
 struct Recording {
-    std::string file;                      ///< path of the file
-    std::vector<int> line;                 ///< line of each row in the file, from 1
+    std::string file;       ///< path of the file
+    std::vector<int> line;  ///< line of each row in the file, from 1
+    /// Number of consecutive rows of the file that each row is the mean of, from the row of `line`
+    /// on; 1 but for very long files.
+    int averaged_rows = 1;
     std::vector<double> time;              ///< time as recorded [s]
     std::vector<double> torque;            ///< torque on the lid [N m]
     std::vector<double> normal_force;      ///< normal force on the lid [N], compression positive

@@ -96,6 +96,43 @@ TEST_F(QuickRecording, LeavesOtherFilesToTheGeneralReader) {
             std::filesystem::path(PENDULAR_SOURCE_DIR) / "tests/data/formats" / name, {}));
 }
 
+TEST_F(QuickRecording, AveragesTheRowsOfLongFiles) {
+    quick(header + "\n" + rows(10'000));
+    const auto all = quick_recording(file_, {}), few = quick_recording(file_, {}, 1000);
+    ASSERT_TRUE(all && few);
+    EXPECT_EQ(all->averaged_rows, 1);
+    EXPECT_EQ(few->averaged_rows, 16);
+    ASSERT_EQ(few->size(), 625u);
+    for (std::size_t k = 0; k < few->size(); ++k) {
+        double torque = 0, time = 0;
+        for (std::size_t i = 16 * k; i < 16 * (k + 1); ++i) {
+            torque += all->torque[i] / 16;
+            time += all->time[i] / 16;
+        }
+        ASSERT_EQ(few->line[k], all->line[16 * k]);
+        ASSERT_NEAR(few->torque[k], torque, 1e-12);
+        ASSERT_NEAR(few->time[k], time, 1e-9);
+    }
+}
+
+TEST_F(QuickRecording, AveragesNoRowsOfTwoIntervals) {
+    std::string text = header + ",Interval\n";
+    for (int i = 0; i < 1000; ++i)
+        text += fmt::format("{},{},5,4,1,{}\n", i, i < 333 ? 1 : 100, i < 333 ? 1 : 2);
+    quick(text);
+    const auto few = quick_recording(file_, {}, 100);
+    ASSERT_TRUE(few);
+    EXPECT_LT(few->size(), 100u);
+    for (std::size_t k = 0; k < few->size(); ++k)
+        EXPECT_NEAR(few->torque[k], few->interval[k] == 1 ? 0.001 : 0.1, 1e-15);
+    // Where each row is an interval of its own, there is nothing to average.
+    text = header + ",Interval\n";
+    for (int i = 0; i < 1000; ++i)
+        text += fmt::format("{},1,5,4,1,{}\n", i, i);
+    quick(text);
+    EXPECT_FALSE(quick_recording(file_, {}, 100));
+}
+
 TEST_F(QuickRecording, LeavesErrorsToTheGeneralReader) {
     EXPECT_FALSE(quick(header + "\n" + rows(3) + "0.3,1,2,x,4\n"));
     EXPECT_THAT(input_error([&] { read_recording(file_); }), HasSubstr(":5:9: column 'Gap [mm]'"));

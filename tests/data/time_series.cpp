@@ -1,8 +1,10 @@
 #include "data/recordings/time_series.h"
 
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
+#include "data/recordings/autoregression.h"
 #include "tests/support/data_support.h"
 
 namespace pendular::data_time_series_test {
@@ -198,6 +200,26 @@ TEST(EndOfTransient, IsTheMinimumOfTheMarginalError) {
 TEST(EndOfTransient, TakesAConstantForSteadyAndTooFewSamplesForNothing) {
     EXPECT_EQ(end_of_transient(std::vector<double>(100, 0.1)), 0u);
     EXPECT_EQ(end_of_transient(std::vector<double>(3, 0.1)), std::nullopt);
+}
+
+TEST(LaggedCovariances, AreTheSameOneByOneAndAllAtOnce) {
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    const std::size_t n = 3000;
+    std::vector<double> first(n), second(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        first[i] = 5 + normal(random) + (i > 0 ? 0.9 * (first[i - 1] - 5) : 0);
+        second[i] = first[i] + normal(random);
+    }
+    LaggedCovariances alone(first, second), at_once(first, second);
+    at_once(n - 1);
+    for (std::size_t lag = 0; lag < LaggedCovariances::lags_alone; ++lag)
+        EXPECT_NEAR(at_once(lag), alone(lag), 1e-11);
+    double by_hand = 0, mean1 = plain_mean(first), mean2 = plain_mean(second);
+    for (std::size_t i = 0; i + 1000 < n; ++i)
+        by_hand += (first[i] - mean1) * (second[i + 1000] - mean2) +
+                   (first[i + 1000] - mean1) * (second[i] - mean2);
+    EXPECT_NEAR(at_once(1000), by_hand / 2 / static_cast<double>(n - 1000), 1e-11);
 }
 
 }  // namespace pendular::data_time_series_test
