@@ -198,6 +198,8 @@ std::vector<std::string> yield_locus_lines(const FileView& view) {
         if (locus.preshear)
             heading += fmt::format(", preshear at {:.4g} Pa with {:.4g} Pa",
                                    locus.preshear->normal_stress, locus.preshear->shear_stress);
+        if (locus.preshear && locus.preshear->bulk_density)
+            heading += fmt::format(", bulk density {:.4g} kg/m^3", *locus.preshear->bulk_density);
         if (locus.preshear && !locus.preshear->plateau)
             heading += ", which still changes at its end: the preshear was too short";
         lines.push_back(heading + ":");
@@ -210,7 +212,11 @@ std::vector<std::string> yield_locus_lines(const FileView& view) {
                 point.smoothed_shear_stress,
                 point.at_end ? "  at the last rows: failure may not have been reached" : ""));
         if (locus.line) lines.push_back(strength_line("Largest sample:", *locus.line));
-        if (locus.smoothed) lines.push_back(strength_line("Smoothed peak:", *locus.smoothed));
+        const bool rows = std::ranges::any_of(locus.points, [](const FailurePoint& point) {
+            return point.smoothed_end > point.smoothed_begin + 1;
+        });
+        if (locus.smoothed && rows)
+            lines.push_back(strength_line("Smoothed peak:", *locus.smoothed));
         if (locus.line && !locus.preshear)
             lines.emplace_back(
                 "  (No preshear was recorded: major principal stress and flowability are "

@@ -39,7 +39,7 @@ std::string texts_of(const FileView& view) {
 }
 
 Guess guessed_diameter(const std::string& texts) {
-    static const std::regex length(R"((\d+(?:[.,]\d+)?)\s*(mm|um|µm|μm)\b)");
+    static const std::regex length(R"((\d+(?:[.,]\d+)?)\s*(mm|um|µm|μm)(?![A-Za-z]))");
     std::smatch found;
     if (!std::regex_search(texts, found, length))
         return {"500 um", "GUESS: the file does not state the diameter"};
@@ -67,12 +67,12 @@ bool named_wet(const std::string& texts) {
            texts.find("water") != std::string::npos;
 }
 
-constexpr double glass_density = 2500, water_density = 1000;
+constexpr double glass_density = 2500, water_density = 1000, usual_solid_fraction = 0.6;
 
-/// Liquid content by volume [1] that the names of file and test suggest; empty for dry grains.
-std::optional<double> guessed_liquid(const std::string& texts) {
-    if (!named_wet(texts)) return std::nullopt;
-    return stated_percent(texts).value_or(1) / 100 * glass_density / water_density;
+/// Mass of liquid over mass of grains [1] that the names of file and test suggest; 0 for dry
+/// grains.
+double guessed_mass_ratio(const std::string& texts) {
+    return named_wet(texts) ? stated_percent(texts).value_or(1) / 100 : 0;
 }
 
 /// Text as a string of TOML, whose escapes are those of JSON.
@@ -124,18 +124,24 @@ bool has_role(const FileView& view, const char* role) {
                                [&](const IntervalRole& each) { return each.role == role; });
 }
 
-constexpr const char* points_header =
-    "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction [1],"
-    "solid_fraction_sd [1],inertial_number [1],line [1]\n";
+/// Header of a table of points, with the name and unit of the column of the solid fraction.
+std::string points_header(const std::string& fraction, const std::string& unit) {
+    return fmt::format(
+        "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],{0} [{1}],{0}_sd [{1}],"
+        "inertial_number [1],line [1]\n",
+        fraction, unit);
+}
 
-std::string point_row(double normal, double shear, double deviation, int line) {
-    // The standard deviation is at least 1 %: even a peak without noise is not exact.
-    return fmt::format("{:.6g},{:.6g},{:.3g},0.60,0.1,0,{}\n", normal, shear,
-                       std::max(deviation, 0.01 * shear), line);
+/// Row of a point. The standard deviation of the shear stress is at least 1 %: even a peak without
+/// noise is not exact. `fraction`: cells of the solid fraction, "0.60,0.1" if nothing is known.
+std::string point_row(double normal, double shear, double deviation, int line,
+                      const std::string& fraction = "0.60,0.1") {
+    return fmt::format("{:.6g},{:.6g},{:.3g},{},0,{}\n", normal, shear,
+                       std::max(deviation, 0.01 * shear), fraction, line);
 }
 
 std::string failure_table(const FileView& view) {
-    std::string text = points_header;
+    std::string text = points_header("solid_fraction", "1");
     for (const YieldLocus& locus : view.loci)
         for (const FailurePoint& point : locus.points)
             text += point_row(point.smoothed_normal_stress, point.smoothed_shear_stress,
@@ -143,19 +149,29 @@ std::string failure_table(const FileView& view) {
     return text;
 }
 
-/// Table of the ends of the preshears; empty without a preshear that has both stresses.
-std::string steady_table(const FileView& view) {
+/// Table of the ends of the preshears; empty without a preshear that has both stresses. If the file
+/// states bulk densities, they are given without the liquid, with a standard deviation of 1 %.
+std::string steady_table(const FileView& view, double mass_ratio) {
+    const bool weighed =
+        std::ranges::any_of(view.file.blocks, [](const Block& b) { return !!b.bulk_density; });
     std::string text;
     for (std::size_t i = 0; i < view.series.size(); ++i) {
         const IntervalSeries& series = view.series[i];
+        const std::optional<double> bulk = view.file.blocks[i].bulk_density;
         if (view.roles[i].role != "preshear" || series.shear_stress.empty() ||
-            series.normal_stress.empty())
+            series.normal_stress.empty() || bulk.has_value() != weighed)
             continue;
+        const double density = bulk.value_or(0) / (1 + mass_ratio);
         const PreshearPoint point = preshear_point(series);
-        text += point_row(point.normal_stress, point.shear_stress, point.shear_stress_deviation,
-                          series.line.back());
+        text +=
+            point_row(point.normal_stress, point.shear_stress, point.shear_stress_deviation,
+                      series.line.back(),
+                      weighed ? fmt::format("{:.5g},{:.3g}", density, 0.01 * density) : "0.60,0.1");
     }
-    return text.empty() ? text : points_header + text;
+    if (text.empty()) return text;
+    return (weighed ? points_header("bulk_density", "kg/m^3")
+                    : points_header("solid_fraction", "1")) +
+           text;
 }
 
 /// Lines of an entry on how the file is to be read, as the user stated it.
@@ -218,7 +234,8 @@ bool has_steady_recording(const FileView& view) {
     return has_role(view, "steady") && view.missing.empty();
 }
 
-std::string entries_text(const FileView& view, const FileFormat& format,
+/// @param steady whether there is a table of preshears
+std::string entries_text(const FileView& view, const FileFormat& format, bool steady,
                          const std::string& liquid_content) {
     std::string text;
     if (has_steady_recording(view))
@@ -226,7 +243,7 @@ std::string entries_text(const FileView& view, const FileFormat& format,
             "[[recording]]                    # intervals of steady shear\nfile = {}\n{}{}{}\n",
             toml_string(as_pattern(std::filesystem::path(view.file.file).filename().string())),
             format_text(format), roles_text(view), liquid_content);
-    if (!steady_table(view).empty())
+    if (steady)
         text += fmt::format(
             "[[readings]]                     # ends of the preshears, in steady "
             "shear\nfile = \"steady.csv\"\n{}\n",
@@ -247,7 +264,8 @@ std::map<std::string, std::string> begin_study(const FileView& view, const FileF
         throw InputError({view.file.file},
                          "has a name that study.toml cannot hold; rename the file");
     const std::string texts = texts_of(view);
-    const std::optional<double> liquid = guessed_liquid(texts);
+    const double mass_ratio = guessed_mass_ratio(texts);
+    std::string steady = steady_table(view, mass_ratio);
     std::string text = fmt::format(
         "# Begun by pendular import from {}.\n# Check every line marked GUESS: the file does not "
         "state it.\n\n[grains]\n",
@@ -255,17 +273,18 @@ std::map<std::string, std::string> begin_study(const FileView& view, const FileF
     text += entry("diameter", guessed_diameter(texts));
     text += entry("density", {"2500 kg/m^3", "GUESS: glass"}) + "\n";
     std::string content;
-    if (liquid) {
+    if (mass_ratio > 0) {
         text += "[liquid]\n" + entry("surface_tension", {"72.8 mN/m", "GUESS: water"}) +
                 entry("contact_angle", {"0 deg", "GUESS: the liquid wets the beads"}) + "\n";
         content = fmt::format(
-            "liquid_content = {:<15g} # GUESS: volume of water over volume of "
-            "glass, from the names of file and test\n",
-            *liquid);
+            "liquid_content = {:<15.3g} # GUESS: volume of water over that of the sample, from the "
+            "names of file and test, glass and a solid fraction of {}\n",
+            usual_solid_fraction * mass_ratio * glass_density / water_density,
+            usual_solid_fraction);
     }
     if (view.missing.empty() || view.cell.inner_radius || states_radii(view))
         text += cell_text(view);
-    const std::string entries = entries_text(view, format, content);
+    const std::string entries = entries_text(view, format, !steady.empty(), content);
     if (entries.empty())
         throw InputError(
             {view.file.file},
@@ -275,13 +294,12 @@ std::map<std::string, std::string> begin_study(const FileView& view, const FileF
                                              : fmt::format("{}", fmt::join(view.missing, ", "))));
     text += entries;
     text += "[model]\n";
-    text += liquid
+    text += mass_ratio > 0
                 ? "fit_to = \"all\"                   # no dry reading: wet readings are fitted\n"
                 : "fit_to = \"dry\"\n";
     std::map<std::string, std::string> files = {{"study.toml", text}};
     if (!view.loci.empty()) files["failure.csv"] = failure_table(view);
-    if (std::string table = steady_table(view); !table.empty())
-        files["steady.csv"] = std::move(table);
+    if (!steady.empty()) files["steady.csv"] = std::move(steady);
     if (has_steady_recording(view) &&
         !files.emplace(name, read_bytes(view.file.file, largest_table)).second)
         throw InputError({view.file.file},

@@ -156,6 +156,8 @@ std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<Inte
     for (std::size_t i = 0; i < series.size(); ++i) {
         if (const std::string stated = stated_role(file.blocks[i], format); !stated.empty())
             roles.push_back({stated, "stated by the user"});
+        else if (!file.blocks[i].stated_role.empty())
+            roles.push_back({file.blocks[i].stated_role, "stated by the file"});
         else if (largest_known(series[i].normal()) == 0 || !any_known(series[i].shear()))
             roles.push_back({"other", "no values of shear stress or of normal stress"});
         else if (!loading[i].sheared)

@@ -26,6 +26,8 @@ const std::vector<std::string_view> reading_columns = {"normal_stress",
                                                        "stress_ratio_sd",
                                                        "solid_fraction",
                                                        "solid_fraction_sd",
+                                                       "bulk_density",
+                                                       "bulk_density_sd",
                                                        "shear_rate",
                                                        "inertial_number",
                                                        "liquid_content",
@@ -47,7 +49,8 @@ struct Points {
     const Columns& columns;
     const Source& source;
     const Study& study;
-    std::string_view stress;  ///< name of the stress column: "shear_stress" or "stress_ratio"
+    std::string_view stress;    ///< name of the stress column: "shear_stress" or "stress_ratio"
+    std::string_view fraction;  ///< name of its column: "solid_fraction" or "bulk_density"
 };
 
 void refuse_misspelt(const Table& table, const Columns& columns) {
@@ -124,10 +127,17 @@ void set_stress(const Points& points, const Row& row, Reading& reading) {
         std::pow(deviation, 2) + std::pow(value / normal * normal_deviation, 2);
 }
 
+/// Value of the column of the solid fraction that means 1: the density of the grains for a bulk
+/// density [kg/m^3].
+double unit_of_fraction(const Points& points) {
+    return points.fraction == "bulk_density" ? points.study.grains.density : 1;
+}
+
 void set_solid_fraction(const Points& points, const Row& row, Reading& reading) {
-    reading.value(1) = positive(points, row, "solid_fraction");
+    const double unit = unit_of_fraction(points);
+    reading.value(1) = positive(points, row, points.fraction) / unit;
     reading.covariance(1, 1) =
-        std::pow(points.columns.deviation(row, "solid_fraction").value_or(0), 2);
+        std::pow(points.columns.deviation(row, points.fraction).value_or(0) / unit, 2);
 }
 
 void set_correlation(const Points& points, const Row& row, Reading& reading) {
@@ -199,11 +209,11 @@ Reading reading_of(const Points& points, const Row& row) {
 /// Sets the rounding step of each reading from the digits of the numbers in the table.
 void set_resolutions(const Points& points, std::vector<Reading>& readings) {
     const auto stress = points.columns.resolutions(points.stress);
-    const auto fraction = points.columns.resolutions("solid_fraction");
+    const auto fraction = points.columns.resolutions(points.fraction);
     for (std::size_t k = 0; k < readings.size(); ++k) {
         const double unit =
             points.stress == "stress_ratio" ? readings[k].condition.normal_stress : 1;
-        readings[k].resolution = {unit * stress[k], fraction[k]};
+        readings[k].resolution = {unit * stress[k], fraction[k] / unit_of_fraction(points)};
     }
 }
 
@@ -228,9 +238,12 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
     const Columns columns(table);
     refuse_misspelt(table, columns);
     columns.require("normal_stress");
-    const Points points{table, columns, source, study,
-                        columns.require_one_of("shear_stress", "stress_ratio")};
-    columns.require("solid_fraction");
+    const Points points{table,
+                        columns,
+                        source,
+                        study,
+                        columns.require_one_of("shear_stress", "stress_ratio"),
+                        columns.require_one_of("solid_fraction", "bulk_density")};
     if (!columns.has("shear_rate")) columns.require("inertial_number");
     check_liquid_content(table, columns, source, study);
 

@@ -69,8 +69,11 @@ std::optional<PreshearPoint> preshear_before(const BlockFile& file,
                                              std::size_t i) {
     while (i-- > 0 && file.blocks[i].test == file.blocks[i + 1].test)
         if (roles[i].role == "preshear" && !series[i].shear_stress.empty() &&
-            !series[i].normal_stress.empty())
-            return preshear_point(series[i]);
+            !series[i].normal_stress.empty()) {
+            PreshearPoint point = preshear_point(series[i]);
+            point.bulk_density = file.blocks[i].bulk_density;
+            return point;
+        }
     return std::nullopt;
 }
 
@@ -144,8 +147,9 @@ PreshearPoint preshear_point(const IntervalSeries& series) {
     const double before =
         std::abs(mean_of(series.shear_stress, begin - std::min(rows, begin), begin));
     constexpr double steady = 0.02;
-    point.plateau =
-        begin > 0 && std::abs(before - point.shear_stress) <= steady * point.shear_stress;
+    // A single row is a result, whose course is not known.
+    point.plateau = series.size() == 1 || (begin > 0 && std::abs(before - point.shear_stress) <=
+                                                            steady * point.shear_stress);
     return point;
 }
 
@@ -156,7 +160,7 @@ FailurePoint failure_point(const Block& block, const IntervalSeries& series) {
     point.line = series.line[peak];
     point.normal_stress = series.normal_stress[peak];
     point.shear_stress = std::abs(series.shear_stress[peak]);
-    point.at_end = peak + 1 + rows / 20 >= rows;
+    point.at_end = rows > 1 && peak + 1 + rows / 20 >= rows;
     if (!series.height.empty() && std::isfinite(series.height[peak]))
         point.height = series.height[peak];
     const std::size_t window = std::min(std::max<std::size_t>(rows / 30, 5), rows);

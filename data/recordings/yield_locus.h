@@ -34,6 +34,7 @@ struct PreshearPoint {
     /// Whether the shear stress has reached a plateau: its mean over these rows differs by at most
     /// 2 % from that over as many rows before them.
     bool plateau = true;
+    std::optional<double> bulk_density = {};  ///< stated by the file, with liquid [kg/m^3]
 };
 
 /// Straight line through points of failure, with what follows from it.

@@ -104,6 +104,26 @@ TEST(ImportFile, BeginsAStudyOfSteadyShearWithItsRecording) {
     EXPECT_EQ(run_pendular("import " + study).code, 0);
 }
 
+/// Bulk densities of 1450 and 1480 kg/m^3 of glass of 2500 kg/m^3.
+TEST(ImportFile, BeginsAStudyFromAReportOnYieldLoci) {
+    const TemporaryFolder folder;
+    const std::string study = (folder.path() / "begun").string();
+    const Outcome begun =
+        run_pendular("import " + look_alikes + "yield_locus_report.txt --study " + study);
+    ASSERT_EQ(begun.code, 0) << begun.errors;
+    EXPECT_THAT(begun.output,
+                HasSubstr("preshear at 3000 Pa with 1200 Pa, bulk density 1450 kg/m^3:"));
+    EXPECT_THAT(content_of(study + "/study.toml"), HasSubstr("diameter = \"0.8 mm\""));
+    const auto json = json_of("import " + study);
+    std::vector<double> fractions;
+    for (const auto& reading : json.at("readings"))
+        if (!reading.at("failure").get<bool>())
+            fractions.push_back(reading.at("solid_fraction").at("value").get<double>());
+    EXPECT_THAT(fractions, testing::ElementsAre(testing::DoubleNear(0.58, 1e-6),
+                                                testing::DoubleNear(0.592, 1e-6)));
+    EXPECT_EQ(json.at("readings").size(), 7u);
+}
+
 TEST(ImportFile, ComparesTheHeaderWithTheStudyBesideTheFile) {
     const TemporaryFolder folder;
     std::string rows =

@@ -185,9 +185,34 @@ TEST_F(ReadBlocks, ReadNumbersWithoutHeaderAsTheUserStates) {
     }
 }
 
+TEST_F(ReadBlocks, ReadReportsOnYieldLoci) {
+    const FileView view = view_of_file(look_alike("yield_locus_report.txt"));
+    EXPECT_EQ(view.file.layout, "yield-locus-report");
+    ASSERT_EQ(view.file.blocks.size(), 7u);
+    EXPECT_EQ(view.file.blocks[0].test, "0.8 mm beads");
+    const std::vector<std::string> roles = {"preshear", "failure", "failure", "failure",
+                                            "preshear", "failure", "failure"};
+    const int numbers[] = {2, 4, 8, 12, 14, 16, 20};
+    for (std::size_t k = 0; k < 7; ++k) {
+        EXPECT_EQ(view.roles[k].role, roles[k]);
+        EXPECT_EQ(view.file.blocks[k].number, numbers[k]);
+    }
+    ASSERT_EQ(view.loci.size(), 2u);
+    const YieldLocus &first = view.loci[0], &second = view.loci[1];
+    EXPECT_NEAR(first.line.value().cohesion, 50, 1e-9);
+    EXPECT_NEAR(std::tan(first.line->slope_angle), 0.5, 1e-9);
+    EXPECT_NEAR(first.preshear.value().bulk_density.value(), 1450, 1e-9);
+    EXPECT_NEAR(second.preshear.value().shear_stress, 2400, 1e-9);
+    EXPECT_NEAR(second.preshear->bulk_density.value(), 1480, 1e-9);
+    EXPECT_TRUE(second.preshear->plateau);
+    EXPECT_FALSE(first.points[0].at_end);
+    EXPECT_NEAR(view.series[4].height.at(0), 0.0123, 1e-12);
+}
+
 TEST_F(ReadBlocks, RefuseWhatIsNoRecording) {
-    EXPECT_THAT(input_error([] { read_blocks(look_alike("yield_locus_report.txt")); }),
-                HasSubstr("report on a yield locus"));
+    const auto empty = folder_.write("report.txt", "Yield locus function\nCohesion: 50 Pa\n");
+    EXPECT_THAT(input_error([&] { read_blocks(empty); }),
+                HasSubstr("without any level of preshear"));
     EXPECT_THAT(input_error([] { read_blocks(look_alike("nested_lists.csv")); }),
                 HasSubstr("holds a list of 2 numbers"));
 }

@@ -32,6 +32,9 @@ struct Block {
     std::string test;  ///< test or result that the block belongs to; empty if the file names none
     std::string name;  ///< "Peak hold - 1"; empty if the file names none
     int number = 0;    ///< number of the interval in its test, from 1; 0: the file gives none
+    std::string stated_role = {};  ///< role that the file gives the interval; empty if it does not
+    /// Bulk density of the sample, with liquid [kg/m^3], if the file states it.
+    std::optional<double> bulk_density = {};
     /// Number of rows that the file declares for the block, if it does.
     std::optional<std::size_t> declared_rows;
     std::vector<BlockColumn> columns;
