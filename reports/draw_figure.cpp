@@ -198,11 +198,11 @@ struct Format {
     std::string_view end;
 };
 constexpr Format formats[] = {
-    {"svg", "svg enhanced font 'DejaVu Sans,12' background rgb 'white' size", 96, "</svg>"},
+    {"svg", "svg enhanced rounded font 'DejaVu Sans,12' background rgb 'white' size", 96, "</svg>"},
     {"png",
-     "pngcairo enhanced font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 size", 160,
+     "pngcairo enhanced rounded font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 size", 160,
      "IEND"},
-    {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.7 linewidth 1.6 size", 0,
+    {"pdf", "pdfcairo enhanced rounded font 'DejaVu Sans,12' fontscale 0.7 linewidth 1.6 size", 0,
      "%%EOF"}};
 
 /// File in which gnuplot draws a figure.

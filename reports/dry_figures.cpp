@@ -162,6 +162,7 @@ Figure calibration_figure(const DryStudy& study) {
         panel.references.push_back({"calibrated, ± 1 standard error", study.friction(),
                                     c.fit.standard_error(0), true, calibrated_colour});
         panel.curves.push_back(runs_curve(study, condition, o, slow));
+        if (panel.curves.back().x.empty()) panel.curves.pop_back();  // all of another number
         const std::string label = fmt::format("model{}, {}", with.empty() ? "" : " with " + with,
                                               inertial_text(condition.inertial_number));
         curve.draw_in(panel, o, {.label = label, .colour = model_colour},
