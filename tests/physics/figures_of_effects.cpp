@@ -215,16 +215,23 @@ double interpolated(const Curve& curve, double x) {
     return std::nan("");
 }
 
+/// Label of the model beside measured values, "points of failure, model, liquid content 0.03" for
+/// "points of failure, measured, liquid content 0.03".
+std::string of_model(std::string measured, const char* word) {
+    const std::string from = "measured";
+    return measured.replace(measured.find(from), from.size(), word);
+}
+
 /// Value of the model that a panel draws beside a measured point: a point of its own, else its
 /// curve.
 double drawn_model(const Panel& panel, const Curve& measured, std::size_t k) {
-    const std::string of = measured.label.substr(std::string("measured").size());
+    const auto with = [&](const char* word) { return of_model(measured.label, word); };
     if (const Curve* points =
-            curve_named(panel, {"model at the readings" + of, "simulated" + of, "model" + of},
+            curve_named(panel, {with("model at the readings"), with("simulated"), with("model")},
                         Curve::Style::points)) {
         return points->x.size() == measured.x.size() ? points->y[k] : std::nan("");
     }
-    const Curve* line = curve_named(panel, {"model" + of}, Curve::Style::line);
+    const Curve* line = curve_named(panel, {with("model")}, Curve::Style::line);
     return line ? interpolated(*line, measured.x[k]) : std::nan("");
 }
 
@@ -232,7 +239,7 @@ double drawn_model(const Panel& panel, const Curve& measured, std::size_t k) {
 /// be several: for each mass of beads or file. Symbols repeat predictions; lines are made apart
 /// from them, at conditions between those of readings. None where no line is drawn.
 std::optional<double> off_lines(const Panel& panel, const Curve& measured, double x, double value) {
-    const std::string of = "model" + measured.label.substr(std::string("measured").size());
+    const std::string of = of_model(measured.label, "model");
     std::optional<double> least;
     for (const Curve& curve : panel.curves) {
         if (curve.style != Curve::Style::line || !curve.label.starts_with(of)) continue;
@@ -264,6 +271,12 @@ class FiguresOfEffects : public testing::TestWithParam<Case> {
             which, [&](std::size_t k) { return c.readings[k].condition.inertial_number > 0.004; });
         return which;
     }
+    /// Slow dry readings that figures draw as one: points of failure are none of them.
+    std::vector<std::size_t> slow_dry() const {
+        std::vector<std::size_t> which = slow(readings(true));
+        std::erase_if(which, [&](std::size_t k) { return c.readings[k].condition.at_failure; });
+        return which;
+    }
     /// The readings (or their mean) that were measured so, and what the fit leaves of them.
     Values told(double measured, std::size_t o, const std::vector<std::size_t>& which,
                 bool* is_mean) const {
@@ -272,7 +285,7 @@ class FiguresOfEffects : public testing::TestWithParam<Case> {
             if (std::abs(one.measured - measured) < 1e-12) return one;
         }
         *is_mean = true;
-        return mean_of_readings(c, slow(readings(true)), o);
+        return mean_of_readings(c, slow_dry(), o);
     }
     /// Demands of every measured point of a figure that the drawn model beside it leaves the fit's
     /// own residual. @return how many readings it shows
@@ -285,8 +298,10 @@ class FiguresOfEffects : public testing::TestWithParam<Case> {
             const Panel& panel = figure.panels[p];
             const std::size_t o = panel.y_label.find("solid fraction") == std::string::npos ? 0 : 1;
             for (const Curve& curve : panel.curves) {
-                const bool measured = curve.label.starts_with("measured") &&
-                                      curve.style == Curve::Style::points && !curve.x.empty();
+                const bool named = curve.label.starts_with("measured") ||
+                                   curve.label.starts_with("points of failure, measured");
+                const bool measured =
+                    named && curve.style == Curve::Style::points && !curve.x.empty();
                 for (std::size_t k = 0; measured && k < curve.x.size(); ++k) {
                     bool is_mean = false;
                     const Values told_so = told(curve.y[k], o, all_readings(), &is_mean);
@@ -320,7 +335,7 @@ class FiguresOfEffects : public testing::TestWithParam<Case> {
             const auto friction = std::ranges::find(panel.references, true, &Reference::vertical);
             const auto band = std::ranges::find(panel.references, false, &Reference::vertical);
             const auto line = std::ranges::find(panel.curves, Curve::Style::line, &Curve::style);
-            const Values mean = mean_of_readings(c, slow(readings(true)), o);
+            const Values mean = mean_of_readings(c, slow_dry(), o);
             const double off = (band->value - interpolated(*line, friction->value) -
                                 (mean.measured - mean.predicted)) /
                                mean.error;
