@@ -121,7 +121,7 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
             fmt::format("Its table [[effect]] stays in {}.", change.study.study().file.string()));
     }
     for (const auto& line :
-         advice_on(change, before.ladder_step, after.ladder_step, common.study.string())) {
+         advice_on(change, before.ladder_step, after.ladder_step, common.study_word())) {
         console.note(line);
     }
     if (const auto& rivals = after.ladder_step.rivals; !rivals.empty()) {
@@ -184,7 +184,7 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
         console.figures(figures, {figure.name});
         console.next(fmt::format("pendular {} {}",
                                  after.belief.believable() ? "compare" : "diagnose",
-                                 common.study.string()));
+                                 common.study_word()));
     }
     const int code = written ? static_cast<int>(done) : refuse_fit(console, plan, after);
     return after.belief.meaningless ? static_cast<int>(not_converged) : code;

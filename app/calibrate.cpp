@@ -158,16 +158,16 @@ int calibrate(const std::vector<std::string>& arguments) {
     if (!measurements.excluded.empty()) {
         console.note(
             fmt::format("Import left out {} ranges of rows. To list them: pendular import {} --all",
-                        measurements.excluded.size(), common->study.string()));
+                        measurements.excluded.size(), common->study_word()));
     }
     auto json = to_json(c, comparison);
     add_belief(json, belief);
     console.json(json);
     constexpr double significant = 0.05;
     if (!belief.believable() || comparison.total.p() < significant) {
-        console.next(fmt::format("pendular diagnose {}", common->study.string()));
+        console.next(fmt::format("pendular diagnose {}", common->study_word()));
     } else {
-        console.next(fmt::format("pendular compare {}", common->study.string()));
+        console.next(fmt::format("pendular compare {}", common->study_word()));
     }
     return c.fit.converged && !belief.meaningless ? done : not_converged;
 }

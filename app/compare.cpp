@@ -125,7 +125,7 @@ int compare(const std::vector<std::string>& arguments) {
     const bool fits = belief.believable() && comparison.total.p() >= significant;
     console.next(fmt::format("pendular {} {}",
                              fits && !c.model.effects.empty() ? "next" : "diagnose",
-                             common->study.string()));
+                             common->study_word()));
     return done;
 }
 

@@ -289,7 +289,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     }
     if (impacts) print_impacts(console, *impacts, diagnosis);
     print_evidence(console, d, checks, *session.operator->());
-    print_notes(console, d, measurements, common->study.string());
+    print_notes(console, d, measurements, common->study_word());
     const auto figures = common->out_folder() / "figures";
     std::vector<Figure> drawn = {diagnosis_figure(diagnosis, models)};
     if (!d.proposals.empty()) {
@@ -298,7 +298,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     if (impacts) drawn.push_back(impact_figure(*impacts));
     console.json(json);  // before the figures, which need gnuplot
     console.figures(figures, draw_all(drawn, figures));
-    console.next(next_step(diagnosis, common->study.string(), !d.proposals.empty()));
+    console.next(next_step(diagnosis, common->study_word(), !d.proposals.empty()));
     return diagnosis.fit.converged ? done : not_converged;
 }
 

@@ -114,10 +114,16 @@ int import(const std::vector<std::string>& arguments) {
     const auto readings = common->out_folder() / "readings.csv";
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
-    console.answer(fmt::format(
-        "{} readings are in {}; {} ranges of rows were left out{} (excluded.csv beside it).",
-        measurements.readings.size(), readings.string(), measurements.excluded.size(),
-        set_aside_text(measurements)));
+    console.answer(
+        fmt::format("{} in {}; {} left out{} (excluded.csv beside it).",
+                    measurements.readings.size() == 1
+                        ? "1 reading is"
+                        : fmt::format("{} readings are", measurements.readings.size()),
+                    readings.string(),
+                    measurements.excluded.size() == 1
+                        ? "1 range of rows was"
+                        : fmt::format("{} ranges of rows were", measurements.excluded.size()),
+                    set_aside_text(measurements)));
     for (const Doubt& doubt : measurements.doubts) {
         console.line(fmt::format("Doubt: {} {}", doubt.what,
                                  doubt.set_aside ? "Set aside; see excluded.csv." : "Kept."));
@@ -130,7 +136,8 @@ int import(const std::vector<std::string>& arguments) {
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
-    console.next(fmt::format("pendular calibrate {}", common->study.string()));
+    if (!measurements.readings.empty())
+        console.next(fmt::format("pendular calibrate {}", common->study_word()));
     console.json(to_json(measurements));
     if (!file.figures.empty())
         draw_all(figures_of_recordings(input, console), file.figures, console);

@@ -41,6 +41,16 @@ FileFormat format_of(const ImportFileOptions& options) {
     format.encoding = options.encoding;
     format.decimal = options.decimal;
     format.sheet = options.sheet;
+    // As messages and study.toml have it: columns = ["Time [s]", "Torque [mN m]"].
+    const std::size_t list = options.columns.find("[\"");
+    const auto array = list == std::string::npos
+                           ? nlohmann::json()
+                           : nlohmann::json::parse(options.columns.substr(list), nullptr, false);
+    if (array.is_array()) {
+        for (const auto& column : array)
+            format.columns.push_back(column.is_string() ? column.get<std::string>() : "");
+        return format;
+    }
     for (std::string_view rest = options.columns; !rest.empty();) {
         const std::size_t end = std::min(rest.find(';'), rest.size());
         format.columns.emplace_back(trimmed(rest.substr(0, end)));
@@ -89,7 +99,8 @@ void ImportFileOptions::declare(Options& options) {
     options.add("decimal", &decimal, "decimal mark of the file, '.' or ',' (default: detected)");
     options.add(
         "columns", &columns,
-        "names and units of all columns where the file has none: 'Time [s]; Torque [mN m]'");
+        "names and units of all columns where the file has none: 'Time [s]; Torque [mN m]', or as "
+        "in study.toml");
 }
 
 void ImportFileOptions::refuse_for_studies(const Options& options) const {
@@ -135,10 +146,11 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
     for (const std::string& line : yield_locus_lines(view))
         console.line(line);
     if (const std::string missing = missing_sentence(view); !missing.empty()) console.note(missing);
-    if (options.study.empty())
-        console.next(fmt::format("pendular import {} --study my-study", path.string()));
-    else
-        console.next(fmt::format("pendular calibrate {}", options.study));
+    const bool begins = !view.loci.empty() || view.missing.empty();
+    if (options.study.empty() && begins)
+        console.next(fmt::format("pendular import {} --study my-study", shell_word(path)));
+    else if (!options.study.empty())
+        console.next(fmt::format("pendular calibrate {}", shell_word(options.study)));
     console.json(to_json(view));
     if (!options.figures.empty()) draw_all(file_figures(view), options.figures, console);
     return done;

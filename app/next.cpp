@@ -80,7 +80,7 @@ int next(const std::vector<std::string>& arguments) {
         console.note(
             fmt::format("The verdict of the diagnosis is {}: more precise parameters do not change "
                         "it. For details: pendular diagnose {}",
-                        to_string(d.diagnosis.verdict), common->study.string()));
+                        to_string(d.diagnosis.verdict), common->study_word()));
     }
     if (!session->study().rig) {
         console.note(
@@ -98,7 +98,7 @@ int next(const std::vector<std::string>& arguments) {
         console.figures(common->out_folder() / "figures", {"next"});
     }
     console.next(fmt::format("pendular diagnose {}   # once study.toml lists the new recording",
-                             common->study.string()));
+                             common->study_word()));
     return done;
 }
 

@@ -129,6 +129,23 @@ void demand_json(const std::filesystem::path& file, const std::string& option) {
 
 }  // namespace
 
+std::string shell_word(const std::filesystem::path& path) {
+    const std::string text = path.string();
+    const auto plain = [](unsigned char c) {
+        return std::isalnum(c) || c >= 0x80 ||
+               std::string_view("_-./,+=:@%").find(char(c)) != std::string_view::npos;
+    };
+    if (!text.empty() && std::ranges::all_of(text, plain)) return text;
+    std::string quoted = "'";
+    for (const char c : text)
+        quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string CommonOptions::study_word() const {
+    return shell_word(study);
+}
+
 std::filesystem::path CommonOptions::out_folder() const {
     return out ? *out : study_folder(study) / "out";
 }

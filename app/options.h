@@ -43,7 +43,12 @@ struct CommonOptions {
 
     /// Folder for results: the folder of option --out, else the folder `out` in the study's folder.
     std::filesystem::path out_folder() const;
+    /// Study as a word of a command line (`shell_word`).
+    std::string study_word() const;
 };
+
+/// Path as a word of a command line, between quotes if it has characters that a shell interprets.
+std::string shell_word(const std::filesystem::path& path);
 
 /// Declares, parses and documents the command-line options of one command of `pendular`.
 class Options {

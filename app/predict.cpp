@@ -195,10 +195,9 @@ int predict(const std::vector<std::string>& arguments) {
     options.add("along", &along, "NAME=FROM:TO: quantity to vary, with its first and last value");
     options.add("points", &points, "number of states along the curve (default 60)");
     std::vector<std::string> drawn;
-    options.add(
-        "draw", &drawn,
-        "observable or formula to draw along the curve (default: stress_ratio and "
-        "solid_fraction); may be repeated");
+    options.add("draw", &drawn,
+                "observable or formula to draw along the curve (default: stress_ratio and "
+                "solid_fraction); may be repeated");
     bool simulate = false;
     options.add_switch("simulate", &simulate,
                        "if the known runs do not support the state, simulate it at the --fidelity, "

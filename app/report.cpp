@@ -67,7 +67,7 @@ int report(const std::vector<std::string>& arguments) {
     std::error_code error;
     const PageContent content{
         .study = std::filesystem::absolute(session->study().file).parent_path().filename().string(),
-        .study_argument = common->study.string(),
+        .study_argument = common->study_word(),
         .resolved = session->resolved(),
         .measurements = session->measurements(),
         .diagnosis = d,
@@ -99,7 +99,7 @@ int report(const std::vector<std::string>& arguments) {
                   {"verdict", to_string(d.diagnosis.verdict)},
                   {"switches", fits.switches},
                   {"models", models}});
-    console.next(next_step(d.diagnosis, common->study.string(), !d.proposals.empty()));
+    console.next(next_step(d.diagnosis, common->study_word(), !d.proposals.empty()));
     return done;
 }
 

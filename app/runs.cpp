@@ -103,7 +103,7 @@ int list(const Request& request, Console& console) {
     const auto runs = request.selected();
     const bool effects = std::ranges::any_of(
         runs, [](const StoredRun& stored) { return !stored.run.parameters.effects.empty(); });
-    console.answer(fmt::format("{} runs.", runs.size()));
+    console.answer(fmt::format("{} run{}.", runs.size(), runs.size() == 1 ? "" : "s"));
     console.line(
         fmt::format("   id friction     I      P*  V0/a^3  kappa beads strain  stress ratio        "
                     "solid fraction{}",

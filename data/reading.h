@@ -25,6 +25,9 @@ struct Condition {
     /// Whether the state is a point of failure, a peak of the shear stress, rather than steady
     /// shear.
     bool at_failure = false;
+    /// Normal stress of the preshear that consolidated the sample before a point of failure [Pa],
+    /// if known.
+    std::optional<double> preshear_stress = {};
 
     /// Whether the grains are dry: the liquid content is 0.
     bool dry() const { return liquid_content == 0; }

@@ -200,8 +200,9 @@ struct Format {
 constexpr Format formats[] = {
     {"svg", "svg enhanced rounded font 'DejaVu Sans,12' background rgb 'white' size", 96, "</svg>"},
     {"png",
-     "pngcairo enhanced rounded font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 size", 160,
-     "IEND"},
+     "pngcairo enhanced rounded font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 "
+     "size",
+     160, "IEND"},
     {"pdf", "pdfcairo enhanced rounded font 'DejaVu Sans,12' fontscale 0.7 linewidth 1.6 size", 0,
      "%%EOF"}};
 

@@ -190,18 +190,39 @@ std::vector<std::string> checks_lines(const FileView& view, bool all) {
     return lines;
 }
 
+/// Reasons not to believe a yield locus.
+std::vector<std::string> doubts_of(const YieldLocus& locus) {
+    std::vector<std::string> doubts;
+    if (locus.line && locus.line->intercept < 0)
+        doubts.emplace_back(
+            "The line meets the axis below zero, as no grains do: repeat points that lie apart.");
+    if (!locus.preshear) return doubts;
+    std::vector<int> above;
+    for (const FailurePoint& point : locus.points)
+        if (point.shear_stress > locus.preshear->shear_stress &&
+            point.normal_stress < locus.preshear->normal_stress)
+            above.push_back(point.interval);
+    if (!above.empty())
+        doubts.push_back(fmt::format(
+            "Interval{} {}: sheared above the shear stress of the preshear at a lower normal "
+            "stress, so that the preshear may not have been steady.",
+            above.size() == 1 ? "" : "s", fmt::join(above, ", ")));
+    return doubts;
+}
+
 std::vector<std::string> yield_locus_lines(const FileView& view) {
     std::vector<std::string> lines;
     for (const YieldLocus& locus : view.loci) {
         std::string heading = "Yield locus";
         if (!locus.test.empty()) heading += " of " + locus.test;
         if (locus.preshear)
-            heading += fmt::format(", preshear at {:.4g} Pa with {:.4g} Pa",
-                                   locus.preshear->normal_stress, locus.preshear->shear_stress);
+            heading +=
+                fmt::format(", preshear with normal stress {:.4g} Pa, shear stress {:.4g} Pa",
+                            locus.preshear->normal_stress, locus.preshear->shear_stress);
         if (locus.preshear && locus.preshear->bulk_density)
             heading += fmt::format(", bulk density {:.4g} kg/m^3", *locus.preshear->bulk_density);
         if (locus.preshear && !locus.preshear->plateau)
-            heading += ", which still changes at its end: the preshear was too short";
+            heading += " (still changing at its end: the preshear was too short)";
         lines.push_back(heading + ":");
         lines.push_back(fmt::format("  {:>8} {:>8} {:>10} {:>10} {:>16} {:>16}", "interval", "line",
                                     "s22 [Pa]", "s12 [Pa]", "smoothed s22", "smoothed s12"));
@@ -211,6 +232,8 @@ std::vector<std::string> yield_locus_lines(const FileView& view) {
                 point.line, point.normal_stress, point.shear_stress, point.smoothed_normal_stress,
                 point.smoothed_shear_stress,
                 point.at_end ? "  at the last rows: failure may not have been reached" : ""));
+        for (const std::string& line : doubts_of(locus))
+            lines.push_back("  " + line);
         if (locus.line) lines.push_back(strength_line("Largest sample:", *locus.line));
         const bool rows = std::ranges::any_of(locus.points, [](const FailurePoint& point) {
             return point.smoothed_end > point.smoothed_begin + 1;
@@ -226,7 +249,7 @@ std::vector<std::string> yield_locus_lines(const FileView& view) {
 }
 
 std::string missing_sentence(const FileView& view) {
-    if (view.missing.empty()) return "";
+    if (view.missing.empty() || view.file.layout == "yield-locus-report") return "";
     std::string text = fmt::format(
         "The file has no {}: steady shear with a solid fraction cannot be read from it.",
         fmt::join(view.missing, ", no "));

@@ -191,8 +191,10 @@ Panel locus_panel(const YieldLocus& locus) {
         return line.intercept + std::tan(line.slope_angle) * stress;
     };
     Curve fitted{.label = "yield locus", .style = Curve::Style::line, .colour = calibrated_colour};
-    fitted.x = {0, greatest};
-    fitted.y = {on_line(0), on_line(greatest)};
+    // A line with a negative intercept begins on the axis of normal stress.
+    const double begin = line.intercept < 0 ? -line.intercept / std::tan(line.slope_angle) : 0;
+    fitted.x = {begin, greatest};
+    fitted.y = {on_line(begin), on_line(greatest)};
     Panel panel{
         .x_label = "normal stress [Pa]", .y_label = "shear stress [Pa]", .curves = {fitted}};
     if (line.unconfined_strength > 0)
@@ -230,9 +232,7 @@ std::string locus_title(const YieldLocus& locus) {
     std::string title = fmt::format(
         "cohesion {:.4g} Pa, slope {:.3g}°, unconfined strength {:.4g} Pa", line.cohesion,
         line.slope_angle * 180 / std::numbers::pi, line.unconfined_strength);
-    if (line.flowability)
-        title += fmt::format(", major principal stress {:.4g} Pa: {}", *line.major_principal_stress,
-                             line.flow_class);
+    if (line.flowability) title += ": " + line.flow_class;
     return title;
 }
 
@@ -266,7 +266,9 @@ std::vector<Figure> yield_locus_figures(const FileView& view) {
 
 std::vector<Figure> file_figures(const FileView& view) {
     std::vector<Figure> figures = {recording_figure(view)};
-    if (figures.front().panels.empty()) figures.clear();
+    const bool results = std::ranges::all_of(  // a report, without the course of any interval
+        view.series, [](const IntervalSeries& series) { return series.size() < 2; });
+    if (results || figures.front().panels.empty()) figures.clear();
     std::ranges::move(yield_locus_figures(view), std::back_inserter(figures));
     return figures;
 }

@@ -27,16 +27,23 @@ constexpr std::size_t place_width = 28;
 
 }  // namespace
 
+/// Text of an error with two significant digits, without an exponent.
+std::string error_text(double error) {
+    const double rounded = std::stod(fmt::format("{:.1e}", error));
+    return std::abs(rounded) >= 10 ? fmt::format("{:.0f}", rounded)
+                                   : fmt::format("{:.2g}", rounded);
+}
+
 std::vector<std::string> readings_table(const Measurements& measurements) {
     std::vector<std::string> lines = {
         fmt::format("  {:<{}} {:>10} {:>10} {:>10} {:>19} {:>19}", "reading", place_width,
                     "s22 [Pa]", "I [1]", "liquid [1]", "shear stress [Pa]", "solid fraction [1]")};
     for (const auto& r : measurements.readings) {
         lines.push_back(fmt::format(
-            "  {:<{}} {:>10.4g} {:>10.3g} {:>10.3g} {:>10.4g} +-{:>6.2g} {:>10.4f} +-{:>6.1g}",
+            "  {:<{}} {:>10.4g} {:>10.3g} {:>10.3g} {:>10.4g} +-{:>6} {:>10.4f} +-{:>6.1g}",
             place(r), place_width, r.condition.normal_stress, r.condition.inertial_number,
-            r.condition.liquid_content, r.value(0), std::sqrt(r.covariance(0, 0)), r.value(1),
-            std::sqrt(r.covariance(1, 1))));
+            r.condition.liquid_content, r.value(0), error_text(std::sqrt(r.covariance(0, 0))),
+            r.value(1), std::sqrt(r.covariance(1, 1))));
     }
     return lines;
 }

@@ -67,7 +67,7 @@ bool named_wet(const std::string& texts) {
            texts.find("water") != std::string::npos;
 }
 
-constexpr double glass_density = 2500, water_density = 1000, usual_solid_fraction = 0.6;
+constexpr double glass_density = 2500, water_density = 1000;
 
 /// Mass of liquid over mass of grains [1] that the names of file and test suggest; 0 for dry
 /// grains.
@@ -90,6 +90,16 @@ std::string comment_text(std::string text) {
 std::string entry(const std::string& key, const Guess& guess) {
     const std::string setting = fmt::format("{} = {}", key, toml_string(guess.value));
     return fmt::format("{:<32} # {}\n", setting, comment_text(guess.from));
+}
+
+bool has_role(const FileView& view, const char* role) {
+    return std::ranges::any_of(view.roles,
+                               [&](const IntervalRole& each) { return each.role == role; });
+}
+
+/// Whether the file has intervals of steady shear with all that a recording needs.
+bool has_steady_recording(const FileView& view) {
+    return has_role(view, "steady") && view.missing.empty();
 }
 
 /// Whether the header of a file states both radii of the cell.
@@ -116,57 +126,74 @@ std::string cell_text(const FileView& view) {
         text += entry("inner_radius", {"10.5 mm", from});
         text += entry("outer_radius", {"21.5 mm", from});
     }
-    return text + entry("bead_mass", {"20 g", "GUESS: weigh the beads"}) + "\n";
-}
-
-bool has_role(const FileView& view, const char* role) {
-    return std::ranges::any_of(view.roles,
-                               [&](const IntervalRole& each) { return each.role == role; });
+    if (has_steady_recording(view)) text += entry("bead_mass", {"20 g", "GUESS: weigh the beads"});
+    return text + "\n";
 }
 
 /// Header of a table of points, with the name and unit of the column of the solid fraction.
 std::string points_header(const std::string& fraction, const std::string& unit) {
     return fmt::format(
         "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],{0} [{1}],{0}_sd [{1}],"
-        "inertial_number [1],line [1]\n",
+        "inertial_number [1],line [1],preshear_stress [Pa]\n",
         fraction, unit);
 }
 
 /// Row of a point. The standard deviation of the shear stress is at least 1 %: even a peak without
-/// noise is not exact. `fraction`: cells of the solid fraction, "0.60,0.1" if nothing is known.
+/// noise is not exact.
+/// @param fraction cells of the solid fraction, "0.60,0.1" if nothing is known
+/// @param preshear normal stress of the preshear of a point of failure, if known [Pa]
 std::string point_row(double normal, double shear, double deviation, int line,
-                      const std::string& fraction = "0.60,0.1") {
-    return fmt::format("{:.6g},{:.6g},{:.3g},{},0,{}\n", normal, shear,
-                       std::max(deviation, 0.01 * shear), fraction, line);
+                      const std::string& fraction, const std::optional<double>& preshear = {}) {
+    return fmt::format("{:.6g},{:.6g},{:.3g},{},0,{},{}\n", normal, shear,
+                       std::max(deviation, 0.01 * shear), fraction, line,
+                       preshear ? fmt::format("{:.6g}", *preshear) : "");
 }
+
+/// Cells of a solid fraction of which nothing is known.
+constexpr const char* unknown_fraction = "0.60,0.1";
 
 std::string failure_table(const FileView& view) {
     std::string text = points_header("solid_fraction", "1");
     for (const YieldLocus& locus : view.loci)
         for (const FailurePoint& point : locus.points)
-            text += point_row(point.smoothed_normal_stress, point.smoothed_shear_stress,
-                              point.shear_stress - point.smoothed_shear_stress, point.line);
+            text += point_row(
+                point.smoothed_normal_stress, point.smoothed_shear_stress,
+                point.shear_stress - point.smoothed_shear_stress, point.line, unknown_fraction,
+                locus.preshear ? std::optional(locus.preshear->normal_stress) : std::nullopt);
     return text;
 }
 
-/// Table of the ends of the preshears; empty without a preshear that has both stresses. If the file
-/// states bulk densities, they are given without the liquid, with a standard deviation of 1 %.
+/// Indices of the preshears that have both stresses and reached a plateau; of all with both
+/// stresses if none did.
+std::vector<std::size_t> steady_preshears(const FileView& view) {
+    std::vector<std::size_t> all, plateaus;
+    for (std::size_t i = 0; i < view.series.size(); ++i) {
+        const IntervalSeries& series = view.series[i];
+        if (view.roles[i].role != "preshear" || series.shear_stress.empty() ||
+            series.normal_stress.empty())
+            continue;
+        all.push_back(i);
+        if (preshear_point(series).plateau) plateaus.push_back(i);
+    }
+    return plateaus.empty() ? all : plateaus;
+}
+
+/// Table of the ends of the preshears in steady shear; empty if there are none. If the file states
+/// bulk densities, they are given without the liquid, with a standard deviation of 1 %.
 std::string steady_table(const FileView& view, double mass_ratio) {
     const bool weighed =
         std::ranges::any_of(view.file.blocks, [](const Block& b) { return !!b.bulk_density; });
     std::string text;
-    for (std::size_t i = 0; i < view.series.size(); ++i) {
+    for (const std::size_t i : steady_preshears(view)) {
         const IntervalSeries& series = view.series[i];
         const std::optional<double> bulk = view.file.blocks[i].bulk_density;
-        if (view.roles[i].role != "preshear" || series.shear_stress.empty() ||
-            series.normal_stress.empty() || bulk.has_value() != weighed)
-            continue;
+        if (bulk.has_value() != weighed) continue;
         const double density = bulk.value_or(0) / (1 + mass_ratio);
         const PreshearPoint point = preshear_point(series);
-        text +=
-            point_row(point.normal_stress, point.shear_stress, point.shear_stress_deviation,
-                      series.line.back(),
-                      weighed ? fmt::format("{:.5g},{:.3g}", density, 0.01 * density) : "0.60,0.1");
+        text += point_row(
+            point.normal_stress, point.shear_stress, point.shear_stress_deviation,
+            series.line.back(),
+            weighed ? fmt::format("{:.5g},{:.3g}", density, 0.01 * density) : unknown_fraction);
     }
     if (text.empty()) return text;
     return (weighed ? points_header("bulk_density", "kg/m^3")
@@ -229,11 +256,6 @@ std::string roles_text(const FileView& view) {
     return roles.empty() ? "" : fmt::format("intervals = {{ {} }}\n", fmt::join(roles, ", "));
 }
 
-/// Whether the file has intervals of steady shear with all that a recording needs.
-bool has_steady_recording(const FileView& view) {
-    return has_role(view, "steady") && view.missing.empty();
-}
-
 /// @param steady whether there is a table of preshears
 std::string entries_text(const FileView& view, const FileFormat& format, bool steady,
                          const std::string& liquid_content) {
@@ -277,10 +299,9 @@ std::map<std::string, std::string> begin_study(const FileView& view, const FileF
         text += "[liquid]\n" + entry("surface_tension", {"72.8 mN/m", "GUESS: water"}) +
                 entry("contact_angle", {"0 deg", "GUESS: the liquid wets the beads"}) + "\n";
         content = fmt::format(
-            "liquid_content = {:<15.3g} # GUESS: volume of water over that of the sample, from the "
-            "names of file and test, glass and a solid fraction of {}\n",
-            usual_solid_fraction * mass_ratio * glass_density / water_density,
-            usual_solid_fraction);
+            "liquid_content = {:<15g} # GUESS: volume of water over volume of "
+            "glass, from the names of file and test\n",
+            mass_ratio * glass_density / water_density);
     }
     if (view.missing.empty() || view.cell.inner_radius || states_radii(view))
         text += cell_text(view);

@@ -54,8 +54,13 @@ std::vector<std::vector<Eigen::Index>> entries_by_condition(const std::vector<Re
 }
 
 /// Place of each reading, from 1, in the order in which the readings were taken: by time or, where
-/// files contain no time, by file and line.
+/// one table contains no time, by line. Zeros where tables without times do not show the order.
 std::vector<double> run_order(const std::vector<Reading>& readings) {
+    const bool timed = std::ranges::any_of(
+        readings, [&](const Reading& r) { return r.condition.time != readings[0].condition.time; });
+    const bool one_file = std::ranges::all_of(
+        readings, [&](const Reading& r) { return r.origin.file == readings[0].origin.file; });
+    if (!timed && !one_file) return std::vector<double>(readings.size(), 0.0);
     std::vector<std::size_t> places(readings.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
     std::ranges::sort(places, {}, [&](std::size_t k) {

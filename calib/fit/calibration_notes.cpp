@@ -43,8 +43,7 @@ std::optional<std::string> unsupported_note(const Calibration& c, const RunPlann
             const std::string place = reading.step > 0
                                           ? fmt::format("{} step {}", file, reading.step)
                                           : fmt::format("{}:{}", file, reading.origin.line);
-            readings.push_back(
-                fmt::format("{} ({})", to_string(Position{file, reading.origin.line, 0}), why));
+            readings.push_back(fmt::format("{} ({})", place, why));
         }
     }
     if (readings.empty()) {

@@ -171,7 +171,8 @@ void check_cell_count(std::size_t cells, const std::string& file, int line) {
         throw InputError({file, line},
                          fmt::format("more than {} million cells (rows times columns) up to "
                                      "this line; leave out columns that are not needed, or "
-                                     "split the file into several files",
+                                     "split the file into several files. Only recordings of a "
+                                     "study that are plain tables of numbers may be longer",
                                      most_cells / 1'000'000));
 }
 

@@ -22,6 +22,7 @@ const std::vector<Quantity>& table() {
          "1/s",
          "shear rate at the mean radius",
          {"gamma dot", "γ̇", "strain rate"}},
+        {"preshear_stress", "σ_p", "Pa", "normal stress of the preshear before a point of failure"},
         {"bulk_density",
          "ρ_b",
          "kg/m^3",

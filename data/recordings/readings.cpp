@@ -40,6 +40,7 @@ const std::vector<std::string_view> reading_columns = {"normal_stress",
                                                        "interval",
                                                        "replicates",
                                                        "failure",
+                                                       "preshear_stress",
                                                        "file",
                                                        "line"};
 
@@ -194,6 +195,8 @@ Reading reading_of(const Points& points, const Row& row) {
     reading.condition.normal_stress = positive(points, row, "normal_stress");
     reading.condition.liquid_content = liquid_content(points, row);
     reading.condition.at_failure = at_failure(points, row);
+    if (points.columns.value_if_any(row, "preshear_stress"))
+        reading.condition.preshear_stress = positive(points, row, "preshear_stress");
     set_rate(points, row, reading);
     set_stress(points, row, reading);
     set_solid_fraction(points, row, reading);

@@ -20,7 +20,11 @@ bool are_replicates(const Reading& a, const Reading& b) {
         a.condition.bead_volume && b.condition.bead_volume
             ? close(*a.condition.bead_volume, *b.condition.bead_volume)
             : a.condition.bead_volume.has_value() == b.condition.bead_volume.has_value();
-    return same_filling && a.condition.at_failure == b.condition.at_failure &&
+    const auto &preshear_a = a.condition.preshear_stress, &preshear_b = b.condition.preshear_stress;
+    const bool same_preshear = preshear_a && preshear_b
+                                   ? close(*preshear_a, *preshear_b)
+                                   : preshear_a.has_value() == preshear_b.has_value();
+    return same_filling && same_preshear && a.condition.at_failure == b.condition.at_failure &&
            std::abs(a.condition.liquid_content - b.condition.liquid_content) <= rounding &&
            close(a.condition.normal_stress, b.condition.normal_stress) &&
            close(a.condition.inertial_number, b.condition.inertial_number);

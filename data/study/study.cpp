@@ -44,9 +44,18 @@ std::filesystem::path study_file(const std::filesystem::path& study) {
     std::error_code error;  // set for a link to itself, for example
     if (!std::filesystem::exists(study, error))
         throw InputError({study.string()}, "does not exist; name a study folder or its study.toml");
-    if (!std::filesystem::is_directory(study, error)) return study;
+    if (!std::filesystem::is_directory(study, error)) {
+        if (study.extension() == ".csv" || study.extension() == ".txt" ||
+            study.extension() == ".xlsx")
+            throw InputError({study.string()},
+                             "is no study but a file of measurements; begin a study with it: "
+                             "pendular import FILE --study DIR");
+        return study;
+    }
     if (!std::filesystem::exists(study / "study.toml", error))
-        throw InputError({study.string()}, "has no study.toml; name a folder that has one");
+        throw InputError({study.string()},
+                         "has no study.toml; name a folder that has one, or begin a study from a "
+                         "file of measurements: pendular import FILE --study DIR");
     return study / "study.toml";
 }
 

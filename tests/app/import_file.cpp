@@ -112,7 +112,7 @@ TEST(ImportFile, BeginsAStudyFromAReportOnYieldLoci) {
         run_pendular("import " + look_alikes + "yield_locus_report.txt --study " + study);
     ASSERT_EQ(begun.code, 0) << begun.errors;
     EXPECT_THAT(begun.output,
-                HasSubstr("preshear at 3000 Pa with 1200 Pa, bulk density 1450 kg/m^3:"));
+                HasSubstr("preshear with normal stress 3000 Pa, shear stress 1200 Pa, bulk density 1450 kg/m^3:"));
     EXPECT_THAT(content_of(study + "/study.toml"), HasSubstr("diameter = \"0.8 mm\""));
     const auto json = json_of("import " + study);
     std::vector<double> fractions;

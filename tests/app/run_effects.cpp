@@ -126,7 +126,7 @@ TEST(RunEffects, StandInTheStoreAndItsTables) {
     EXPECT_THAT(run_pendular("runs list" + store).output,
                 HasSubstr("rolling-resistance.coefficient=0.1\n"));
     EXPECT_THAT(run_pendular("runs list --where \"effects IS NULL\"" + store).output,
-                HasSubstr("1 runs"));
+                HasSubstr("1 run."));
     EXPECT_THAT(run_pendular("runs show 2" + store).output,
                 HasSubstr("effects = rolling-resistance.coefficient=0.1"));
     EXPECT_THAT(run_pendular("runs compare 1 2" + store).output,

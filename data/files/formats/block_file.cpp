@@ -6,9 +6,11 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 
 #include "data/files/formats/column_names.h"
 #include "data/quantities/number.h"
+#include "data/quantities/units.h"
 
 namespace pendular {
 namespace {
@@ -22,6 +24,27 @@ bool same_word(std::string_view a, std::string_view b) {
 /// Whether a cell is a mark for a value that the instrument did not measure, such as "******".
 bool marks_no_value(std::string_view text) {
     return text.size() >= 2 && text.find_first_not_of("*-") == std::string_view::npos;
+}
+
+/// Refuses a unit that is none, of a column whose name is that of a quantity.
+void check_unit(const Position& at, const std::string& name, const std::string& unit) {
+    if (unit.empty() || !meaning_of_column(name, unit).quantity.empty() ||
+        meaning_of_column(name, "").quantity.empty())
+        return;
+    try {
+        const Unit known(unit);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(at, fmt::format("the unit of column '{}': {}", name, error.what()));
+    }
+}
+
+/// Whether a row ends before a column that is read and that the row before has.
+bool is_cut(const Block& block, const Row& row) {
+    if (block.table.rows.empty()) return false;
+    const Row& before = block.table.rows.back();
+    for (std::size_t i = row.cells.size(); i < block.columns.size(); ++i)
+        if (!block.columns[i].quantity.empty() && !before.cells[i].text.empty()) return true;
+    return false;
 }
 
 }  // namespace
@@ -112,6 +135,8 @@ void set_columns(BlockFile& file, Block& block, Row header, const std::vector<st
     std::vector<std::pair<std::string_view, Best>> best;
     std::vector<ColumnMeaning> meanings;
     for (std::size_t i = 0; i < names.size(); ++i) {
+        const int column = i < header.cells.size() ? header.cells[i].column : 0;
+        check_unit({file.file, header.line, column}, names[i], i < units.size() ? units[i] : "");
         meanings.push_back(meaning_of_column(names[i], i < units.size() ? units[i] : ""));
         const ColumnMeaning& meaning = meanings.back();
         if (meaning.quantity.empty()) continue;
@@ -152,6 +177,10 @@ void add_row(BlockFile& file, Block& block, Row row) {
                                      row.cells.size(), block.table.header.line, columns));
     }
     check_cell_count(file.counts.cells += columns, file.file, row.line);
+    if (is_cut(block, row)) {
+        skip_line(file, row.line, "cut short: it has fewer cells than the row before");
+        return;
+    }
     row.cells.resize(columns);
     for (Cell& cell : row.cells)
         if (marks_no_value(cell.text)) cell.text.clear();

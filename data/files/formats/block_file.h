@@ -112,12 +112,15 @@ std::string bare_unit(std::string_view cell);
 /// @param header row whose cells have the positions of the columns
 /// @param file file that the block belongs to, which counts it
 /// @param details further words on each column, such as "Constant component"; may be shorter
-/// @throws InputError for more than 1000 columns, `most_intervals` or `most_header_cells`
+/// @throws InputError for more than 1000 columns, `most_intervals` or `most_header_cells`, and for
+/// a
+///         unit that is none
 void set_columns(BlockFile& file, Block& block, Row header, const std::vector<std::string>& names,
                  const std::vector<std::string>& units,
                  const std::vector<std::string>& details = {});
 
-/// Adds a row to a block. Cells that are missing at its end are empty; "---" and "***" are empty.
+/// Adds a row to a block. A row that ends before a column that is read, and that the row before
+/// has, is left out. Other cells that are missing at its end are empty; "---" and "***" are empty.
 /// @param file file that the block belongs to, which counts the row
 /// @throws InputError if the row has more cells than the block has columns, and they are not empty;
 ///         if the file has more than `most_cells`
