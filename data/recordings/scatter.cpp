@@ -11,12 +11,12 @@
 namespace pendular {
 namespace {
 
-constexpr double exponent_prior = 0.5, largest_exponent = 2;
+constexpr double exponent_prior = 0.5, largest_exponent = 1;
 constexpr double fewest_for_exponent = 10;
 
 /// Sets count as scattering differently if the probability of such a difference by chance is below
 /// this.
-constexpr double unlike = 0.02;
+constexpr double unlike = 0.005;
 /// Smallest degrees of freedom with which a set, if the sets scatter differently, keeps its own
 /// mean square: shrinking it would bias its errors.
 constexpr double enough_alone = 5;
