@@ -163,6 +163,17 @@ std::vector<std::string> next_lines(const NextMeasurement& next) {
     return next.plans.empty() ? sharpening_lines(next) : separating_lines(next);
 }
 
+std::string next_paragraph(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) {
+        if (line.empty() || line.starts_with(' ')) continue;
+        if (!text.empty()) text += ' ';
+        text += line;
+        if (!line.ends_with('.')) text += '.';
+    }
+    return text;
+}
+
 Figure next_figure(const NextMeasurement& next) {
     Figure figure{.name = "next",
                   .title = "Predictions of the rival models, and suggested readings",

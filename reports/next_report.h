@@ -13,6 +13,10 @@ namespace pendular {
 /// model fits, they list the standard errors of its parameters before and after the measurement.
 std::vector<std::string> next_lines(const NextMeasurement& next);
 
+/// What to measure next in one paragraph: the lines of `next_lines` without the predictions and
+/// errors that are indented below them.
+std::string next_paragraph(const std::vector<std::string>& lines);
+
 /// Figure of the stress ratio and solid fraction that each model that fits the readings predicts
 /// against normal stress; vertical lines mark the readings to make. Without panels where one model
 /// fits, or where parameters can be measured directly but no further reading can be made.

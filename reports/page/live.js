@@ -333,5 +333,9 @@ function normalShare(x) {
   return .5 + sum * Math.exp(-x * x / 2) / Math.sqrt(2 * Math.PI);
 }
 
-const pageData = JSON.parse(document.getElementById("data").textContent);
-if (pageData.readings.length > 0) window.page = new Page(pageData);
+// Shows the data that are in the document; null where it has none.
+function showData() {
+  const text = document.getElementById("data"), data = text && JSON.parse(text.textContent);
+  window.page = data && data.readings.length > 0 ? new Page(data) : null;
+}
+showData();

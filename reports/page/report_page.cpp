@@ -12,6 +12,7 @@
 #include "reports/diagnosis_report.h"
 #include "reports/failure_report.h"
 #include "reports/impact_report.h"
+#include "reports/next_report.h"
 #include "reports/page/page_data.h"
 #include "reports/page/page_files.h"
 #include "reports/page/page_text.h"
@@ -280,19 +281,53 @@ std::string for_script(const nlohmann::ordered_json& json) {
 
 }  // namespace
 
+std::string page_policy(bool served) {
+    return fmt::format(
+        "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; "
+        "connect-src {}; base-uri 'none'; form-action 'none'",
+        served ? "'self'" : "'none'");
+}
+
+namespace {
+
+/// Parts of the template that do not depend on results. `served_version`: version of the page of a
+/// server; empty: a page without a server.
+data frame_of_page(const std::string& study, const std::string& version,
+                   const std::optional<std::size_t>& served_version) {
+    data values;
+    values.set("study", study);
+    values.set("policy", page_policy(served_version.has_value()));
+    values.set("style", std::string(page_style));
+    std::string script = page_script;
+    if (served_version) script += page_serve_script;
+    values.set("script", script);
+    values.set("made_by", "Pendular " + version);
+    if (served_version) values.set("served", data{"version", std::to_string(*served_version)});
+    return values;
+}
+
+}  // namespace
+
+std::string waiting_page(const std::string& study, const std::string& version) {
+    kainjow::mustache::mustache page{page_template};
+    data values = frame_of_page(study, version, 0);
+    values.set("verdict", "There are no results on this study yet.");
+    return page.render(values);
+}
+
 std::string report_page(const PageContent& content) {
     const StudyDiagnosis& d = content.diagnosis;
     kainjow::mustache::mustache page{page_template};
-    data values;
-    values.set("study", content.study);
+    data values = frame_of_page(content.study, content.version, content.served_version);
+    values.set("results", data::type::bool_true);
+    if (const std::string text = next_paragraph(content.next); !text.empty()) {
+        values.set("measure", page_text(text));
+    }
     values.set("verdict", page_text(verdict_line(d.diagnosis, *d.models, content.checks)));
     values.set("warnings", list_of(warnings_of(content)));
     values.set("evidence", list_of({fit_line(d.diagnosis)}));
     values.set("sections", to_data(sections_of(content)));
-    values.set("style", std::string(page_style));
-    values.set("script", std::string(page_script));
     values.set("data", for_script(page_data(content.switched, content.panels)));
-    values.set("made_by", "Pendular " + content.version);
     return page.render(values);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,11 +32,22 @@ struct PageContent {
     SessionOptions options;                   ///< fidelity and seed of the results
     std::size_t runs = 0;     ///< number of simulation runs that the emulator was trained on
     bool calibrated = false;  ///< whether the results folder has a fit of the study
+    /// Version of the page that a server on this computer hands out; empty: a page without a server.
+    std::optional<std::size_t> served_version = {};
 };
 
 /// Page on a study as one HTML file without references to others: verdict, figures with switches
 /// for the leading effects and sliders for the parameters, fit, effects, impacts, ladder, next
 /// measurement and provenance.
 std::string report_page(const PageContent& content);
+
+/// Page of a server whose first results on a study are not there yet.
+/// @param study name of the study
+/// @param version version of the program
+std::string waiting_page(const std::string& study, const std::string& version);
+
+/// Content-Security-Policy of a page, which permits no source besides the page itself. If `served`,
+/// the page's script may send requests to the server that the page came from.
+std::string page_policy(bool served);
 
 }  // namespace pendular

@@ -1,0 +1,70 @@
+#include "app/study_page.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include "analysis/diagnosis/study_evidence.h"
+#include "data/input_error.h"
+#include "reports/diagnosis_report.h"
+#include "reports/next_report.h"
+#include "reports/page/page_curves.h"
+#include "reports/page/report_page.h"
+#include "workflow/ladder_file.h"
+#include "workflow/switched_models.h"
+
+namespace pendular::app {
+namespace {
+
+/// Lines on the next measurement; one line that says why there is none.
+std::vector<std::string> lines_on_next(const Session& session, const StudyDiagnosis& diagnosis) {
+    try {
+        return next_lines(session.next(diagnosis));
+    } catch (const InputError& error) {
+        return {error.what()};
+    }
+}
+
+}  // namespace
+
+std::string study_name(const std::filesystem::path& file) {
+    return std::filesystem::absolute(file).parent_path().filename().string();
+}
+
+StudyPage study_page(const Session& session, const CommonOptions& common, std::size_t switches,
+                     std::optional<std::size_t> version) {
+    const StudyDiagnosis d = session.diagnose();
+    const std::vector<PagePanel> panels = page_panels(d.readings, session.study());
+    const SwitchOptions switching{.most = switches, .along = points_of_curves(panels)};
+    const auto folder = common.out_folder();
+    std::error_code error;
+    const PageContent content{
+        .study = study_name(session.study().file),
+        .study_argument = common.study_word(),
+        .resolved = session.resolved(),
+        .measurements = session.measurements(),
+        .diagnosis = d,
+        .checks = checks_of(d, session.options().seed),
+        .impacts = impacts_of(d, static_cast<std::size_t>(session.options().threads)),
+        .ladder = read_ladder(folder / "ladder.json"),
+        .next = lines_on_next(session, d),
+        .switched = switched_models(session.resolved(), d, session.options(), switching),
+        .panels = panels,
+        .version = PENDULAR_VERSION,
+        .options = session.options(),
+        .runs = d.models->simulation().emulator().runs().size(),
+        .calibrated = std::filesystem::exists(folder / "fit.json", error),
+        .served_version = version};
+    const SwitchedModels& fits = content.switched;
+    return {.html = report_page(content),
+            .answer = verdict_line(d.diagnosis, *d.models, content.checks),
+            .verdict = std::string(to_string(d.diagnosis.verdict)),
+            .next = next_step(d.diagnosis, common.study_word(), !d.proposals.empty()),
+            .measure = next_paragraph(content.next),
+            .switches = fits.switches,
+            .models = static_cast<std::size_t>(
+                std::ranges::count_if(fits.models, [](const auto& m) { return !!m; })),
+            .readings = d.readings.size()};
+}
+
+}  // namespace pendular::app
