@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "app/belief.h"
+#include "app/change_effects.h"
 #include "app/command.h"
 #include "app/open_session.h"
 #include "data/input_error.h"
 #include "reports/change_report.h"
-#include "reports/draw_figure.h"
-#include "reports/ladder_figure.h"
 #include "workflow/json_parts.h"
 #include "workflow/proposed_effects.h"
 
@@ -149,12 +148,9 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
     }
 }
 
-int refuse_fit(Console& console, const StudyChange& change, const Fitted& after) {
-    console.answer(fmt::format("{} not {}: the fit {} it did not converge ({}). {} is unchanged.",
-                               change.effect, change.change == Action::add ? "added" : "dropped",
-                               change.change == Action::add ? "with" : "without",
-                               after.calibration.fit.message, change.study.study().file.string()));
-    for (const auto& note : after.calibration.notes) {
+int refuse_fit(Console& console, const ChangedStudy& changed) {
+    console.answer(answer_on(changed));
+    for (const auto& note : changed.after.calibration.notes) {
         console.note(note);
     }
     return not_converged;
@@ -165,28 +161,24 @@ int refuse_fit(Console& console, const StudyChange& change, const Fitted& after)
 int change_study(Action what, const std::string& effect, const AddOptions& own,
                  const CommonOptions& common, Console& console, bool last) {
     const auto figures = common.out_folder() / "figures";
-    const OpenSession session(console, common,
-                              {"fit.json", "fit_runs.csv", "ladder.json", "figures"}, own.seed,
+    const OpenSession session(console, common, outputs_of_change(), own.seed,
                               OpenSession::Access::changes);
-    const auto change = what == Action::add ? &Session::add : &Session::drop;
     const ChangedStudy changed =
-        (session.operator->()->*change)(effect, own.fit, !own.fidelity_given);
+        change_effects(*session, what, effect, own.fit, !own.fidelity_given);
     const auto& [plan, before, after, ladder, written] = changed;
     auto json = to_json(plan, before.ladder_step, after.ladder_step, written);
     add_belief(json, after.belief);
     if (last || !written) console.json(json);  // before the figure, which needs gnuplot
     if (written) {
-        console.answer(verdict_of(plan, before.ladder_step, after.ladder_step));
+        console.answer(answer_on(changed));
         print_doubts(console, after.belief, 0, "Doubt about the new fit: ");
         print_evidence(console, plan, before, after, common);
-        const Figure figure = ladder_figure(ladder);
-        draw(figure, figures);
-        console.figures(figures, {figure.name});
+        console.figures(figures, {draw_ladder(ladder, figures)});
         console.next(fmt::format("pendular {} {}",
                                  after.belief.believable() ? "compare" : "diagnose",
                                  common.study_word()));
     }
-    const int code = written ? static_cast<int>(done) : refuse_fit(console, plan, after);
+    const int code = written ? static_cast<int>(done) : refuse_fit(console, changed);
     return after.belief.meaningless ? static_cast<int>(not_converged) : code;
 }
 

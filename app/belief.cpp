@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "app/progress.h"
+
 namespace pendular::app {
 
 std::string verdict_on(const Belief& belief, const std::string& basis) {

@@ -10,6 +10,7 @@
 #include "app/console.h"
 #include "app/interrupt.h"
 #include "app/options.h"
+#include "app/progress.h"
 #include "app/stored_runs.h"
 #include "app/terminal.h"
 #include "data/input_error.h"

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/progress.h"
 #include "app/terminal.h"
 #include "data/files/json_text.h"
 #include "workflow/json.h"
@@ -19,11 +20,6 @@ namespace pendular::app {
 namespace {
 
 constexpr std::size_t most_notes = 3;  ///< largest number of notes that are printed without --all
-
-bool is_lower_case_word(const std::string& word) {
-    return !word.empty() &&
-           std::ranges::all_of(word, [](unsigned char c) { return std::islower(c) != 0; });
-}
 
 /// Text of a note with "#" for each word that contains a digit, such as numbers and file names.
 /// Notes with equal patterns are printed once.
@@ -55,18 +51,6 @@ std::string bar(double fraction) {
 }
 
 }  // namespace
-
-std::string as_sentence(std::string text) {
-    if (text.empty()) return text;
-    if (is_lower_case_word(text.substr(0, text.find(' ')))) {
-        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    }
-    const std::size_t command = text.rfind(": pendular ");
-    const bool ends_in_command =
-        command != std::string::npos && text.find(". ", command) == std::string::npos;
-    const bool ended = text.ends_with('.') || text.ends_with('?') || text.ends_with('\n');
-    return ended || ends_in_command ? text : text + ".";
-}
 
 Console::~Console() {
     end_progress();
@@ -173,11 +157,8 @@ void Console::progress(const std::string& what, const EnsembleProgress& progress
     drawn_ = terminal;
     stage_ = what;
     fraction_shown_ = progress.fraction;
-    const std::string left =
-        progress.seconds_left > 0 ? ", " + duration(progress.seconds_left) + " left" : "";
     const std::string text =
-        fmt::format("{} {} {:.0f} %, {} of {} runs done{}", what, bar(progress.fraction),
-                    100 * progress.fraction, progress.runs_done, progress.runs, left);
+        fmt::format("{} {} {}", what, bar(progress.fraction), progress_numbers(progress));
     fmt::print(stderr, "{}{}{}", terminal ? "\r\033[K" : "", text, terminal ? "" : "\n");
 }
 
@@ -186,15 +167,6 @@ void Console::end_progress() {
         fmt::print(stderr, "\r\033[K");
         drawn_ = false;
     }
-}
-
-std::string duration(double seconds) {
-    const auto s = static_cast<long>(std::lround(seconds));
-    if (s < 60) {
-        return fmt::format("{} s", s);
-    }
-    return s < 3600 ? fmt::format("{} min {} s", s / 60, s % 60)
-                    : fmt::format("{} h {} min", s / 3600, s / 60 % 60);
 }
 
 }  // namespace pendular::app

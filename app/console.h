@@ -72,12 +72,4 @@ class Console {
     std::chrono::steady_clock::time_point last_{};
 };
 
-/// Text as a sentence: with a capital at its beginning if its first word has lower-case letters
-/// only, and with a full stop at its end unless it ends in ".", "?", a line end, or a command after
-/// ": pendular ".
-std::string as_sentence(std::string text);
-
-/// Text of a duration given in seconds, for messages: "40 s", "1 min 20 s", "3 h 5 min".
-std::string duration(double seconds);
-
 }  // namespace pendular::app

@@ -14,6 +14,7 @@
 #include "app/console.h"
 #include "app/open_session.h"
 #include "app/options.h"
+#include "app/progress.h"
 #include "reports/diagnosis_figure.h"
 #include "reports/diagnosis_report.h"
 #include "reports/draw_figure.h"

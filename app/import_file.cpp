@@ -72,7 +72,8 @@ std::map<std::string, std::string> files_of_study(const std::filesystem::path& f
     return files;
 }
 
-/// Cell of the study in the folder of a file; empty if there is no study, or none that can be read.
+}  // namespace
+
 std::optional<AnnularCell> cell_beside(const std::filesystem::path& file) {
     const std::filesystem::path study = file.parent_path() / "study.toml";
     if (!std::filesystem::is_regular_file(study)) return std::nullopt;
@@ -82,8 +83,6 @@ std::optional<AnnularCell> cell_beside(const std::filesystem::path& file) {
         return std::nullopt;  // 'pendular import STUDY' says what is wrong with it
     }
 }
-
-}  // namespace
 
 void ImportFileOptions::declare(Options& options) {
     options.begin_section("Options for a single file");

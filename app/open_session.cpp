@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "app/progress.h"
 #include "app/stored_runs.h"
 #include "app/terminal.h"
-#include "reports/with_error.h"
 
 namespace pendular::app {
 namespace {
@@ -20,19 +20,11 @@ Listener shown_on(Console& console, bool quiet) {
         if (event.kind == Event::Kind::note) {
             print_line(stderr, "Note: " + as_sentence(event.text));
         }
-        if (quiet) return;
-        if (event.kind == Event::Kind::stage) {
-            print_line(stderr, as_sentence(event.text));
-        }
-        // A single fit is too short for a progress line.
-        if (event.kind == Event::Kind::refits && event.number == 0 && event.total > 1) {
-            print_line(stderr,
-                       fmt::format("Diagnosis, {}: {} fits to do.", event.text, event.total));
-        }
-        if (event.kind == Event::Kind::round) {
-            fmt::print(stderr, "Round {}: friction = {}.\n", event.number,
-                       with_error(event.fit->parameters(0), event.fit->standard_error(0)));
-        }
+        if (quiet || event.kind == Event::Kind::note) return;
+        // A single fit is too short for a progress line; of several, only the first is told.
+        const bool told =
+            event.kind != Event::Kind::refits || (event.number == 0 && event.total > 1);
+        if (told) print_line(stderr, progress_sentence(event));
     };
 }
 
@@ -62,7 +54,19 @@ void set_confirmation(const std::optional<double>& seconds, FitOptions& fit) {
 // opened after the input is checked, so that refused input creates no store.
 OpenSession::OpenSession(Console& console, const CommonOptions& options,
                          std::vector<std::filesystem::path> files, std::int64_t seed, Access access)
-    : lock_(lock_of(options, access, guard_.token())),
+    : OpenSession(std::make_unique<InterruptGuard>(), {}, shown_on(console, options.quiet), options,
+                  std::move(files), seed, access) {}
+
+OpenSession::OpenSession(const std::stop_token& stop, const Listener& listener,
+                         const CommonOptions& options, std::vector<std::filesystem::path> files,
+                         std::int64_t seed, Access access)
+    : OpenSession(nullptr, stop, listener, options, std::move(files), seed, access) {}
+
+OpenSession::OpenSession(std::unique_ptr<InterruptGuard> guard, const std::stop_token& stop,
+                         const Listener& listener, const CommonOptions& options,
+                         std::vector<std::filesystem::path> files, std::int64_t seed, Access access)
+    : guard_(std::move(guard)),
+      lock_(lock_of(options, access, guard_ ? guard_->token() : stop)),
       input_(read_input(options.study, places_of(options, std::move(files)))),
       store_(open_store(options)),
       session_(std::move(input_),
@@ -70,8 +74,8 @@ OpenSession::OpenSession(Console& console, const CommonOptions& options,
                 .seed = checked_seed(seed),
                 .threads = options.threads,
                 .store = store_.get(),
-                .stop = guard_.token(),
-                .listener = shown_on(console, options.quiet)},
+                .stop = guard_ ? guard_->token() : stop,
+                .listener = listener},
                options.out_folder()) {}
 
 }  // namespace pendular::app

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "app/console.h"
@@ -39,13 +40,26 @@ class OpenSession {
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
+    /// Opens a session whose work another part of the program shows and stops, with the other
+    /// parameters and exceptions of the first constructor.
+    /// @param stop request to stop long work
+    /// @param listener callback for notes and progress; may be empty
+    OpenSession(const std::stop_token& stop, const Listener& listener, const CommonOptions& options,
+                std::vector<std::filesystem::path> files, std::int64_t seed = 1,
+                Access access = Access::reads);
     OpenSession(const OpenSession&) = delete;
     OpenSession& operator=(const OpenSession&) = delete;
 
     const Session* operator->() const { return &session_; }
+    const Session& operator*() const { return session_; }
 
   private:
-    InterruptGuard guard_;
+    /// @param guard guard against signals; null: `stop` ends the work
+    OpenSession(std::unique_ptr<InterruptGuard> guard, const std::stop_token& stop,
+                const Listener& listener, const CommonOptions& options,
+                std::vector<std::filesystem::path> files, std::int64_t seed, Access access);
+
+    std::unique_ptr<InterruptGuard> guard_;
     std::unique_ptr<StudyLock> lock_;
     StudyInput input_;  ///< moved to the session
     std::unique_ptr<RunStore> store_;

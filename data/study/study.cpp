@@ -318,4 +318,17 @@ Study read_study(const std::filesystem::path& path) {
     return study;
 }
 
+std::vector<FilePattern> read_patterns(const std::filesystem::path& study) {
+    const StudyTable root = StudyTable::read(study_file(study), top_keys);
+    std::vector<FilePattern> patterns;
+    const auto read = [&](const char* name, const Keys& keys, Source::Kind kind) {
+        for (const StudyTable& entry : root.tables(name, keys))
+            if (const auto pattern = entry.text("file"))
+                patterns.push_back({kind, *pattern, read_file_format(entry)});
+    };
+    read("recording", recording_keys, Source::Kind::recording);
+    read("readings", readings_keys, Source::Kind::readings);
+    return patterns;
+}
+
 }  // namespace pendular

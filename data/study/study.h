@@ -97,6 +97,19 @@ struct Study {
 ///         example), and a pattern that matches no file
 Study read_study(const std::filesystem::path& study);
 
+/// Pattern of an entry [[recording]] or [[readings]] of study.toml, whether or not files match it.
+struct FilePattern {
+    Source::Kind kind = Source::Kind::recording;
+    std::string pattern;     ///< pattern of file paths, relative to the study's folder
+    FileFormat format = {};  ///< how the files are to be read, where the entry states it
+};
+
+/// Reads only the patterns of the files of a study, in a study without any measurement for example.
+/// @param study folder of the study, or its study.toml
+/// @throws InputError at file:line:column for a syntax error, an unknown key of the top level or of
+///         an entry, and a wrong value of a key that says how files are read
+std::vector<FilePattern> read_patterns(const std::filesystem::path& study);
+
 /// Warning that a liquid content [1] is outside of the pendular range, in which the liquid forms
 /// separate bridges; empty inside the range and for dry grains.
 std::optional<std::string> pendular_range_warning(double liquid_content);

@@ -1,0 +1,37 @@
+#include "app/change_effects.h"
+
+#include <fmt/format.h>
+
+#include "reports/change_report.h"
+#include "reports/draw_figure.h"
+#include "reports/ladder_figure.h"
+
+namespace pendular::app {
+
+std::vector<std::filesystem::path> outputs_of_change() {
+    return {"fit.json", "fit_runs.csv", "ladder.json", "figures"};
+}
+
+ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
+                            const FitOptions& fit, bool same_fidelity) {
+    return action == Action::add ? session.add(effect, fit, same_fidelity)
+                                 : session.drop(effect, fit, same_fidelity);
+}
+
+std::string answer_on(const ChangedStudy& changed) {
+    const StudyChange& change = changed.change;
+    const bool adds = change.change == Action::add;
+    if (changed.written)
+        return verdict_of(change, changed.before.ladder_step, changed.after.ladder_step);
+    return fmt::format("{} not {}: the fit {} it did not converge ({}). {} is unchanged.",
+                       change.effect, adds ? "added" : "dropped", adds ? "with" : "without",
+                       changed.after.calibration.fit.message, change.study.study().file.string());
+}
+
+std::string draw_ladder(const Ladder& ladder, const std::filesystem::path& folder) {
+    const Figure figure = ladder_figure(ladder);
+    draw(figure, folder);
+    return figure.name;
+}
+
+}  // namespace pendular::app
