@@ -33,6 +33,7 @@ int compare(const std::vector<std::string>& arguments);
 int diagnose(const std::vector<std::string>& arguments);
 int next(const std::vector<std::string>& arguments);
 int report(const std::vector<std::string>& arguments);
+int serve(const std::vector<std::string>& arguments);
 int add(const std::vector<std::string>& arguments);
 int drop(const std::vector<std::string>& arguments);
 int effects(const std::vector<std::string>& arguments);

@@ -44,7 +44,7 @@ int report(const std::vector<std::string>& arguments) {
     if (switches > 8) throw InputError("--switches must be from 0 to 8");
     Console console(*common);
     const OpenSession session(console, *common, {"report.html"}, seed);
-    const StudyPage page = study_page(*session.operator->(), *common, switches);
+    const StudyPage page = study_page(*session, *common, switches);
     console.end_progress();
     const auto file = common->out_folder() / "report.html";
     write_whole(file, page.html);

@@ -13,7 +13,7 @@ namespace pendular {
 /// model fits, they list the standard errors of its parameters before and after the measurement.
 std::vector<std::string> next_lines(const NextMeasurement& next);
 
-/// What to measure next in one paragraph: the lines of `next_lines` without the predictions and
+/// Paragraph on the next measurement to make: the lines of `next_lines` without the predictions and
 /// errors that are indented below them.
 std::string next_paragraph(const std::vector<std::string>& lines);
 

@@ -32,7 +32,8 @@ struct PageContent {
     SessionOptions options;                   ///< fidelity and seed of the results
     std::size_t runs = 0;     ///< number of simulation runs that the emulator was trained on
     bool calibrated = false;  ///< whether the results folder has a fit of the study
-    /// Version of the page that a server on this computer hands out; empty: a page without a server.
+    /// Version of the page that a server on this computer hands out; empty: a page without a
+    /// server.
     std::optional<std::size_t> served_version = {};
 };
 

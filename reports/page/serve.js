@@ -34,7 +34,7 @@ class Served {
     this.write("status", `${state.working ? state.sentence : "The page follows the study's files."} ${made}`);
     share.hidden = !state.working;
     if (state.share === null) share.removeAttribute("value"); else share.value = state.share;
-    this.write("trouble", state.trouble);
+    this.write("trouble", state.trouble && state.version > 0 ? `${state.trouble}. Until this is mended, the page shows the last good results.` : state.trouble);
     trouble.hidden = state.trouble === "";
     this.changing = state.changing;
     for (const button of document.querySelectorAll("button[data-change]")) button.disabled = state.changing;

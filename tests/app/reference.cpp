@@ -46,7 +46,7 @@ TEST(ReferencePages, OfCommandsHoldTheirHelp) {
         "of the machine.\n";
     for (const char* command :
          {"import", "calibrate", "compare", "diagnose", "next", "add", "drop", "effects", "predict",
-          "simulate", "campaign", "runs", "virtual-lab", "reproduce", "report"}) {
+          "simulate", "campaign", "runs", "virtual-lab", "reproduce", "report", "serve"}) {
         const std::string help = run_pendular(std::string(command) + " --help").output;
         text += fmt::format("\n## {}\n\n```\n{}```\n", command,
                             std::regex_replace(help, std::regex("N \\(=[0-9]+\\)"), "N      "));

@@ -209,6 +209,19 @@ TEST_F(JsonOutput, OfAWetStudyIsAsTheSchemasSay) {
     EXPECT_EQ(content_of(out + "compare.json"), compared);
 }
 
+TEST_F(JsonOutput, OfAServerIsAsTheSchemaSays) {
+    const std::string study = copied("dry-recordings");
+    const std::string command = fmt::format(
+        "timeout --preserve-status -s TERM 1 {} serve {} --switches 0 --json - >{} 2>{}",
+        PENDULAR_PROGRAM, study, path("address"), path("errors"));
+    test_store();
+    EXPECT_EQ(std::system(command.c_str()), 0) << content_of(path("errors"));  // ends by the signal
+    const std::string text = content_of(path("address"));
+    expect_valid(text, "serve");
+    EXPECT_THAT(content_of(path("errors")), HasSubstr("No effect is missing"));
+    EXPECT_FALSE(fs::exists(study + "/out"));  // it writes nothing by itself
+}
+
 TEST_F(JsonOutput, OfADiagnosisAndItsChangesIsAsTheSchemasSay) {
     const std::string study = dry_study(effect_ + rig_), out = study + "/out/";
     const std::string diagnosis = expect_output("diagnose " + study, "diagnosis");

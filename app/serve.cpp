@@ -1,0 +1,128 @@
+// `pendular serve`: the page of a study on live data, for browsers on this computer.
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/change_effects.h"
+#include "app/command.h"
+#include "app/console.h"
+#include "app/interrupt.h"
+#include "app/open_session.h"
+#include "app/options.h"
+#include "app/serve/live_study.h"
+#include "app/serve/page_server.h"
+#include "app/serve/received_recording.h"
+#include "app/study_page.h"
+#include "data/input_error.h"
+#include "data/study/study.h"
+#include "reports/page/report_page.h"
+
+namespace pendular::app {
+namespace {
+
+const char* const about_serve =
+    R"(Shows the page of 'pendular report' on live data, in browsers on this computer: open the address
+that the command prints. The page is made again whenever study.toml or a recording changes on the
+disk, and says after each recording what to measure next. A recording that is dropped onto the page
+is stored in the study's folder, if a 'file' pattern of a [[recording]] matches its name and it can
+be read. Buttons beside the switches add an effect to the study or remove it, as 'pendular add' and
+'pendular drop' do. An error in a file is shown; the last good page stays until it is mended.
+
+The server answers only to this computer (127.0.0.1) and to those who know the random token in the
+address. It reads and writes the study, its results folder and the store of runs, and nothing else.
+Ctrl-C ends it.)";
+
+/// Options of the command.
+struct ServeOptions {
+    int port = 0;
+    std::int64_t seed = 1;
+    std::size_t switches = 6;
+    bool fidelity_given = false;
+};
+
+/// Adds an effect to the study or drops one, with the results of `pendular add`.
+Answer change_study(Action action, const std::string& effect, const CommonOptions& common,
+                    const ServeOptions& own, const std::stop_token& stop,
+                    const Listener& listener) {
+    const OpenSession session(stop, listener, common, outputs_of_change(), own.seed,
+                              OpenSession::Access::changes);
+    const ChangedStudy changed =
+        change_effects(*session, action, effect, FitOptions{}, !own.fidelity_given);
+    Answer answer{changed.written ? 200 : 422, answer_on(changed)};
+    if (!changed.written) return answer;
+    for (const std::string& reason : changed.after.belief.reasons)
+        answer.text += " Doubt about the new fit: " + reason;
+    try {
+        draw_ladder(changed.ladder, common.out_folder() / "figures");
+    } catch (const std::exception& error) {
+        answer.text += fmt::format(" The figure 'ladder' was not drawn: {}.", error.what());
+    }
+    return answer;
+}
+
+StudyWork work_on(const CommonOptions& common, const ServeOptions& own, Console& console) {
+    const auto watch = std::make_shared<StudyWatch>(common.study, common.out_folder());
+    return {.look = [watch] { return watch->look(); },
+            .page =
+                [&](std::size_t version, const std::stop_token& stop, const Listener& listener) {
+                    const OpenSession session(stop, listener, common, {}, own.seed);
+                    return study_page(*session, common, own.switches, version);
+                },
+            .store =
+                [&](const std::string& name, const std::string& bytes) {
+                    return store_recording(common.study, name, bytes);
+                },
+            .change =
+                [&](Action action, const std::string& effect, const std::stop_token& stop,
+                    const Listener& listener) {
+                    return change_study(action, effect, common, own, stop, listener);
+                },
+            .print = [&console](const std::string& line) { console.line(line); }};
+}
+
+/// Writes the address as JSON to a file that only the user can read, since it has the token.
+void write_address(Console& console, const ServerAddress& address) {
+    const mode_t before = umask(077);
+    console.json({{"address", address.text()}, {"port", address.port}});
+    umask(before);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int serve(const std::vector<std::string>& arguments) {
+    Options options("serve STUDY [options]", about_serve,
+                    "  pendular serve my-study\n"
+                    "  pendular serve my-study --port 8080 --switches 3\n",
+                    true);
+    options.set_threads(0, "number of refits at a time");
+    ServeOptions own;
+    options.add("port", &own.port, "port of the address (default: any free one)");
+    options.add("seed", &own.seed, "seed of the random errors of the diagnosis (default 1)");
+    options.add("switches", &own.switches,
+                "largest number N of effects with a switch, 0 to 8 (default 6); 2^N models are "
+                "fitted");
+    const auto common = options.parse(arguments);
+    if (!common) return done;
+    if (own.switches > 8) throw InputError("--switches must be from 0 to 8");
+    if (own.port < 0 || own.port > 65535) throw InputError("--port must be from 1 to 65535");
+    checked_seed(own.seed);
+    own.fidelity_given = options.given("fidelity");
+    read_patterns(common->study);  // refuses what is no study; one without recordings is welcome
+    Console console(*common);
+    const InterruptGuard guard;
+    LiveStudy study(work_on(*common, own, console),
+                    waiting_page(study_name(common->study), PENDULAR_VERSION));
+    PageServer server(own.port);
+    server.start(study);
+    console.answer(fmt::format("Open {} in a browser on this computer.", server.address().text()));
+    console.line("Ctrl-C ends the server.");
+    write_address(console, server.address());
+    study.run(guard.token());
+    return done;
+}
+
+}  // namespace pendular::app

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace pendular::app {
+
+/// Parts of an HTTP request that decide whether a server answers it. A header that the request
+/// lacks is empty.
+struct RequestHead {
+    std::string method;  ///< GET or POST, for example
+    std::string target;  ///< path and query as they were sent: "/TOKEN/state"
+    std::string host;    ///< header Host
+    std::string origin;  ///< header Origin
+    std::string token;   ///< header X-Pendular-Token
+};
+
+/// Address of a server on this computer: http://127.0.0.1:PORT/TOKEN/.
+struct ServerAddress {
+    int port = 0;
+    std::string token;  ///< random secret, which only those know who were given the address
+
+    std::string text() const;
+};
+
+/// Things that a server of a study can be asked for.
+enum class Route {
+    page,       ///< GET /TOKEN/: the page of the study
+    state,      ///< GET /TOKEN/state: version of the page, progress and events, as JSON
+    recording,  ///< POST /TOKEN/recording: stores a recording in the study
+    change      ///< POST /TOKEN/change: adds an effect to the study or drops one
+};
+
+/// Reason why a request is not answered, with its HTTP status.
+struct Refusal {
+    int status = 403;
+    std::string reason;
+};
+
+/// Checks a request before anything of it is used. A page of another site in the user's browser
+/// knows no token, and a site whose name was made to lead to this computer sends another Host.
+/// Returns what the request asks for, or a refusal: 403 for another host, another origin or a wrong
+/// token, 405 for a method other than GET and POST, 400 for a path with "..", "%" or "\", 404 for
+/// other paths. Changes need the token in the header X-Pendular-Token too, which no other site can
+/// set.
+std::variant<Route, Refusal> check_request(const RequestHead& request,
+                                           const ServerAddress& address);
+
+/// Whether two texts are equal. The time that this takes does not depend on where they differ.
+bool equal_in_constant_time(std::string_view a, std::string_view b);
+
+/// Random secret of 256 bits from the operating system, as 64 hexadecimal digits.
+/// @throws std::runtime_error where the system gives no random numbers
+std::string new_token();
+
+}  // namespace pendular::app
