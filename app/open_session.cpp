@@ -21,10 +21,10 @@ Listener shown_on(Console& console, bool quiet) {
             print_line(stderr, "Note: " + as_sentence(event.text));
         }
         if (quiet || event.kind == Event::Kind::note) return;
-        // A single fit is too short for a progress line; of several, only the first is told.
-        const bool told =
-            event.kind != Event::Kind::refits || (event.number == 0 && event.total > 1);
-        if (told) print_line(stderr, progress_sentence(event));
+        // Of several fits, only the beginning is told.
+        if (event.kind == Event::Kind::refits && event.number > 0) return;
+        const std::string sentence = progress_sentence(event);
+        if (!sentence.empty()) print_line(stderr, sentence);
     };
 }
 

@@ -48,8 +48,10 @@ std::string progress_sentence(const Event& event) {
         case Event::Kind::round:
             return fmt::format("Round {}: friction = {}.", event.number,
                                with_error(event.fit->parameters(0), event.fit->standard_error(0)));
-        case Event::Kind::refits:
-            return fmt::format("Diagnosis, {}: {} fits to do.", event.text, event.total);
+        case Event::Kind::refits:  // a single fit is too short to be told
+            return event.total < 2
+                       ? ""
+                       : fmt::format("Diagnosis, {}: {} fits to do.", event.text, event.total);
         case Event::Kind::note:
             return "";
     }

@@ -16,7 +16,7 @@ std::string as_sentence(std::string text);
 std::string duration(double seconds);
 
 /// Sentence on the progress of the work on a study, for the kinds of events that name what is being
-/// done; empty for other kinds.
+/// done; empty for other kinds, and for a single fit.
 std::string progress_sentence(const Event& event);
 
 /// Share of the work that an event names which is done [1]; empty where it is not known.

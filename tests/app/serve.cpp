@@ -253,6 +253,8 @@ class LiveStudyTest : public testing::Test {
                 .page = [this](std::size_t version, const std::stop_token& stop,
                                const Listener& listener) { return page(version, stop, listener); },
                 .store = [this](const std::string& name, const std::string&) -> Answer {
+                    while (blocked)
+                        std::this_thread::sleep_for(1ms);
                     ++file;
                     return {201, name};
                 },
@@ -300,7 +302,7 @@ class LiveStudyTest : public testing::Test {
     }
 
     std::atomic<int> file{1}, begun{0};
-    std::atomic<bool> broken{false}, slow{false};
+    std::atomic<bool> broken{false}, slow{false}, blocked{false};
     std::mutex mutex;
     std::vector<std::string> lines;
     std::unique_ptr<LiveStudy> study;
@@ -380,6 +382,22 @@ TEST_F(LiveStudyTest, EndsDuringWorkAndAnswersThoseWhoWait) {
     EXPECT_EQ(study->receive("b.csv", "1").status, 503);
     EXPECT_EQ(study->change(Action::add, "x").status, 503);
     EXPECT_EQ(*study->page(), "waiting");
+}
+
+TEST_F(LiveStudyTest, LetsFewRequestsWait) {
+    blocked = true;
+    begin();
+    std::atomic<int> stored{0}, refused{0};
+    std::vector<std::jthread> browsers;
+    for (int k = 0; k < 8; ++k) {
+        browsers.emplace_back(
+            [&] { ++(study->receive("b.csv", "1").status == 503 ? refused : stored); });
+    }
+    wait_for([&] { return refused >= 3; });  // one is at work, four wait
+    blocked = false;
+    browsers.clear();
+    EXPECT_EQ(stored + refused, 8);
+    EXPECT_GE(stored, 4);
 }
 
 TEST_F(LiveStudyTest, IsAskedByManyThreadsAtOnce) {

@@ -83,6 +83,7 @@ const drop = (page, name, text) => page.evaluate(([n, t]) => {
   data.items.add(new File([t], n));
   document.getElementById("drop").dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
 }, [name, text]);
+const warned = (page, pattern) => until(async () => await page.locator("#trouble").isVisible() && pattern.test(await page.locator("#trouble").innerText()), `warning ${pattern}`);
 const answered = (page, pattern) => until(async () => pattern.test(await page.locator("#answers").innerText()), `answer ${pattern}`);
 
 try {
@@ -125,7 +126,7 @@ try {
   });
   await check("a broken recording is a warning until it is mended", async () => {
     put("dry_6.csv", recording(1.002).replace("\n0.4,", "\n0.4x,"));
-    for (const each of [page, second]) await until(async () => /dry_6\.csv:4:\d+: .*0\.4x/.test(await each.locator("#trouble").innerText()), "warning");
+    for (const each of [page, second]) await warned(each, /dry_6\.csv:4:\d+: .*0\.4x/);
     assert.equal(await count(page), 15);
     if (screenshots) await page.screenshot({path: join(screenshots, "serve-broken.png")});
     put("dry_6.csv", recording(1.002));
@@ -135,7 +136,7 @@ try {
   await check("a broken study.toml is a warning until it is mended", async () => {
     const text = readFileSync(join(study, "study.toml"), "utf8");
     put("study.toml", text.replace("density", "densty"));
-    await until(async () => /study\.toml:\d+:\d+: .*densty/.test(await page.locator("#trouble").innerText()), "warning");
+    await warned(page, /study\.toml:\d+:\d+: .*densty/);
     put("study.toml", text);
     await until(() => page.locator("#trouble").isHidden(), "end of the warning");
     assert.equal(await count(page), 18);
@@ -224,7 +225,7 @@ try {
     mkdirSync(empty);
     cpSync(join(study, "study.toml"), join(empty, "study.toml"));
     const waiting = await serve(empty, "--switches", "0"), first = await open(waiting.address.href);
-    await until(async () => /study\.toml:\d+:\d+: .*no file matches "dry_\*\.csv"/.test(await first.locator("#trouble").innerText()), "warning");
+    await warned(first, /study\.toml:\d+:\d+: .*no file matches "dry_\*\.csv"/);
     for (const k of [1, 2, 3]) await drop(first, `dry_${k}.csv`, readFileSync(join(examples, `dry-recordings/dry_${k}.csv`), "utf8"));
     await readings(first, 9);
     assert.ok(await first.locator("#trouble").isHidden());
