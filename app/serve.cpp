@@ -83,7 +83,7 @@ StudyWork work_on(const CommonOptions& common, const ServeOptions& own, Console&
             .print = [&console](const std::string& line) { console.line(line); }};
 }
 
-/// Writes the address as JSON to a file that only the user can read, since it has the token.
+/// Writes the address as JSON. Only the user can read a new file, since it has the token.
 void write_address(Console& console, const ServerAddress& address) {
     const mode_t before = umask(077);
     console.json({{"address", address.text()}, {"port", address.port}});

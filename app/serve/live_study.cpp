@@ -77,6 +77,7 @@ void LiveStudy::make_page(const std::stop_token& end) {
     std::size_t version = 0;
     {
         const std::scoped_lock lock(mutex_);
+        if (!jobs_.empty()) return;  // asked for meanwhile, and done first
         page_stop_ = {};
         if (end.stop_requested()) page_stop_.request_stop();
         stop = page_stop_.get_token();

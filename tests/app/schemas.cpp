@@ -211,11 +211,14 @@ TEST_F(JsonOutput, OfAWetStudyIsAsTheSchemasSay) {
 
 TEST_F(JsonOutput, OfAServerIsAsTheSchemaSays) {
     const std::string study = copied("dry-recordings");
+    // Ends the server by a signal once it has told its verdict.
     const std::string command = fmt::format(
-        "timeout --preserve-status -s TERM 1 {} serve {} --switches 0 --json - >{} 2>{}",
+        "{0} serve {1} --switches 0 --json - >{2} 2>{3} & server=$!; for k in $(seq 300); do grep "
+        "-q "
+        "effect {3} && break; sleep 0.1; done; kill -TERM $server; wait $server",
         PENDULAR_PROGRAM, study, path("address"), path("errors"));
     test_store();
-    EXPECT_EQ(std::system(command.c_str()), 0) << content_of(path("errors"));  // ends by the signal
+    EXPECT_EQ(std::system(command.c_str()), 0) << content_of(path("errors"));
     const std::string text = content_of(path("address"));
     expect_valid(text, "serve");
     EXPECT_THAT(content_of(path("errors")), HasSubstr("No effect is missing"));

@@ -246,6 +246,8 @@ class LiveStudyTest : public testing::Test {
     StudyWork work() {
         return {.look =
                     [this] {
+                        while (blind)
+                            std::this_thread::sleep_for(1ms);
                         StudyStamps stamps;
                         stamps.inputs["s/a.csv"] = {.size = file};
                         return stamps;
@@ -302,7 +304,7 @@ class LiveStudyTest : public testing::Test {
     }
 
     std::atomic<int> file{1}, begun{0};
-    std::atomic<bool> broken{false}, slow{false}, blocked{false};
+    std::atomic<bool> broken{false}, slow{false}, blocked{false}, blind{false};
     std::mutex mutex;
     std::vector<std::string> lines;
     std::unique_ptr<LiveStudy> study;
@@ -357,6 +359,18 @@ TEST_F(LiveStudyTest, StoresARecordingAndReadsIt) {
     wait_for_version(1);
     EXPECT_EQ(study->receive("c.csv", "1").status, 201);
     wait_for_version(2);
+}
+
+TEST_F(LiveStudyTest, StoresFirstWhatArrivesJustBeforeAPageIsBegun) {
+    blind = slow = true;
+    begin();
+    std::atomic<int> status{0};
+    const std::jthread browser([&] { status = study->receive("b.csv", "1").status; });
+    std::this_thread::sleep_for(50ms);  // the recording waits, the page is not begun
+    blind = false;
+    wait_for([&] { return status == 201; });
+    slow = false;
+    wait_for_version(1);
 }
 
 TEST_F(LiveStudyTest, ChangesOneEffectAtATime) {
