@@ -10,8 +10,8 @@
 #include <mutex>
 #include <tuple>
 
-#include "app/console.h"
 #include "app/interrupt.h"
+#include "app/progress.h"
 #include "bench/hidden_effects/design.h"
 #include "bench/hidden_effects/report.h"
 #include "bench/hidden_effects/resolve.h"
