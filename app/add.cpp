@@ -13,6 +13,7 @@
 #include "app/belief.h"
 #include "app/change_effects.h"
 #include "app/command.h"
+#include "app/effect_options.h"
 #include "app/open_session.h"
 #include "data/input_error.h"
 #include "reports/change_report.h"
@@ -67,7 +68,7 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
                                 name, adds ? "  pendular add my-study --proposed 1\n" : ""),
                     true);
     std::vector<std::string> words;
-    options.take(&words);
+    options.take(&words, one_of(names_of_effects()));
     options.add("seed", &own.seed, "seed of the simulations (default 1)");
     std::optional<double> confirming;
     options.add_time(

@@ -41,6 +41,23 @@ int campaign(const std::vector<std::string>& arguments);
 int runs(const std::vector<std::string>& arguments);
 int virtual_lab(const std::vector<std::string>& arguments);
 
+/// Commands for one part of the work, in the order of their use.
+struct CommandGroup {
+    const char* heading;
+    std::vector<Command> commands;
+};
+
+/// All commands of the program.
+const std::vector<CommandGroup>& command_groups();
+
+/// Sentences on the program for its overview and its manual page, with line ends.
+struct ProgramTexts {
+    const char* about;       ///< what the program does
+    const char* session;     ///< commands of a first session
+    const char* exit_codes;  ///< exit codes and their meaning
+};
+extern const ProgramTexts program_texts;
+
 /// Exit codes of the program `pendular`, equal for all its commands. `not_converged`: the fit did
 /// not converge or is meaningless; `interrupted`: a signal stopped the work.
 enum ExitCode {

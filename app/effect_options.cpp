@@ -120,6 +120,14 @@ std::vector<ActiveEffect> EffectOptions::effects() const {
     return result;
 }
 
+std::vector<std::string> names_of_effects() {
+    std::vector<std::string> names;
+    for (const Effect& effect : built_in_effects()) {
+        names.push_back(effect.name);
+    }
+    return names;
+}
+
 std::string example_of(const std::function<bool(const Effect&)>& wanted) {
     const auto found = std::ranges::find_if(built_in_effects(), wanted);
     if (found == built_in_effects().end()) {

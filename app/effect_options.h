@@ -39,6 +39,9 @@ class EffectOptions {
     std::map<std::string, std::string> words_;
 };
 
+/// Names of all built-in effects.
+std::vector<std::string> names_of_effects();
+
 /// Text for the examples in a help text, "--EFFECT.PARAMETER VALUE": option that sets the first
 /// parameter of the first built-in effect for which `wanted` is true to its smallest size of
 /// interest; empty where `wanted` is true for no effect.

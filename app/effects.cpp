@@ -7,6 +7,7 @@
 
 #include "app/command.h"
 #include "app/console.h"
+#include "app/effect_options.h"
 #include "app/open_session.h"
 #include "app/options.h"
 #include "data/files/write_whole.h"
@@ -170,11 +171,13 @@ int effects(const std::vector<std::string>& arguments) {
     Options options("effects [EFFECT] [options]", about_effects, effects_examples, false);
     std::vector<std::string> words;
     std::string study_path, manual;
-    options.take(&words);
+    options.take(&words, one_of(names_of_effects()));
     options.add("study", &study_path,
                 "study whose own effects are listed too; the list then says whether each effect "
-                "applies to it");
-    options.add("manual", &manual, "folder for a manual of all effects: Markdown and figures");
+                "applies to it",
+                a_study());
+    options.add("manual", &manual, "folder for a manual of all effects: Markdown and figures",
+                a_folder());
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

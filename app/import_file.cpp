@@ -9,7 +9,8 @@
 #include <optional>
 
 #include "app/command.h"
-#include "data/files/write_whole.h"
+#include "data//files/write_whole.h"
+#include "data/files/formats/layouts.h"
 #include "data/quantities/nearest.h"
 #include "data/quantities/number.h"
 #include "data/recordings/file_view.h"
@@ -86,13 +87,16 @@ std::optional<AnnularCell> cell_beside(const std::filesystem::path& file) {
 
 void ImportFileOptions::declare(Options& options) {
     options.begin_section("Options for a single file");
-    options.add("study", &study, "folder in which a study is begun: study.toml, guesses marked");
+    options.add("study", &study, "folder in which a study is begun: study.toml, guesses marked",
+                a_folder());
     options.add("figures", &figures,
                 "folder for figures: the recording with what is averaged, yield loci; of a study, "
-                "each recording");
+                "each recording",
+                a_folder());
     options.add("tidy", &tidy,
-                "CSV file for all rows, in SI units, with rows of names and of units");
-    options.add("layout", &layout, "layout of the file (default: recognised by its content)");
+                "CSV file for all rows, in SI units, with rows of names and of units", a_file());
+    options.add("layout", &layout, "layout of the file (default: recognised by its content)",
+                one_of(layout_names()));
     options.add("encoding", &encoding, "character encoding of the file (default: detected)");
     options.add("sheet", &sheet, "sheet of a workbook (.xlsx; default: the first one)");
     options.add("decimal", &decimal, "decimal mark of the file, '.' or ',' (default: detected)");

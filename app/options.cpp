@@ -192,6 +192,86 @@ void Options::print_help(const po::options_description& common) const {
     std::cout << common << "\nExamples:\n" << examples_;
 }
 
+namespace {
+
+/// Where `parse` puts the declaration of a command in place of printing its help text; null: the
+/// help text is printed.
+thread_local CommandDeclaration* requested_declaration = nullptr;
+
+std::vector<std::string> fidelity_names() {
+    std::vector<std::string> names;
+    for (const Fidelity& each : fidelities()) {
+        names.push_back(each.name);
+    }
+    return names;
+}
+
+/// Values of the first word of a command, from the usage line.
+ValueKind first_word_of(const std::string& usage) {
+    const auto has = [&](const char* word) { return usage.find(word) != std::string::npos; };
+    if (has(" FILE")) return a_file();
+    return has(" STUDY") ? a_study() : a_folder();
+}
+
+}  // namespace
+
+CommandDeclaration declaration_of(int (*run)(const std::vector<std::string>& arguments)) {
+    CommandDeclaration result;
+    requested_declaration = &result;
+    run({"--help"});
+    requested_declaration = nullptr;
+    return result;
+}
+
+const char* ValueKind::placeholder() const {
+    switch (kind) {
+        case Kind::file:
+            return "FILE";
+        case Kind::folder:
+            return "DIR";
+        case Kind::study:
+            return "STUDY";
+        case Kind::choice:
+            return "NAME";
+        default:
+            return "X";
+    }
+}
+
+CommandDeclaration Options::declaration(const po::options_description& common) const {
+    CommandDeclaration result{.usage = usage_, .about = about_, .examples = examples_};
+    const std::map<std::string, ValueKind> kinds_of_common = {
+        {"json", a_file({"-"})},
+        {"out", a_folder()},
+        {"store", a_file()},
+        {"fidelity", one_of(fidelity_names())}};
+    const auto add = [&](const po::options_description& options, const std::string& heading,
+                         const std::map<std::string, ValueKind>& kinds) {
+        if (options.options().empty()) return;
+        result.sections.push_back({.heading = heading});
+        for (const auto& option : options.options()) {
+            const std::string& name = option->long_name();
+            const bool number_may_follow = times_.contains("--" + name);
+            const bool takes_value = !number_may_follow && option->semantic()->max_tokens() > 0;
+            const auto known = kinds.find(name);
+            const ValueKind value = known != kinds.end() ? known->second : ValueKind();
+            result.sections.back().options.push_back(
+                {name,
+                 number_may_follow || takes_value ? option->format_parameter() : std::string(),
+                 option->description(), takes_value ? value : ValueKind{ValueKind::Kind::none}});
+        }
+    };
+    auto heading = headings_.begin();
+    for (const auto& section : sections_) {
+        add(section, *heading++, kinds_);
+    }
+    add(common, "Common options", kinds_of_common);
+    if (takes_study_) result.first_word = first_word_of(usage_);
+    if (words_) (takes_study_ ? result.other_words : result.first_word) = words_kind_;
+    if (words_ && !takes_study_) result.other_words = a_file();
+    return result;
+}
+
 std::optional<CommonOptions> Options::parse(const std::vector<std::string>& words_given) {
     const std::vector<std::string> arguments = with_attached_times(words_given, times_);
     CommonOptions result;
@@ -211,7 +291,8 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
         "~/.local/share/pendular/runs.sqlite)")(
         "threads",
         po::value(&result.threads)
-            ->default_value(default_threads_ > 0 ? default_threads_ : cores)
+            ->default_value(default_threads_ > 0 ? default_threads_ : cores,
+                            default_threads_ > 0 ? std::to_string(default_threads_) : "cores")
             ->value_name("N"),
         threads_meaning_.c_str())("quiet", po::bool_switch(&result.quiet),
                                   "no progress on standard error")(
@@ -254,7 +335,11 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
                                      usage_.substr(0, usage_.find(' '))));
     }
     if (variables_.count("help") > 0) {
-        print_help(common);
+        if (requested_declaration) {
+            *requested_declaration = declaration(common);
+        } else {
+            print_help(common);
+        }
         return std::nullopt;
     }
     if (words_) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/declaration.h"
 #include "sim/runs/fidelity.h"
 
 namespace pendular::app {
@@ -62,12 +63,18 @@ class Options {
     /// Adds the option --NAME of this command, whose value `parse` stores in `value`. The
     /// description for the help text says in which unit the value is.
     template <typename T>
-    void add(const char* name, T* value, const std::string& description) {
+    void add(const char* name, T* value, const std::string& description,
+             const ValueKind& kind = {}) {
+        kinds_[name] = kind;
         sections_.back().add_options()(
-            name, boost::program_options::value<T>(value)->value_name("X"), description.c_str());
+            name, boost::program_options::value<T>(value)->value_name(kind.placeholder()),
+            description.c_str());
     }
     /// Begins a section of the help text, for the options that are added after this call.
-    void begin_section(const std::string& heading) { sections_.emplace_back(heading, 100); }
+    void begin_section(const std::string& heading) {
+        headings_.push_back(heading);
+        sections_.emplace_back(heading, 100);
+    }
     /// Sets the default of option --threads (0: one thread per core) and its text in the help.
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
@@ -75,8 +82,10 @@ class Options {
     /// Sets the text on option --out, the folder for results, in the help text.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
     /// Makes the command accept any number of words that belong to no option, after the study if
-    /// the command reads one. `parse` stores these words in `words`.
-    void take(std::vector<std::string>* words) { words_ = words; }
+    /// the command reads one. `parse` stores these words in `words`; `kind` is what they may be.
+    void take(std::vector<std::string>* words, ValueKind kind = {}) {
+        words_ = words, words_kind_ = std::move(kind);
+    }
     /// Adds the option --NAME [MINUTES], the time that work may take, which `parse` stores in
     /// `seconds`: MINUTES is the next word where this is a number, else `alone`; empty without the
     /// option. An infinite `alone` sets no limit.
@@ -98,15 +107,19 @@ class Options {
 
   private:
     void print_help(const boost::program_options::options_description& common) const;
+    CommandDeclaration declaration(const boost::program_options::options_description& common) const;
 
     std::string usage_, about_, examples_;
     bool takes_study_;
     std::vector<std::string>* words_ = nullptr;
+    ValueKind words_kind_;
+    std::map<std::string, ValueKind> kinds_;  ///< values of the options by name
     /// Values of the options that `add_time` added where no number follows them, by option.
     std::map<std::string, std::string> times_;
     int default_threads_ = 0;  ///< default of --threads; 0: one per core
     std::string threads_meaning_ = "number of runs at a time";
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";
+    std::vector<std::string> headings_;                                ///< of the sections
     std::list<boost::program_options::options_description> sections_;  ///< options by section
     boost::program_options::variables_map variables_;
 };

@@ -14,13 +14,7 @@
 namespace pendular::app {
 namespace {
 
-/// Group of commands for one part of the work, in the order of their use.
-struct Group {
-    const char* heading;
-    std::vector<Command> commands;
-};
-
-const std::vector<Group> groups = {
+const std::vector<CommandGroup> groups = {
     {"Measure and calibrate",
      {{"import", "turn recordings into shear stresses and solid fractions with their errors",
        import},
@@ -46,29 +40,24 @@ const std::vector<Group> groups = {
        reproduce}}}};
 
 void print_overview() {
-    fmt::print(
-        "Pendular fits a discrete-element model to rheometer recordings of dry or wet beads and\n"
-        "finds the physical effect that the model lacks.\n\n"
-        "Usage: pendular COMMAND [options]\n");
-    for (const Group& group : groups) {
+    fmt::print("{}\nUsage: pendular COMMAND [options]\n", program_texts.about);
+    for (const CommandGroup& group : groups) {
         fmt::print("\n{}\n", group.heading);
         for (const Command& command : group.commands) {
             fmt::print("  {:<11} {}\n", command.name, command.summary);
         }
     }
     fmt::print(
-        "\nA study is a folder with a file study.toml. A first session:\n"
-        "  pendular import my-study\n"
-        "  pendular calibrate my-study --no-confirm\n"
-        "  pendular diagnose my-study\n"
+
+        "\nA study is a folder with a file study.toml. A first session:\n{}"
         "\n'pendular COMMAND --help' describes one command, with examples.\n"
-        "Exit codes: 0 done; 1 the program failed; 2 the input or the command line is wrong;\n"
-        "3 the fit did not converge or is meaningless; 130 interrupted.\n");
+        "Exit codes: {}",
+        program_texts.session, program_texts.exit_codes);
 }
 
 const Command& command_named(const std::string& name) {
     std::vector<std::string> names;
-    for (const Group& group : groups) {
+    for (const CommandGroup& group : groups) {
         for (const Command& command : group.commands) {
             if (command.name == name) return command;
             names.emplace_back(command.name);
@@ -78,6 +67,22 @@ const Command& command_named(const std::string& name) {
 }
 
 }  // namespace
+
+const std::vector<CommandGroup>& command_groups() {
+    return groups;
+}
+
+const ProgramTexts program_texts = {
+    .about =
+        "Pendular fits a discrete-element model to rheometer recordings of dry or wet beads and\n"
+        "finds the physical effect that the model lacks.\n",
+    .session =
+        "  pendular import my-study\n"
+        "  pendular calibrate my-study --no-confirm\n"
+        "  pendular diagnose my-study\n",
+    .exit_codes =
+        "0 done; 1 the program failed; 2 the input or the command line is wrong;\n"
+        "3 the fit did not converge or is meaningless; 130 interrupted.\n"};
 
 namespace {
 

@@ -331,7 +331,8 @@ int runs(const std::vector<std::string>& arguments) {
         "  pendular runs plot --x inertial_number --y solid_fraction --out figures\n"
         "  pendular runs prune --where \"crystallised\" --yes\n",
         false);
-    options.take(&request.words);
+    options.take(&request.words, one_of({"list", "show", "compare", "plot", "export", "import",
+                                         "merge", "prune", "learn"}));
     options.set_out("folder for figures (default: here)");
     options.add("where", &request.condition,
                 "only runs for which this SQL condition on the columns holds");

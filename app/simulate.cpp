@@ -366,7 +366,8 @@ int simulate(const std::vector<std::string>& arguments) {
     options.add("bridge-volume", &wetting.bridge_volume,
                 "volume of a liquid bridge over a^3 [1] (default 0.002)");
     options.add("bridge-force", &bridge_force,
-                "formula of the bridge force: derived (default) or as_printed");
+                "formula of the bridge force: derived (default) or as_printed",
+                one_of({"derived", "as_printed"}));
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the random initial state (default 1)");
     Extras extras;
@@ -376,7 +377,8 @@ int simulate(const std::vector<std::string>& arguments) {
     options.add("snapshot-every", &extras.snapshot_every,
                 "strain between snapshots for OVITO and ParaView in the folder of --out [1]");
     options.add("checkpoint", &extras.checkpoint,
-                "file for the state of the running simulation; the same command resumes the run");
+                "file for the state of the running simulation; the same command resumes the run",
+                a_file());
     options.add("checkpoint-every", &extras.checkpoint_minutes,
                 "time between checkpoints [min] (default 10)");
     RunEffects effects(options, arguments);

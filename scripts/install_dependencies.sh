@@ -16,6 +16,8 @@ packages=(
   # tests, benchmarks, style
   libgtest-dev libgmock-dev libvalijson-dev libbenchmark-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev libomp-14-dev doxygen codespell
   sqlite3 python3 locales chromium
+  # tests of manual pages and completion, the manual as a site
+  groff-base mandoc zsh fish mkdocs python3-pymdownx libjs-katex
 )
 
 # Node drives the browser of the tests; any version from 18 on will do.

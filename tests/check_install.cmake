@@ -11,6 +11,14 @@ function(run)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
+# Manual pages and completion are where man and the shells look for them.
+foreach(file man/man1/pendular.1 man/man1/pendular-diagnose.1 man/man1/pendular-virtual-lab.1
+             bash-completion/completions/pendular zsh/site-functions/_pendular
+             fish/vendor_completions.d/pendular.fish)
+  if(NOT EXISTS ${work}/prefix/share/${file})
+    message(FATAL_ERROR "share/${file} is not installed")
+  endif()
+endforeach()
 file(GLOB_RECURSE headers RELATIVE ${work}/prefix/include ${work}/prefix/include/*)
 foreach(header IN LISTS headers)
   file(STRINGS ${work}/prefix/include/${header} private REGEX "^#include \"")

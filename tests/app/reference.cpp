@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <string>
 
 #include "data/quantities/quantity.h"
@@ -41,15 +40,14 @@ std::string cell(std::string_view text) {
 
 TEST(ReferencePages, OfCommandsHoldTheirHelp) {
     std::string text =
-        "# Commands\n\nGenerated from `--help` of each command. Default numbers of threads are "
-        "those "
-        "of the machine.\n";
+        "# Commands\n\nGenerated from `--help` of each command; `cores` is the number of the "
+        "machine's "
+        "cores.\n";
     for (const char* command :
          {"import", "calibrate", "compare", "diagnose", "next", "add", "drop", "effects", "predict",
           "simulate", "campaign", "runs", "virtual-lab", "reproduce", "report", "serve"}) {
         const std::string help = run_pendular(std::string(command) + " --help").output;
-        text += fmt::format("\n## {}\n\n```\n{}```\n", command,
-                            std::regex_replace(help, std::regex("N \\(=[0-9]+\\)"), "N      "));
+        text += fmt::format("\n## {}\n\n```\n{}```\n", command, help);
     }
     expect_current("commands.md", text);
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/manual/commands.h"
+
+namespace pendular::app {
+
+/// Statements of the first line of a manual page.
+struct ManHeading {
+    std::string date;     ///< year-month-day
+    std::string version;  ///< of the program
+};
+
+/// Manual page of the program, pendular(1), in roff: its commands by group and its exit codes.
+std::string man_page_of_program(const std::vector<DeclaredCommand>& commands,
+                                const ManHeading& heading);
+
+/// Manual page of a command, pendular-COMMAND(1), in roff, with the texts of its help: usage,
+/// description, options and examples.
+std::string man_page_of(const DeclaredCommand& command, const ManHeading& heading);
+
+}  // namespace pendular::app
