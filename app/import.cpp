@@ -9,6 +9,7 @@
 #include "app/import_file.h"
 #include "app/open_session.h"
 #include "app/options.h"
+#include "app/recording_views.h"
 #include "data/files/write_tables.h"
 #include "reports/recording_figures.h"
 #include "reports/tables.h"
@@ -53,27 +54,19 @@ std::vector<std::string> file_findings_lines(const std::vector<FileFinding>& fin
     return lines;
 }
 
-/// A figure of each recording of a study, with the rows that its readings average. A recording that
-/// is too long to be drawn makes a note instead.
+/// A figure of each recording of a study, with the rows that its readings average.
 std::vector<Figure> figures_of_recordings(const StudyInput& input, Console& console) {
     std::vector<Figure> figures;
-    for (const Source& source : input.study.study().sources) {
-        if (source.kind != Source::Kind::recording) continue;
-        for (const std::filesystem::path& path : source.files) {
-            try {
-                Figure figure =
-                    recording_figure(view_of_file(path, source.format, input.study.study().cell),
-                                     input.measurements.readings, input.measurements.excluded);
-                const std::string name = figure.name;
-                for (int k = 2;
-                     std::ranges::find(figures, figure.name, &Figure::name) != figures.end(); ++k)
-                    figure.name = fmt::format("{}_{}", name, k);
-                figures.push_back(std::move(figure));
-            } catch (const InputError& error) {
-                console.note(fmt::format("There is no figure of this recording: {}", error.what()));
-            }
-        }
-    }
+    const auto note = [&](const std::string& text) { console.note(text); };
+    for_each_recording(input.study.study(), note, [&](const FileView& view) {
+        Figure figure =
+            recording_figure(view, input.measurements.readings, input.measurements.excluded);
+        const std::string name = figure.name;
+        for (int k = 2; std::ranges::find(figures, figure.name, &Figure::name) != figures.end();
+             ++k)
+            figure.name = fmt::format("{}_{}", name, k);
+        figures.push_back(std::move(figure));
+    });
     return figures;
 }
 

@@ -18,12 +18,12 @@ namespace {
 
 const char* const about_report =
     R"(Writes a page on a study: one HTML file that needs no other file and no network. It shows the
-verdict, measured values and model, where the model fails, which effects explain it, what they do to
-the friction, the ladder of models, what to measure next, the fit with its correlations, and the
-sources of all effects. Switches add the leading effects to the model and remove them, sliders move
-the parameters; curves, residuals, chi2 and RMS errors follow. Every combination of the leading
-effects is fitted beforehand, as 'pendular add' fits it without new simulations. Every figure saves
-its numbers as CSV and its drawing as SVG.)";
+verdict, measured values and model, the recordings with the rows that are averaged, where the model
+fails, which effects explain it, what they do to the friction, the ladder of models, what to measure
+next, the fit with its correlations, and the sources of all effects. Switches add the leading
+effects to the model and remove them, sliders move the parameters; curves, residuals, chi2 and RMS
+errors follow. Every combination of the leading effects is fitted beforehand, as 'pendular add'
+fits it without new simulations. Every figure saves its numbers as CSV and its drawing as SVG.)";
 
 }  // namespace
 
@@ -57,6 +57,9 @@ int report(const std::vector<std::string>& arguments) {
                              counted(page.switches.size(), "switch", "switches"),
                              counted(page.models, "fitted model", "fitted models"),
                              counted(page.readings, "reading", "readings")));
+    for (const std::string& note : page.notes) {
+        console.note(note);
+    }
     console.json({{"page", file.string()},
                   {"verdict", page.verdict},
                   {"switches", page.switches},

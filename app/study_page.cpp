@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "analysis/diagnosis/study_evidence.h"
+#include "app/recording_views.h"
 #include "data/input_error.h"
 #include "reports/diagnosis_report.h"
 #include "reports/next_report.h"
@@ -38,6 +39,7 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
     const SwitchOptions switching{.most = switches, .along = points_of_curves(panels)};
     const auto folder = common.out_folder();
     std::error_code error;
+    std::vector<std::string> notes;
     const PageContent content{
         .study = study_name(session.study().file),
         .study_argument = common.study_word(),
@@ -54,7 +56,9 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
         .options = session.options(),
         .runs = d.models->simulation().emulator().runs().size(),
         .calibrated = std::filesystem::exists(folder / "fit.json", error),
-        .served_version = version};
+        .served_version = version,
+        .recordings =
+            recordings_of(session, [&](const std::string& note) { notes.push_back(note); })};
     const SwitchedModels& fits = content.switched;
     return {.html = report_page(content),
             .answer = verdict_line(d.diagnosis, *d.models, content.checks),
@@ -64,7 +68,8 @@ StudyPage study_page(const Session& session, const CommonOptions& common, std::s
             .switches = fits.switches,
             .models = static_cast<std::size_t>(
                 std::ranges::count_if(fits.models, [](const auto& m) { return !!m; })),
-            .readings = d.readings.size()};
+            .readings = d.readings.size(),
+            .notes = std::move(notes)};
 }
 
 }  // namespace pendular::app

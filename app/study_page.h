@@ -21,6 +21,7 @@ struct StudyPage {
     std::vector<std::string> switches;  ///< names of the effects that the page switches on and off
     std::size_t models = 0;             ///< number of fitted combinations of these effects
     std::size_t readings = 0;           ///< number of readings
+    std::vector<std::string> notes;     ///< why recordings are not drawn
 };
 
 /// Diagnoses the study of a session, plans the next measurement, fits all combinations of the

@@ -88,9 +88,13 @@ struct Reading {
 
 /// Rows of a file that make no reading, with the reason.
 struct Excluded {
+    /// Kind of rows: any rows (a transient, a spike), a step that reaches no plateau, or a
+    /// reading that was set aside.
+    enum class Kind { rows, step_without_plateau, reading };
     Position origin;     ///< file and first line of the rows
     int last_line = 0;   ///< last line of the rows
     std::string reason;  ///< why the rows were left out
+    Kind kind = Kind::rows;
 };
 
 /// A reason not to believe one or more measured values.

@@ -6,15 +6,18 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <set>
 
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 #include "reports/layout.h"
+#include "reports/recording_course.h"
 
 namespace pendular {
 namespace {
 
-const std::string reached_colour = "#2f8f4e", missed_colour = "#c8502d", circle_colour = "#5b9bd5";
+const std::string reached_colour = "#2f8f4e", missed_colour = "#c8502d", circle_colour = "#5b9bd5",
+                  aside_colour = "#8a8a8a";
 
 std::string name_of(const FileView& view) {
     return std::filesystem::path(view.file.file).stem().string();
@@ -28,125 +31,52 @@ std::string figure_name(const std::string& prefix, const std::string& text) {
     return name;
 }
 
-/// Rows of a file that are averaged, by their numbers from 1, and whether a plateau was reached.
-struct Window {
-    std::size_t begin = 0, end = 0;
-    bool reached = true;
-};
-
-/// A quantity of all intervals of a file against the number of the row.
-class Course {
-  public:
-    Course(const FileView& view, bool shear) {
-        for (const IntervalSeries& series : view.series) {
-            const std::vector<double>& column = shear ? series.shear() : series.normal();
-            is_stress_ =
-                is_stress_ || !(shear ? series.shear_stress : series.normal_stress).empty();
-            for (std::size_t i = 0; i < series.size(); ++i) {
-                const double value = i < column.size() ? column[i] : std::nan("");
-                values_.push_back(shear ? std::abs(value) : value);
-            }
-        }
-    }
-
-    bool is_stress() const { return is_stress_; }
-
-    /// All known values; of many rows only every n-th, so that a figure stays small.
-    Curve curve() const {
-        constexpr std::size_t most_points = 20'000;
-        const std::size_t step = values_.size() / most_points + 1;
-        Curve curve{.label = "recorded", .style = Curve::Style::line, .colour = measured_colour};
-        for (std::size_t i = 0; i < values_.size(); i += step)
-            if (std::isfinite(values_[i])) add(curve, i, values_[i]);
-        curve.weight = 0.5;
-        return curve;
-    }
-
-    /// The mean over a window, as a line from its begin to its end.
-    Curve mean(const Window& window, bool first) const {
-        double sum = 0;
-        std::size_t count = 0;
-        for (std::size_t i = window.begin; i < std::min(window.end, values_.size()); ++i)
-            if (std::isfinite(values_[i])) sum += values_[i], ++count;
-        Curve curve{.label = window.reached ? "averaged" : "averaged, no plateau",
-                    .style = Curve::Style::line,
-                    .colour = window.reached ? reached_colour : missed_colour,
-                    .weight = 3,
-                    .in_key = first};
-        if (count == 0) return curve;
-        for (const std::size_t i : {window.begin, window.end - 1})
-            add(curve, i, sum / static_cast<double>(count));
-        return curve;
-    }
-
-  private:
-    static void add(Curve& curve, std::size_t row, double value) {
-        curve.x.push_back(static_cast<double>(row + 1));
-        curve.y.push_back(value);
-    }
-
-    std::vector<double> values_;
-    bool is_stress_ = false;
-};
-
-/// Windows of preshears and points of failure.
-std::vector<Window> windows_of_roles(const FileView& view) {
-    std::vector<Window> windows;
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < view.series.size(); ++i) {
-        const IntervalSeries& series = view.series[i];
-        const bool stresses = !series.shear_stress.empty() && !series.normal_stress.empty();
-        if (stresses && view.roles[i].role == "preshear") {
-            const PreshearPoint point = preshear_point(series);
-            windows.push_back({first + point.begin, first + series.size(), point.plateau});
-        }
-        first += series.size();
-    }
-    for (const YieldLocus& locus : view.loci)
-        for (const FailurePoint& point : locus.points) {
-            first = 0;
-            for (const IntervalSeries& series : view.series) {
-                const bool own = !series.line.empty() && series.line.front() <= point.line &&
-                                 point.line <= series.line.back();
-                if (own && point.smoothed_end > 0)
-                    windows.push_back(
-                        {first + point.smoothed_begin, first + point.smoothed_end, !point.at_end});
-                first += series.size();
-            }
-        }
-    return windows;
+void add(Curve& curve, std::size_t row, double value) {
+    curve.x.push_back(static_cast<double>(row));
+    curve.y.push_back(value);
 }
 
-/// Windows of the readings of a study, and of the steps that made none.
-std::vector<Window> windows_of_study(const FileView& view, const std::vector<Reading>& readings,
-                                     const std::vector<Excluded>& excluded) {
-    std::vector<int> lines;
-    for (const IntervalSeries& series : view.series)
-        lines.insert(lines.end(), series.line.begin(), series.line.end());
-    const auto row_of = [&](int line) {
-        return static_cast<std::size_t>(std::ranges::lower_bound(lines, line) - lines.begin());
-    };
-    std::vector<Window> windows;
-    for (const Reading& reading : readings)
-        if (reading.origin.file == view.file.file && reading.last_line >= reading.origin.line)
-            windows.push_back({row_of(reading.origin.line), row_of(reading.last_line + 1), true});
-    for (const Excluded& rows : excluded)
-        if (rows.origin.file == view.file.file && !rows.reason.starts_with("transient") &&
-            rows.last_line > rows.origin.line)
-            windows.push_back({row_of(rows.origin.line), row_of(rows.last_line + 1), false});
-    return windows;
+Curve recorded_curve(const RecordingCourse& course) {
+    constexpr std::size_t most_points = 20'000;
+    Curve curve{.label = "recorded", .style = Curve::Style::line, .colour = measured_colour};
+    for (const auto& [row, value] : course.points(most_points))
+        add(curve, row, value);
+    curve.weight = 0.5;
+    return curve;
 }
 
-Panel course_panel(const FileView& view, const std::vector<Window>& windows, bool shear) {
-    const Course course(view, shear);
-    const char* const label =
-        shear ? (course.is_stress() ? "shear stress [Pa]" : "torque [N m]")
-              : (course.is_stress() ? "normal stress [Pa]" : "normal force [N]");
-    Panel panel{.x_label = "row of the recording", .y_label = label, .curves = {course.curve()}};
-    bool first[2] = {true, true};
-    for (const Window& window : windows) {
-        panel.curves.push_back(course.mean(window, first[window.reached]));
-        first[window.reached] = false;
+const std::string& colour_of(AveragedWindow::Kind kind) {
+    switch (kind) {
+        case AveragedWindow::Kind::used:
+            return reached_colour;
+        case AveragedWindow::Kind::no_plateau:
+            return missed_colour;
+        default:
+            return aside_colour;
+    }
+}
+
+/// The mean over a window, as a line from its begin to its end.
+Curve mean_curve(const RecordingCourse& course, const AveragedWindow& window, bool first) {
+    Curve curve{.label = text_of(window.kind),
+                .style = Curve::Style::line,
+                .colour = colour_of(window.kind),
+                .weight = 3,
+                .in_key = first};
+    if (const auto mean = course.mean(window))
+        for (const std::size_t row : {window.begin + 1, window.end})
+            add(curve, row, *mean);
+    return curve;
+}
+
+Panel course_panel(const FileView& view, const std::vector<AveragedWindow>& windows, bool shear) {
+    const RecordingCourse course(view, shear);
+    Panel panel{.x_label = "row of the recording",
+                .y_label = course.label(),
+                .curves = {recorded_curve(course)}};
+    std::set<AveragedWindow::Kind> in_key;
+    for (const AveragedWindow& window : windows) {
+        panel.curves.push_back(mean_curve(course, window, in_key.insert(window.kind).second));
     }
     std::erase_if(panel.curves, [](const Curve& curve) { return curve.x.empty(); });
     panel.key = Key::outside;
@@ -240,9 +170,7 @@ std::string locus_title(const YieldLocus& locus) {
 
 Figure recording_figure(const FileView& view, const std::vector<Reading>& readings,
                         const std::vector<Excluded>& excluded) {
-    std::vector<Window> windows = windows_of_roles(view);
-    if (!readings.empty() || !excluded.empty())
-        windows = windows_of_study(view, readings, excluded);
+    const std::vector<AveragedWindow> windows = windows_of(view, readings, excluded);
     Figure figure{.name = figure_name("recording_", name_of(view)),
                   .title = plain_text(name_of(view)),
                   .panels = {course_panel(view, windows, true), course_panel(view, windows, false)},

@@ -15,12 +15,12 @@ std::vector<Figure> file_figures(const FileView& view);
 
 /// Figure of a recording, one panel above the other: shear stress and normal stress (or torque and
 /// force, if the file has no stresses) against the number of the row. Windows that are averaged are
-/// drawn at their means, in one colour where a plateau was reached and in another where it was not:
+/// drawn at their means, in one colour where a plateau was reached, in another where it was not and
+/// in a third where the reading was set aside:
 /// the steady parts that the readings of a study average, the ends of preshears, and the smoothed
 /// peaks of intervals that were sheared to failure.
 /// @param readings readings of a study; those of other files are ignored
-/// @param excluded rows that a study left out; a step without a reading has not reached steady
-/// shear
+/// @param excluded rows that a study left out
 Figure recording_figure(const FileView& view, const std::vector<Reading>& readings = {},
                         const std::vector<Excluded>& excluded = {});
 

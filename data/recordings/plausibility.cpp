@@ -16,7 +16,8 @@
 namespace pendular {
 
 Excluded left_out(const Reading& reading, std::string reason) {
-    return {reading.origin, std::max(reading.last_line, reading.origin.line), std::move(reason)};
+    return {reading.origin, std::max(reading.last_line, reading.origin.line), std::move(reason),
+            Excluded::Kind::reading};
 }
 
 double greatest_stress_ratio(double reduced_pressure) {

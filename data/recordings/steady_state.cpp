@@ -124,11 +124,14 @@ void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<i
                  Measurements& result) {
     const StepSeries& series = step.series;
     const int number = step.number;
-    const auto exclude = [&](std::size_t end, const std::string& reason) {
+    const auto exclude = [&](std::size_t end, const std::string& reason,
+                             Excluded::Kind kind = Excluded::Kind::rows) {
         result.excluded.push_back({{setting.recording.file, series.line.front(), 0},
                                    series.line[end - 1],
-                                   fmt::format("step {}: {}", number, reason)});
+                                   fmt::format("step {}: {}", number, reason),
+                                   kind});
     };
+    constexpr auto no_plateau = Excluded::Kind::step_without_plateau;
     if (series.size() < shortest_step)
         return exclude(series.size(),
                        fmt::format("has {} rows, {} are needed", series.size(), shortest_step));
@@ -137,18 +140,21 @@ void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<i
     if (const double strain = strain_of(series, setting.cell); strain < setting.least_strain)
         return exclude(series.size(), short_strain("it", strain, series, setting));
     const auto begin = step.steady;
-    if (!begin) return exclude(series.size(), step.why_unsteady);
+    if (!begin) return exclude(series.size(), step.why_unsteady, no_plateau);
     if (series.size() - *begin < shortest_step)
-        return exclude(series.size(), fmt::format("{} rows are steady, {} are needed",
-                                                  series.size() - *begin, shortest_step));
+        return exclude(
+            series.size(),
+            fmt::format("{} rows are steady, {} are needed", series.size() - *begin, shortest_step),
+            no_plateau);
     const StepSeries level = series.from(*begin);
     const StepSeries steady = level.from(step.beyond_whole_turns);
     if (const double strain = strain_of(steady, setting.cell); strain < setting.least_strain)
-        return exclude(series.size(), short_strain("its steady part", strain, steady, setting));
+        return exclude(series.size(), short_strain("its steady part", strain, steady, setting),
+                       no_plateau);
     Means means = means_of(steady);
     limit_by_resolution(means, steady, setting);
     if (const std::string reason = unusable(means); !reason.empty())
-        return exclude(series.size(), reason);
+        return exclude(series.size(), reason, Excluded::Kind::reading);
     if (*begin > 0)
         exclude(*begin, fmt::format("transient of {:.3g} s, until torque and gap are steady",
                                     series.time[*begin] - series.time.front()));

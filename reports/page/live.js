@@ -11,6 +11,11 @@ class Reader {
   }
   float() { this.at += 4; return this.view.getFloat32(this.at - 4, true); }
   floats(count) { return Float64Array.from({length: count}, () => this.float()); }
+  unsigned(width) {
+    let value = 0;
+    for (let k = 0; k < width; ++k) value += this.view.getUint8(this.at++) * 2 ** (8 * k);
+    return value;
+  }
   scaled(count) {
     const unit = this.float() / 32767;
     return Float64Array.from({length: count}, () => { this.at += 2; return unit * this.view.getInt16(this.at - 2, true); });
@@ -95,6 +100,7 @@ class Page {
     this.makeSwitches();
     this.choose(this.models[this.index].why_not === undefined ? this.index : this.models.findIndex(m => m.why_not === undefined));
     this.makePlots();
+    this.makeRecordings();
     this.makeReadings();
     this.update();
   }
@@ -174,6 +180,13 @@ class Page {
     this.plots.push(new Plot(figures, {name: "ladder", title: "Error as effects are switched on", xLabel: "number of effects switched on, one after the other",
       yLabel: "RMS error [%]", fromZero: true, names: () => ["none", ...this.order.map(k => this.data.switches[k].name)]}, () => this.path(), this));
   }
+  // Recordings change with nothing: they are drawn once.
+  makeRecordings() {
+    const figures = document.getElementById("recording-figures");
+    this.recordings = this.data.recordings.filter(r => r.parts.length > 0).map((r, number) => new Plot(figures, {name: `recording-${number + 1}`, title: r.name,
+      xLabel: "row of the recording", parts: r.parts.map(part => part.label)}, () => recordingSeries(r), this));
+  }
+  markPlots() { for (const plot of [...this.plots, ...this.recordings]) plot.mark(); }
   seriesOf(number, which) {
     const panel = this.data.panels[number], predicted = this.model.predict(this.d, which), n = this.data.readings.length;
     return panel.series.map(s => ({
@@ -258,7 +271,7 @@ class Page {
       html("td", {}, row, withError(r.values[1], r.errors[1]));
       const fraction = html("td", {}, row), residuals = html("td", {}, row), last = html("td", {}, row);
       const button = html("button", {type: "button", "aria-label": `Leave out reading ${id + 1}`}, last, "leave out");
-      button.addEventListener("click", () => { this.out = this.out === id ? -1 : id; this.update(); for (const plot of this.plots) plot.mark(); });
+      button.addEventListener("click", () => { this.out = this.out === id ? -1 : id; this.update(); this.markPlots(); });
       row.addEventListener("pointerenter", () => this.show(id));
       return {row, ratio, fraction, residuals, button};
     });
@@ -302,7 +315,7 @@ class Page {
   show(id) {
     if (id === this.here) return;
     this.here = id;
-    for (const plot of this.plots) plot.mark();
+    this.markPlots();
     if (id < 0) return;
     const r = this.data.readings[id], predicted = [0, 1].map(which => this.model.predict(this.d, which)[id]), off = [0, 1].map(which => this.normalised(which)[id]);
     this.say(`Reading ${id + 1}, ${r.file} line ${r.line}${r.step ? `, step ${r.step}` : ""}: ${three(r.normal_stress)} Pa, I = ${three(r.inertial_number)}` +
@@ -312,10 +325,30 @@ class Page {
   say(text) { document.getElementById("reading").textContent = text; }
   markOnly(ids) {
     this.marked = new Set(ids.filter(id => id >= 0));
-    for (const plot of this.plots) plot.mark();
+    this.markPlots();
     this.rows.forEach(({row}, id) => row.classList.toggle("marked", this.marked.has(id)));
     if (this.marked.size > 1) this.say(`${this.marked.size} readings are marked: ${[...this.marked].sort((a, b) => a - b).map(id => id + 1).join(", ")}. Escape unmarks them.`);
   }
+}
+
+// Course of a recording in each part, and the means over the rows that are averaged.
+function recordingSeries(recording) {
+  const colours = {"averaged": "#009e73", "averaged, no plateau": "#d55e00"}, inKey = new Set();
+  return recording.parts.flatMap((part, index) => {
+    const numbers = new Reader(part.points), course = [];
+    for (let row = 0; numbers.at < numbers.view.byteLength;) {
+      row += numbers.unsigned(part.width);
+      course.push([row, Number((part.low + part.range * numbers.unsigned(2) / 65535).toPrecision(7))]);
+    }
+    const windows = recording.windows.filter(w => w.means[index] !== null).map(w => {
+      const mean = w.means[index], keyless = inKey.has(w.kind);
+      inKey.add(w.kind);
+      return {part: index, label: w.kind, kind: "mean " + part.label, keyless, straight: true, width: 4,
+        colour: colours[w.kind] || "#8a8a8a", dash: w.kind !== "averaged", curve: [[w.from, mean], [w.to, mean]],
+        points: w.reading === null ? [] : [{x: (w.from + w.to) / 2, y: mean, id: w.reading}]};
+    });
+    return [{part: index, label: "recorded", kind: part.label, keyless: index > 0, straight: true, width: 1, colour: "var(--soft)", points: [], curve: course}, ...windows];
+  });
 }
 
 // Quantile of the normal distribution by bisection of its distribution function.

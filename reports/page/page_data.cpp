@@ -5,15 +5,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "reports/page/page_bytes.h"
 #include "reports/page/page_text.h"
 #include "reports/with_error.h"
 
@@ -21,41 +18,6 @@ namespace pendular {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Bytes of numbers, little-endian.
-class Bytes {
-  public:
-    void add(float value) { append(&value, sizeof value); }
-    void add(std::int16_t value) { append(&value, sizeof value); }
-    void add_floats(const Eigen::VectorXd& values) {
-        for (const double value : values) {
-            add(static_cast<float>(value));
-        }
-    }
-    /// Adds the largest magnitude as a scale, then all values as 16-bit parts of it.
-    void add_scaled(const Eigen::VectorXd& values) {
-        const double scale = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
-        add(static_cast<float>(scale));
-        for (const double value : values) {
-            add(static_cast<std::int16_t>(scale > 0 ? std::lround(32767 * value / scale) : 0));
-        }
-    }
-    std::string base64() const {
-        using namespace boost::archive::iterators;
-        using Encoder = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-        std::string text(Encoder(bytes_.begin()), Encoder(bytes_.end()));
-        text.append((3 - bytes_.size() % 3) % 3, '=');
-        return text;
-    }
-
-  private:
-    void append(const void* value, std::size_t size) {
-        const std::size_t at = bytes_.size();
-        bytes_.resize(at + size);
-        std::memcpy(bytes_.data() + at, value, size);
-    }
-    std::string bytes_;
-};
 
 /// Number of a page, with six significant digits; null where it is not finite.
 Json shortened(double value) {
@@ -251,7 +213,8 @@ Json panels_json(const std::vector<PagePanel>& panels) {
 
 }  // namespace
 
-nlohmann::ordered_json page_data(const SwitchedModels& all, const std::vector<PagePanel>& panels) {
+nlohmann::ordered_json page_data(const SwitchedModels& all, const std::vector<PagePanel>& panels,
+                                 const std::vector<PageRecording>& recordings) {
     const std::vector<Condition> points = points_of_curves(panels);
     Json switches = Json::array(), models = Json::array(), readings = Json::array();
     for (const std::string& name : all.switches) {
@@ -263,13 +226,18 @@ nlohmann::ordered_json page_data(const SwitchedModels& all, const std::vector<Pa
     }
     const auto fitted =
         std::ranges::find_if(all.models, [](const auto& m) { return m.has_value(); });
-    if (fitted != all.models.end()) {
-        for (const Reading& reading : (*fitted)->calibration.readings) {
-            readings.push_back(reading_json(reading));
-        }
+    const std::vector<Reading> none;
+    const auto& shown = fitted != all.models.end() ? (*fitted)->calibration.readings : none;
+    for (const Reading& reading : shown) {
+        readings.push_back(reading_json(reading));
     }
-    return {{"switches", switches}, {"always", all.always},    {"current", all.current},
-            {"readings", readings}, {"points", points.size()}, {"panels", panels_json(panels)},
+    return {{"switches", switches},
+            {"always", all.always},
+            {"current", all.current},
+            {"readings", readings},
+            {"points", points.size()},
+            {"panels", panels_json(panels)},
+            {"recordings", recordings_json(recordings, shown)},
             {"models", models}};
 }
 

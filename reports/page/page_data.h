@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "reports/page/page_curves.h"
+#include "reports/page/page_recordings.h"
 #include "workflow/switched_models.h"
 
 namespace pendular {
@@ -17,7 +18,8 @@ namespace pendular {
 /// first- and second-order coefficient a scale (float) and K 16-bit integers in units of
 /// scale/32767. Coefficients are for parameters in units of their standard errors.
 /// @param panels panels of `page_panels`, whose curves the models were asked for
-nlohmann::ordered_json page_data(const SwitchedModels& models,
-                                 const std::vector<PagePanel>& panels);
+/// @param recordings recordings of the study
+nlohmann::ordered_json page_data(const SwitchedModels& models, const std::vector<PagePanel>& panels,
+                                 const std::vector<PageRecording>& recordings);
 
 }  // namespace pendular

@@ -2,7 +2,7 @@
 // Figures as inline SVG: axes, points with error bars, curves; brushing, CSV and SVG of what is shown.
 
 const SVG = "http://www.w3.org/2000/svg";
-const WIDTH = 460, HEIGHT = 320, LEFT = 66, RIGHT = 12, TOP = 12, BOTTOM = 48;
+const WIDTH = 460, HEIGHT = 320, LEFT = 66, RIGHT = 12, TOP = 12, BOTTOM = 48, GAP = 12;
 // Okabe and Ito's colours, which stay apart for colour-blind readers, with a shape for each.
 const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b58900", "#56b4e9", "#8a8a8a", "#7a5195"];
 const SHAPES = ["circle", "square", "triangle", "diamond", "down", "plus", "cross", "ring"];
@@ -90,9 +90,11 @@ function save(name, type, text) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-// A figure. `spec`: {name, title, xLabel, yLabel, logX, zero, fromZero, names()}; with names, these stand at
-// x = 0, 1, ... in place of numbers; `contents()` returns the series that are
-// shown now: {label, points: [{x, y, error, id}], curve: [[x, y], ...], marks: [{x, y}]}.
+// A figure. `spec`: {name, title, xLabel, yLabel, logX, zero, fromZero, names(), parts}; with names, these stand at
+// x = 0, 1, ... in place of numbers; with parts, axes of these labels stand one above the other.
+// `contents()` returns the series that are shown now: {label, points: [{x, y, error, id}],
+// curve: [[x, y], ...], marks: [{x, y}]}, and if it wants: part (0: the upper one), kind (in the CSV), colour, dash,
+// width, straight (lines between the points of the curve), keyless.
 class Plot {
   constructor(parent, spec, contents, page) {
     Object.assign(this, {spec, contents, page, at: -1});
@@ -128,52 +130,58 @@ class Plot {
   draw() {
     const {spec} = this, series = this.contents();
     this.shown = series;
-    const xs = [], ys = spec.zero ? [-2.5, 2.5] : [];
+    const labels = spec.parts || [spec.yLabel], xs = [], ysOf = labels.map(() => spec.zero ? [-2.5, 2.5] : []);
     for (const s of series) {
+      const ys = ysOf[s.part || 0];
       for (const p of s.points) { xs.push(p.x); ys.push(p.y - (p.error || 0), p.y + (p.error || 0)); }
       for (const c of [...(s.curve || []), ...(s.marks || []).map(m => [m.x, m.y])]) { xs.push(c[0]); ys.push(c[1]); }
     }
     this.svg.replaceChildren();
     if (xs.length === 0) return;
-    if (spec.fromZero) ys.push(0);
+    if (spec.fromZero) ysOf[0].push(0);
     const names = spec.names ? spec.names() : null;
-    const [x0, x1] = names ? [-.5, names.length - .5] : this.range(xs, spec.logX, .06), [y0, y1] = this.range(ys, false, .06);
+    const [x0, x1] = names ? [-.5, names.length - .5] : this.range(xs, spec.logX, .06);
     const xOf = x => LEFT + (WIDTH - LEFT - RIGHT) * (spec.logX ? Math.log(x / x0) / Math.log(x1 / x0) : (x - x0) / (x1 - x0));
-    const yOf = y => HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * (y - y0) / (y1 - y0);
-    this.axes(x0, x1, y0, y1, xOf, yOf, names);
+    const height = (HEIGHT - TOP - BOTTOM - GAP * (labels.length - 1)) / labels.length;
+    const yOfPart = labels.map((label, part) => {
+      const top = TOP + part * (height + GAP), bottom = top + height, [y0, y1] = this.range(ysOf[part], false, .06);
+      const yOf = y => bottom - height * (y - y0) / (y1 - y0);
+      this.axes(x0, x1, y0, y1, xOf, yOf, names, {label, top, bottom, last: part + 1 === labels.length});
+      return yOf;
+    });
     this.key.replaceChildren();
     this.places = [];
-    series.forEach((s, index) => this.drawSeries(s, index, xOf, yOf));
+    series.forEach((s, index) => this.drawSeries(s, index, xOf, yOfPart[s.part || 0]));
     if (names) names.forEach((name, x) => html("li", {}, this.key, `${x}: ${x > 1 ? "and " : ""}${name}`));
     this.mark();
   }
 
-  axes(x0, x1, y0, y1, xOf, yOf, names) {
+  axes(x0, x1, y0, y1, xOf, yOf, names, {label, top, bottom, last}) {
     const {spec, svg} = this;
     const text = {fill: "var(--ink)", "font-size": "12.5", "font-family": "system-ui, sans-serif"};
-    const xTicks = names ? names.map((_, k) => k) : ticksOf(x0, x1, spec.logX, 5), yTicks = ticksOf(y0, y1, false, 5);
+    const xTicks = names ? names.map((_, k) => k) : ticksOf(x0, x1, spec.logX, 5), yTicks = ticksOf(y0, y1, false, bottom - top > 200 ? 5 : 4);
     const xStep = spec.logX ? 0 : xTicks[1] - xTicks[0], yStep = yTicks[1] - yTicks[0];
     for (const x of xTicks) {
-      node("line", {x1: xOf(x), x2: xOf(x), y1: TOP, y2: HEIGHT - BOTTOM, stroke: "var(--grid)"}, svg);
-      node("text", {...text, x: xOf(x), y: HEIGHT - BOTTOM + 16, "text-anchor": "middle"}, svg, names ? String(x) : tickText(x, xStep));
+      node("line", {x1: xOf(x), x2: xOf(x), y1: top, y2: bottom, stroke: "var(--grid)"}, svg);
+      if (last) node("text", {...text, x: xOf(x), y: bottom + 16, "text-anchor": "middle"}, svg, names ? String(x) : tickText(x, xStep));
     }
     for (const y of yTicks) {
       node("line", {x1: LEFT, x2: WIDTH - RIGHT, y1: yOf(y), y2: yOf(y), stroke: "var(--grid)"}, svg);
       node("text", {...text, x: LEFT - 6, y: yOf(y) + 4, "text-anchor": "end"}, svg, tickText(y, yStep));
     }
     if (spec.zero) node("line", {x1: LEFT, x2: WIDTH - RIGHT, y1: yOf(0), y2: yOf(0), stroke: "var(--soft)", "stroke-width": 1.5}, svg);
-    node("rect", {x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM, fill: "none", stroke: "var(--soft)"}, svg);
-    node("text", {...text, x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle"}, svg, spec.xLabel);
-    const middle = (TOP + HEIGHT - BOTTOM) / 2;
-    node("text", {...text, x: 14, y: middle, "text-anchor": "middle", transform: `rotate(-90 14 ${middle})`}, svg, spec.yLabel);
+    node("rect", {x: LEFT, y: top, width: WIDTH - LEFT - RIGHT, height: bottom - top, fill: "none", stroke: "var(--soft)"}, svg);
+    if (last) node("text", {...text, x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle"}, svg, spec.xLabel);
+    const middle = (top + bottom) / 2;
+    node("text", {...text, x: 14, y: middle, "text-anchor": "middle", transform: `rotate(-90 14 ${middle})`}, svg, label);
   }
 
   drawSeries(s, index, xOf, yOf) {
-    const colour = COLOURS[index % COLOURS.length], shape = SHAPES[(index + 3 * Math.floor(index / 8)) % SHAPES.length];
+    const colour = s.colour || COLOURS[index % COLOURS.length], shape = s.colour ? "square" : SHAPES[(index + 3 * Math.floor(index / 8)) % SHAPES.length];
     if (s.curve && s.curve.length > 1) {
       const line = s.curve.map(([x, y]) => [xOf(x), yOf(y)]);
-      node("path", {d: this.spec.names ? "M" + line.map(p => p.join(" ")).join("L") : curvePath(line), fill: "none", stroke: colour, "stroke-width": 2,
-        class: "curve", ...(index >= 8 ? {"stroke-dasharray": "5 3"} : {})}, this.svg);
+      node("path", {d: this.spec.names || s.straight ? "M" + line.map(p => p.map(v => v.toFixed(1)).join(" ")).join("L") : curvePath(line), fill: "none", stroke: colour, "stroke-width": s.width || 2,
+        class: "curve", ...(s.dash || index >= 8 && !s.colour ? {"stroke-dasharray": "5 3"} : {})}, this.svg);
     }
     for (const m of s.marks || []) {
       const x = xOf(m.x), y = yOf(m.y);
@@ -186,10 +194,11 @@ class Plot {
       const point = node("path", {d: shapePath(shape, x, y, 4.2), fill: hollow ? "none" : colour, stroke: colour, "stroke-width": hollow ? 1.8 : 1, "data-id": p.id}, this.svg);
       this.places.push({x, y, id: p.id, point});
     }
-    if (s.label) {
+    if (s.label && !s.keyless) {
       const entry = html("li", {}, this.key);
       const icon = node("svg", {viewBox: "0 0 16 12", width: 16, height: 12, style: "display:inline;width:16px;height:12px;vertical-align:-1px", "aria-hidden": "true"}, entry);
-      node("path", {d: shapePath(shape, 8, 6, 4), fill: ["plus", "cross", "ring"].includes(shape) ? "none" : colour, stroke: colour}, icon);
+      node("path", {d: s.straight ? "M1 6h14" : shapePath(shape, 8, 6, 4), fill: ["plus", "cross", "ring"].includes(shape) ? "none" : colour, stroke: colour,
+        ...(s.straight ? {"stroke-width": s.width} : {}), ...(s.dash ? {"stroke-dasharray": "5 3"} : {})}, icon);
       entry.append(" " + s.label);
     }
   }
@@ -263,11 +272,11 @@ class Plot {
   csv() {
     const quoted = text => /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
     const names = this.spec.names ? this.spec.names() : null, at = x => names ? quoted(`${x}: ${names[x]}`) : x;
-    const rows = [["series", "kind", this.spec.xLabel, this.spec.yLabel, "standard error"].map(quoted)];
+    const rows = [["series", "kind", this.spec.xLabel, this.spec.yLabel || "value", "standard error"].map(quoted)];
     for (const s of this.shown) {
       for (const p of s.points) rows.push([quoted(s.label), s.kind || "measured", at(p.x), p.y, p.error || ""]);
       for (const m of s.marks || []) rows.push([quoted(s.label), "model at the reading", m.x, m.y, ""]);
-      if (!names) for (const [x, y] of s.curve || []) rows.push([quoted(s.label), "model curve", x, y, ""]);
+      if (!names) for (const [x, y] of s.curve || []) rows.push([quoted(s.label), s.kind || "model curve", x, y, ""]);
     }
     return rows.map(row => row.join(",")).join("\n") + "\n";
   }

@@ -327,7 +327,8 @@ std::string report_page(const PageContent& content) {
     values.set("warnings", list_of(warnings_of(content)));
     values.set("evidence", list_of({fit_line(d.diagnosis)}));
     values.set("sections", to_data(sections_of(content)));
-    values.set("data", for_script(page_data(content.switched, content.panels)));
+    values.set("recordings", !content.recordings.empty());
+    values.set("data", for_script(page_data(content.switched, content.panels, content.recordings)));
     return page.render(values);
 }
 

@@ -10,6 +10,7 @@
 #include "analysis/misfit/checks.h"
 #include "data/reading.h"
 #include "reports/page/page_curves.h"
+#include "reports/page/page_recordings.h"
 #include "workflow/study_diagnosis.h"
 #include "workflow/switched_models.h"
 
@@ -35,6 +36,9 @@ struct PageContent {
     /// Version of the page that a server on this computer hands out; empty: a page without a
     /// server.
     std::optional<std::size_t> served_version = {};
+
+    /// Courses of the study's recordings with the rows that are averaged; may be empty.
+    std::vector<PageRecording> recordings = {};
 };
 
 /// Page on a study as one HTML file without references to others: verdict, figures with switches

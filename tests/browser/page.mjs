@@ -114,6 +114,36 @@ try {
     assert.match(drawing, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
     assert.doesNotMatch(drawing, /var\(/);
   });
+  await check("shows every recording with the rows that are averaged", async () => {
+    const readings = await page.evaluate(() => window.page.data.readings);
+    const files = [...new Set(readings.map(r => r.file))];
+    const shown = await page.evaluate(() => window.page.recordings.map(plot => ({title: plot.spec.title, parts: plot.spec.parts,
+      windows: plot.shown.filter(s => s.label.startsWith("averaged")).map(s => ({label: s.label, part: s.part, ids: s.points.map(p => p.id), drawn: s.curve.length}))})));
+    assert.deepEqual(shown.map(r => r.title).sort(), files.sort());
+    for (const {title, parts, windows} of shown) {
+      assert.deepEqual(parts, ["torque [N m]", "normal force [N]"]);
+      for (const part of [0, 1]) {
+        const here = windows.filter(w => w.part === part);
+        assert.ok(here.every(w => w.label === "averaged" && w.drawn === 2), "every window reached a plateau");
+        assert.deepEqual(here.flatMap(w => w.ids).map(id => readings[id].file), readings.filter(r => r.file === title).map(() => title));
+      }
+    }
+    assert.equal(await page.locator("#recordings path.curve[stroke='#009e73']").count(), 2 * readings.length);
+  });
+  await check("saves a recording as it is shown, peaks included", async () => {
+    const [csv] = await Promise.all([page.waitForEvent("download"), page.getByLabel("Save the numbers of dry_1.csv as CSV").click()]);
+    const rows = readFileSync(await csv.path(), "utf8").trim().split("\n").slice(1).map(row => row.split(","));
+    const drawn = await page.evaluate(() => window.page.recordings.find(plot => plot.spec.title === "dry_1.csv").shown
+      .flatMap(s => [...s.points.map(p => [p.x, p.y]), ...s.curve].map(([x, y]) => [s.label, s.kind, String(x), String(y)])));
+    assert.deepEqual(rows.map(row => row.slice(0, 4)), drawn);
+    const recorded = kind => rows.filter(row => row[0] === "recorded" && row[1] === kind).map(row => Number(row[3]));
+    const file = readFileSync(join(study, "dry_1.csv"), "utf8").trim().split("\n").slice(1).map(row => row.split(",").map(Number));
+    for (const [kind, values] of [["torque [N m]", file.map(row => row[1] / 1e3)], ["normal force [N]", file.map(row => row[2])]]) {
+      assert.ok(recorded(kind).length > 200 && recorded(kind).length <= 400, `${recorded(kind).length} points`);
+      near(Math.max(...recorded(kind)), Math.max(...values), 1e-6, "largest " + kind);
+      near(Math.min(...recorded(kind)) + 1, Math.min(...values) + 1, 1e-6, "smallest " + kind);
+    }
+  });
   for (const scheme of ["light", "dark"]) {
     for (const width of [400, 1600]) {
       await check(`${scheme}, ${width} px: fits and is accessible`, async () => {
@@ -161,6 +191,25 @@ torque = "torque*(1 + gain)"
     assert.equal(await page.evaluate(() => window.hit), undefined);
     assert.equal(await page.locator("svg[data-name=wet-stress-ratio]").count(), 0);
     assert.ok(await page.locator("svg[data-name=dry-stress-ratio]").count() === 1);
+  });
+  await check("a step without a plateau is told apart", async () => {
+    const rising = join(folder, "rising");
+    cpSync(join(examples, "hidden-effect"), rising, {recursive: true});
+    rmSync(join(rising, "out"), {recursive: true, force: true});
+    const file = join(rising, "dry_2.csv"), lines = readFileSync(file, "utf8").trim().split("\n");
+    // The torque of the third step doubles in the course of the step.
+    writeFileSync(file, lines.map((line, k) => {
+      const cells = line.split(",");
+      if (cells[5] === "3") cells[1] = Number(cells[1]) * (1 + (k - 800) / 400);
+      return cells.join(",");
+    }).join("\n") + "\n");
+    pendular("report", rising, "--quiet", "--switches", "0");
+    await page.goto(pathToFileURL(join(rising, "out/report.html")).href);
+    const windows = await page.evaluate(() => Object.fromEntries(window.page.recordings.map(plot => [plot.spec.title, plot.shown.filter(s => s.part === 0 && s.label !== "recorded").map(s => s.label)])));
+    assert.equal(windows["dry_2.csv"].filter(label => label === "averaged, no plateau").length, 1);
+    assert.equal(windows["dry_2.csv"].filter(label => label === "averaged").length, 5);
+    assert.equal(windows["dry_1.csv"].filter(label => label !== "averaged").length, 0);
+    assert.match(await page.locator("#recordings figure").nth(1).innerText(), /averaged, no plateau/);
   });
   await check("sends no request and logs no error", async () => {
     assert.deepEqual(requests, []);

@@ -5,9 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "data/annular_cell.h"
 #include "reports/layout.h"
+#include "reports/page/page_recordings.h"
+#include "reports/recording_course.h"
 #include "tests/support/data_support.h"
+#include "workflow/study_input.h"
 
 namespace pendular::reports_recording_figures_test {
 
@@ -102,15 +108,72 @@ TEST(RecordingFigure, ShowsTheRowsOfReadings) {
 
 TEST(RecordingFigure, ShowsStepsThatNeverBecameSteadyButNoRunIn) {
     const FileView view = view_of_file(cell_file);
-    const auto rows = [&](std::size_t from, std::size_t to, const std::string& reason) {
+    const auto rows = [&](std::size_t from, std::size_t to, Excluded::Kind kind) {
         return Excluded{
-            {view.file.file, view.series[0].line[from], 0}, view.series[0].line[to], reason};
+            {view.file.file, view.series[0].line[from], 0}, view.series[0].line[to], "why", kind};
     };
-    const Figure figure =
-        recording_figure(view, {}, {rows(0, 3, "transient"), rows(4, 13, "no steady state")});
+    const Figure figure = recording_figure(
+        view, {},
+        {rows(0, 3, Excluded::Kind::rows), rows(4, 13, Excluded::Kind::step_without_plateau)});
     EXPECT_EQ(count_named(figure.panels[0], "averaged"), 0u);
     EXPECT_THAT(curve_named(figure.panels[0], "averaged, no plateau").x,
                 testing::ElementsAre(5, 14));
+}
+
+TEST(RecordingFigure, OfAStudyShowsEachReadingAndNoTransient) {
+    const StudyInput input = read_input(PENDULAR_SOURCE_DIR "/examples/hidden-effect");
+    const auto path = std::filesystem::path(input.measurements.readings[0].origin.file);
+    const Figure figure = recording_figure(view_of_file(path), input.measurements.readings,
+                                           input.measurements.excluded);
+    ASSERT_EQ(figure.panels.size(), 2u);
+    for (const Panel& panel : figure.panels) {
+        EXPECT_EQ(count_named(panel, "averaged"), 6u);  // three normal stresses, two speeds
+        EXPECT_EQ(panel.curves.size(), 7u);             // and what was recorded
+    }
+}
+
+/// Recording of 10,000 rows at 300 Pa with one row at 900 Pa.
+FileView long_recording(const TemporaryFolder& folder) {
+    std::string text = "Point No.,Normal Stress,Shear Stress\n,[Pa],[Pa]\n";
+    for (int i = 1; i <= 10'000; ++i)
+        text += std::to_string(i) + ",1000," + (i == 4567 ? "900" : "300") + "\n";
+    return view_of_file(folder.write("long.csv", text));
+}
+
+TEST(RecordingCourse, KeepsAPeakOfOneRowWhenItIsThinned) {
+    const TemporaryFolder folder;
+    const auto points = RecordingCourse(long_recording(folder), true).points(400);
+    EXPECT_LE(points.size(), 400u);
+    EXPECT_GE(points.size(), 200u);
+    EXPECT_THAT(points, testing::Contains(testing::Pair(4567, 900.)));
+    EXPECT_TRUE(std::ranges::is_sorted(points));
+}
+
+TEST(PageRecordings, HoldEachReadingOfAStudy) {
+    const StudyInput input = read_input(PENDULAR_SOURCE_DIR "/examples/hidden-effect");
+    const Measurements& measurements = input.measurements;
+    const auto path = std::filesystem::path(measurements.readings[7].origin.file);
+    const PageRecording recording =
+        page_recording(view_of_file(path), measurements.readings, measurements.excluded, 400);
+    const auto json = recordings_json({recording}, measurements.readings);
+    ASSERT_EQ(json.size(), 1u);
+    EXPECT_EQ(json[0]["name"], path.filename().string());
+    ASSERT_EQ(json[0]["parts"].size(), 2u);
+    // 400 points of one byte for the row and two for the value, as base64.
+    EXPECT_LE(json[0]["parts"][0]["points"].get<std::string>().size(), 400u * 3 * 4 / 3);
+    ASSERT_EQ(json[0]["windows"].size(), 6u);
+    for (const auto& window : json[0]["windows"]) {
+        const Reading& reading = measurements.readings.at(window["reading"].get<std::size_t>());
+        EXPECT_EQ(reading.origin.file, path.string());
+        // The mean torque makes the shear stress of the reading.
+        EXPECT_NEAR(shear_stress(window["means"][0].get<double>(), *input.study.study().cell),
+                    reading.value(0), 1e-4 * reading.value(0));
+    }
+}
+
+TEST(PageRecordings, OfManyHaveFewerPoints) {
+    EXPECT_EQ(points_of_recordings(10), 400u);
+    EXPECT_LE(2 * 300 * points_of_recordings(300), 12'000u);
 }
 
 }  // namespace pendular::reports_recording_figures_test
