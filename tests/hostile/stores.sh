@@ -6,7 +6,7 @@ E
 attack "stores: a mistyped store in a folder that is not there" 2 "no such file" <<'E'
 run runs list --store nowhere/mistyped.sqlite; [ ! -e nowhere ] || fail "made"
 E
-attack "stores: one that cannot be written" 0 "1 runs" <<'E'
+attack "stores: one that cannot be written" 0 "1 run" <<'E'
 store; mkdir ro; cp "$PENDULAR_STORE" ro/s.sqlite; chmod 444 ro/s.sqlite; chmod 555 ro
 if [ "$(id -u)" = 0 ]; then chmod 755 .. . ; chmod 755 ../..; cp "$program" ../p; program="setpriv --reuid=65534 --clear-groups ../p"; run() { (timeout -s KILL 20 $program "$@") >../out 2>../err </dev/null; echo $? >../code; }; fi
 run runs list --store ro/s.sqlite
