@@ -104,6 +104,25 @@ TEST(ImportFile, BeginsAStudyOfSteadyShearWithItsRecording) {
     EXPECT_EQ(run_pendular("import " + study).code, 0);
 }
 
+TEST(ImportFile, TakesColumnsAsMessagesStateThem) {
+    const std::string file = look_alikes + "headerless.csv";
+    const auto refused = run_pendular("import " + file);
+    EXPECT_EQ(refused.code, 2);
+    const std::size_t list = refused.errors.find("columns = [");
+    ASSERT_NE(list, std::string::npos) << refused.errors;
+    const std::string columns = refused.errors.substr(list, refused.errors.rfind(']') - list + 1);
+    const Outcome read = run_pendular("import " + file + " --columns '" + columns + "'");
+    EXPECT_THAT(read.output, HasSubstr("is read as layout \"headerless\"")) << columns;
+}
+
+TEST(ImportFile, QuotesThePathOfTheNextCommand) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "two words.txt";
+    std::filesystem::copy_file(look_alikes + "powder_cell_all.txt", file);
+    EXPECT_THAT(run_pendular("import '" + file.string() + "'").output,
+                HasSubstr("Next: pendular import '" + file.string() + "' --study my-study"));
+}
+
 /// Bulk densities of 1450 and 1480 kg/m^3 of glass of 2500 kg/m^3.
 TEST(ImportFile, BeginsAStudyFromAReportOnYieldLoci) {
     const TemporaryFolder folder;
@@ -111,8 +130,8 @@ TEST(ImportFile, BeginsAStudyFromAReportOnYieldLoci) {
     const Outcome begun =
         run_pendular("import " + look_alikes + "yield_locus_report.txt --study " + study);
     ASSERT_EQ(begun.code, 0) << begun.errors;
-    EXPECT_THAT(begun.output,
-                HasSubstr("preshear with normal stress 3000 Pa, shear stress 1200 Pa, bulk density 1450 kg/m^3:"));
+    EXPECT_THAT(begun.output, HasSubstr("preshear with normal stress 3000 Pa, shear stress 1200 "
+                                        "Pa, bulk density 1450 kg/m^3:"));
     EXPECT_THAT(content_of(study + "/study.toml"), HasSubstr("diameter = \"0.8 mm\""));
     const auto json = json_of("import " + study);
     std::vector<double> fractions;

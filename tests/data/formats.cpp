@@ -185,6 +185,25 @@ TEST_F(ReadBlocks, ReadNumbersWithoutHeaderAsTheUserStates) {
     }
 }
 
+TEST_F(ReadBlocks, LeaveOutRowsThatAreCutShort) {
+    const auto file = folder_.write("cut.csv",
+                                    "Point No.,Normal Stress,Shear Stress\n,[Pa],[Pa]\n"
+                                    "1,1000,300\n2,10\n3,1000,310\n4,1000,\n5,1000\n");
+    const BlockFile read = read_blocks(file);
+    ASSERT_THAT(row_counts(read), ElementsAre(4));  // the cell of row 4 is empty, not missing
+    ASSERT_EQ(read.skipped.size(), 1u);
+    EXPECT_EQ(read.skipped[0].first_line, 4);
+    EXPECT_THAT(read.skipped[0].reason, HasSubstr("cut short"));
+}
+
+TEST_F(ReadBlocks, RefuseUnitsThatAreNone) {
+    const auto file = folder_.write("unit.csv",
+                                    "Point No.,Normal Stress,Shear Stress\n,[Pa],[quux]\n"
+                                    "1,1000,300\n2,1000,310\n");
+    EXPECT_THAT(input_error([&] { read_blocks(file); }),
+                AllOf(HasSubstr(":1:"), HasSubstr("Shear Stress"), HasSubstr("quux")));
+}
+
 TEST_F(ReadBlocks, ReadReportsOnYieldLoci) {
     const FileView view = view_of_file(look_alike("yield_locus_report.txt"));
     EXPECT_EQ(view.file.layout, "yield-locus-report");

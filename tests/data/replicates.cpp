@@ -44,6 +44,18 @@ TEST(Replicates, AreTheSameConditionWithinTwoPercent) {
     EXPECT_THAT(counts, testing::ElementsAre(2, 2, 1, 1, 1));
 }
 
+TEST(Replicates, FailedAfterTheSamePreshear) {
+    Reading a = reading(1000, 0.5, 0.6, 0.01), b = a;
+    a.condition.at_failure = b.condition.at_failure = true;
+    a.condition.preshear_stress = 3000;
+    b.condition.preshear_stress = 3030;
+    EXPECT_TRUE(are_replicates(a, b));
+    b.condition.preshear_stress = 6000;
+    EXPECT_FALSE(are_replicates(a, b));
+    b.condition.preshear_stress.reset();
+    EXPECT_FALSE(are_replicates(a, b));
+}
+
 TEST(Replicates, AreOfTheSameFilling) {
     Reading a = reading(1000, 0.3, 0.6, 0.01), b = a;
     a.condition.bead_volume = 60e-6;
