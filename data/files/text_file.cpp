@@ -77,7 +77,10 @@ DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& 
     }
     for (const std::string& candidate : candidates) {
         if (encoding.empty() && candidate == "Shift_JIS" && !looks_japanese(bytes)) continue;
-        if (!convert(bytes, candidate.c_str(), result.text)) continue;
+        std::string_view text = bytes;
+        // A file that is cut may end within a character; its last row shows that it is cut.
+        if (candidate.starts_with("UTF-16") && text.size() % 2 == 1) text.remove_suffix(1);
+        if (!convert(text, candidate.c_str(), result.text)) continue;
         result.encoding = candidate;
         break;
     }

@@ -74,6 +74,9 @@ TEST_F(ReadBlocks, RecogniseRheoCompassInAnyLanguageAndEncoding) {
     EXPECT_EQ(read(text).encoding, "UTF-8");
     EXPECT_EQ(read(little).encoding, "UTF-16LE");
     EXPECT_EQ(read(latin).encoding, "windows-1252");
+    const BlockFile cut = read(little.substr(0, little.size() - 25));  // within a character
+    EXPECT_EQ(cut.encoding, "UTF-16LE");
+    EXPECT_EQ(cut.blocks.size(), 3u);
 }
 
 TEST_F(ReadBlocks, KeepTestsOfOneFileApart) {
