@@ -241,23 +241,6 @@ class BrokenPipesIgnored {
     void (*before_)(int);
 };
 
-/// Folder of its own for drawings, removed with them at the end of the object's life. Nobody else
-/// can have put a link there, which gnuplot would write through.
-class DrawingFolder {
-  public:
-    explicit DrawingFolder(const fs::path& beside) : path_(new_temporary_folder(beside)) {}
-    DrawingFolder(const DrawingFolder&) = delete;
-    DrawingFolder& operator=(const DrawingFolder&) = delete;
-    ~DrawingFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
-
 /// Draws a figure by gnuplot into temporary files, one per format, and waits for gnuplot to end.
 /// Gnuplot reads no settings of the user, and its warnings are discarded. The folder must be
 /// absolute: gnuplot takes a file name that begins with '|' for a command and a leading '~' for the
@@ -281,7 +264,8 @@ void run_gnuplot(const Figure& figure, const fs::path& folder) {
 void draw(const Figure& figure, const fs::path& folder) {
     fs::create_directories(folder);
     write_whole(folder / (figure.name + ".csv"), numbers_table(figure));
-    const DrawingFolder drawn(fs::absolute(folder));
+    // A folder of its own: nobody else can have put a link there, which gnuplot would write through.
+    const PassingFolder drawn(fs::absolute(folder));
     run_gnuplot(figure, drawn.path());
     std::map<fs::path, std::string> files;
     for (const auto& format : formats) {

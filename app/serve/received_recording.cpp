@@ -29,22 +29,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_name = 200;  ///< longest name of a file [bytes]
 
-/// Folder that is removed with its content when it goes out of scope.
-class PassingFolder {
-  public:
-    explicit PassingFolder(const fs::path& beside) : path_(new_temporary_folder(beside)) {}
-    PassingFolder(const PassingFolder&) = delete;
-    PassingFolder& operator=(const PassingFolder&) = delete;
-    ~PassingFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
-
 /// Place of a recording in a study, and how it is read there.
 struct Place {
     fs::path file;

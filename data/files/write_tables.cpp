@@ -51,7 +51,10 @@ std::string reading_row(const Reading& reading, const std::filesystem::path& pat
                                       known(reading.step),
                                       known(reading.condition.time),
                                       known(reading.condition.bead_volume.value_or(0))};
-    if (with_failure) cells.emplace_back(reading.condition.at_failure ? "1" : "0");
+    if (with_failure) {
+        cells.emplace_back(reading.condition.at_failure ? "1" : "0");
+        cells.push_back(known(reading.condition.preshear_stress.value_or(0)));
+    }
     return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
@@ -78,7 +81,10 @@ void write_readings(const std::filesystem::path& path, const Measurements& measu
                                         header("bead_volume")};
     const bool with_failure = std::ranges::any_of(
         measurements.readings, [](const Reading& reading) { return reading.condition.at_failure; });
-    if (with_failure) headers.push_back(header("failure"));
+    if (with_failure) {
+        headers.push_back(header("failure"));
+        headers.push_back(header("preshear_stress"));
+    }
     std::string text = fmt::format("{}\n", fmt::join(headers, ","));
     for (const Reading& reading : measurements.readings)
         text += reading_row(reading, path, with_failure);

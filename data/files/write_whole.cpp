@@ -132,10 +132,21 @@ void write_whole(const fs::path& path, const std::string& content, Kept kept) {
     if (kept == Kept::on_disk) flush_folder(target.parent_path());
 }
 
+namespace {
+
 fs::path new_temporary_folder(const fs::path& folder) {
     std::string name = (folder / ".pendular-XXXXXX").string();
     if (!mkdtemp(name.data())) cannot_write(folder, std::strerror(errno));
     return name;
+}
+
+}  // namespace
+
+PassingFolder::PassingFolder(const fs::path& within) : path_(new_temporary_folder(within)) {}
+
+PassingFolder::~PassingFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
 }
 
 namespace {

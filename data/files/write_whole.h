@@ -29,9 +29,21 @@ void write_whole(const std::filesystem::path& path, const std::string& content,
 void write_whole_folder(const std::filesystem::path& folder,
                         const std::map<std::string, std::string>& content_of_file);
 
-/// New, empty folder in `folder`, for files that are moved or removed before a command ends.
-/// @throws std::runtime_error if it cannot be made
-std::filesystem::path new_temporary_folder(const std::filesystem::path& folder);
+/// New, empty folder for files that are moved or read before it is removed, with what is left in
+/// it, at the end of the object's life.
+class PassingFolder {
+  public:
+    /// @param within folder in which it is made
+    /// @throws std::runtime_error if it cannot be made
+    explicit PassingFolder(const std::filesystem::path& within);
+    PassingFolder(const PassingFolder&) = delete;
+    PassingFolder& operator=(const PassingFolder&) = delete;
+    ~PassingFolder();
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
 
 /// Refuses a path that is a symbolic link out of its folder, since writing to it would overwrite a
 /// file elsewhere.

@@ -123,8 +123,8 @@ class Pooling {
 
 void Pooling::find_load_exponents() {
     // The scatter of both observables depends on load for the same reason, so the two are tested
-    // together, at a significance of 1 %: quantile of chi2 with two degrees of freedom. An exponent
-    // that is due to chance makes the errors at high load far too small.
+    // together, at a significance of 0.2 %: quantile of chi2 with two degrees of freedom. An
+    // exponent that is due to chance makes the errors at high load far too small.
     constexpr double enough = 12.4;
     std::array<LoadExponent, 2> found;
     for (const Eigen::Index o : {0, 1}) {

@@ -58,8 +58,9 @@ struct LoadExponent {
 
 /// Most probable exponent in standard deviation ~ load^-exponent, common to several sets of values,
 /// each set with a variance of its own. The prior is normal with mean 0 and standard deviation 0.5
-/// [1], without exponents below 0: errors of an instrument are constant or proportional, so
-/// relative errors do not grow with load. Returns zeros for fewer than 10 degrees of freedom.
+/// [1], without exponents below 0 and above 1: errors of an instrument are constant or
+/// proportional, so relative errors fall at most as 1/load. Returns zeros for fewer than 10 degrees
+/// of freedom.
 LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
 
 /// Mean square of relative deviations, an estimate of their variance.

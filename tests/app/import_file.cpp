@@ -123,6 +123,23 @@ TEST(ImportFile, QuotesThePathOfTheNextCommand) {
                 HasSubstr("Next: pendular import '" + file.string() + "' --study my-study"));
 }
 
+/// Two tests, of which the preshear of the second still rises by a tenth in its last rows.
+TEST(ImportFile, TakesPreshearsWithAPlateauForSteadyShear) {
+    const TemporaryFolder folder;
+    std::string rows = "Point No.,Normal Stress,Shear Stress\n,[Pa],[Pa]\n";
+    for (const auto& [normal, rise] :
+         {std::pair{3000.0, 0.0}, {1000.0, 0.0}, {6000.0, 0.1}, {2000.0, 0.0}})
+        for (int i = 1; i <= 100; ++i)
+            rows += std::to_string(i) + "," + std::to_string(normal) + "," +
+                    std::to_string(0.3 * normal * (i < 80 ? 1 : 1 + rise * (i - 80) / 20)) + "\n";
+    const auto file = folder.write("run.csv", rows);
+    const std::string study = (folder.path() / "begun").string();
+    ASSERT_EQ(run_pendular("import " + file.string() + " --study " + study).code, 0);
+    const std::string steady = content_of(study + "/steady.csv");
+    EXPECT_THAT(steady, HasSubstr("\n3000,900,"));
+    EXPECT_THAT(steady, testing::Not(HasSubstr("\n6000,")));
+}
+
 /// Bulk densities of 1450 and 1480 kg/m^3 of glass of 2500 kg/m^3.
 TEST(ImportFile, BeginsAStudyFromAReportOnYieldLoci) {
     const TemporaryFolder folder;

@@ -61,6 +61,27 @@ TEST(YieldLocusFigures, DrawTangentMohrCirclesOnEqualScales) {
                 0.01 * (place.x.second - place.x.first) / (place.right - place.left));
 }
 
+/// Points (1000, 300), (2000, 900) Pa: the line meets the axis of normal stress at 500 Pa.
+TEST(YieldLocusFigures, BeginALineThatFallsBelowZeroOnTheAxis) {
+    FileView view;
+    YieldLocus locus;
+    locus.points = {{.normal_stress = 1000, .shear_stress = 300},
+                    {.normal_stress = 2000, .shear_stress = 900}};
+    locus.line = linear_yield_locus({1000, 2000}, {300, 900}, {});
+    view.loci = {locus};
+    const Figure figure = yield_locus_figures(view).at(0);
+    const Curve& line = curve_named(figure.panels[0], "yield locus");
+    EXPECT_NEAR(line.x[0], 500, 1e-9);
+    EXPECT_NEAR(line.y[0], 0, 1e-9);
+}
+
+TEST(RecordingFigure, IsNotDrawnOfAReport) {
+    const FileView view =
+        view_of_file(PENDULAR_SOURCE_DIR "/tests/data/formats/yield_locus_report.txt");
+    for (const Figure& figure : file_figures(view))
+        EXPECT_TRUE(figure.name.starts_with("yield_locus")) << figure.name;
+}
+
 TEST(RecordingFigure, ShowsWhatIsAveraged) {
     const FileView view = view_of_file(cell_file);
     const Figure figure = recording_figure(view);

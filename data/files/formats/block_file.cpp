@@ -28,9 +28,7 @@ bool marks_no_value(std::string_view text) {
 
 /// Refuses a unit that is none, of a column whose name is that of a quantity.
 void check_unit(const Position& at, const std::string& name, const std::string& unit) {
-    if (unit.empty() || !meaning_of_column(name, unit).quantity.empty() ||
-        meaning_of_column(name, "").quantity.empty())
-        return;
+    if (meaning_of_column(name, "").quantity.empty()) return;
     try {
         const Unit known(unit);
     } catch (const std::invalid_argument& error) {
@@ -135,11 +133,14 @@ void set_columns(BlockFile& file, Block& block, Row header, const std::vector<st
     std::vector<std::pair<std::string_view, Best>> best;
     std::vector<ColumnMeaning> meanings;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const int column = i < header.cells.size() ? header.cells[i].column : 0;
-        check_unit({file.file, header.line, column}, names[i], i < units.size() ? units[i] : "");
-        meanings.push_back(meaning_of_column(names[i], i < units.size() ? units[i] : ""));
+        const std::string unit = i < units.size() ? units[i] : "";
+        meanings.push_back(meaning_of_column(names[i], unit));
         const ColumnMeaning& meaning = meanings.back();
-        if (meaning.quantity.empty()) continue;
+        if (meaning.quantity.empty()) {
+            const int column = i < header.cells.size() ? header.cells[i].column : 0;
+            if (!unit.empty()) check_unit({file.file, header.line, column}, names[i], unit);
+            continue;
+        }
         const auto known =
             std::ranges::find(best, meaning.quantity, &std::pair<std::string_view, Best>::first);
         if (known == best.end())
