@@ -198,12 +198,12 @@ struct Format {
     std::string_view end;
 };
 constexpr Format formats[] = {
-    {"svg", "svg enhanced rounded font 'DejaVu Sans,12' background rgb 'white' size", 96, "</svg>"},
+    {"svg", "svg enhanced font 'DejaVu Sans,12' background rgb 'white' size", 96, "</svg>"},
     {"png",
-     "pngcairo enhanced rounded font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 "
+     "pngcairo enhanced font 'DejaVu Sans,12' fontscale 1.5 linewidth 1.5 pointscale 1.5 "
      "size",
      160, "IEND"},
-    {"pdf", "pdfcairo enhanced rounded font 'DejaVu Sans,12' fontscale 0.7 linewidth 1.6 size", 0,
+    {"pdf", "pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.7 linewidth 1.6 size", 0,
      "%%EOF"}};
 
 /// File in which gnuplot draws a figure.
@@ -264,7 +264,8 @@ void run_gnuplot(const Figure& figure, const fs::path& folder) {
 void draw(const Figure& figure, const fs::path& folder) {
     fs::create_directories(folder);
     write_whole(folder / (figure.name + ".csv"), numbers_table(figure));
-    // A folder of its own: nobody else can have put a link there, which gnuplot would write through.
+    // A folder of its own: nobody else can have put a link there, which gnuplot would write
+    // through.
     const PassingFolder drawn(fs::absolute(folder));
     run_gnuplot(figure, drawn.path());
     std::map<fs::path, std::string> files;

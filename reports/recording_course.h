@@ -39,6 +39,8 @@ class RecordingCourse {
 
     /// Name of the quantity with its unit.
     std::string label() const;
+    /// Number of rows.
+    std::size_t size() const { return values_.size(); }
 
     /// Rows from 1 and values of the course, in the order of the rows. Of more than `most` known
     /// values, the least and the greatest value of each of most/2 equal ranges of rows, so that no

@@ -56,12 +56,16 @@ const std::string& colour_of(AveragedWindow::Kind kind) {
     }
 }
 
-/// The mean over a window, as a line from its begin to its end.
+/// The mean over a window, as a line from its begin to its end, or as points where a line would be
+/// too short to be seen.
 Curve mean_curve(const RecordingCourse& course, const AveragedWindow& window, bool first) {
+    const bool is_short = 30 * (window.end - window.begin) < course.size();
     Curve curve{.label = text_of(window.kind),
-                .style = Curve::Style::line,
+                .style = is_short ? Curve::Style::points : Curve::Style::line,
                 .colour = colour_of(window.kind),
+                .symbol = {Shape::square, Filling::filled},
                 .weight = 3,
+                .area = 0.4,
                 .in_key = first};
     if (const auto mean = course.mean(window))
         for (const std::size_t row : {window.begin + 1, window.end})
