@@ -112,7 +112,7 @@ void predict_one(const RequestedState& requested, const StatePredictor& predicto
                        console);
     }
     console.line(fmt::format(
-        "The emulator was trained on {} runs{}; the solid fraction holds for stiffness "
+        "The emulator was trained on {} runs{}; the predictions hold for stiffness "
         "number {:.4g}.",
         prediction.runs, simulates ? ", which support this state: nothing was simulated" : "",
         prediction.stiffness_number));
@@ -188,8 +188,8 @@ int predict(const std::vector<std::string>& arguments) {
                 "liquid volume over bead volume [1], instead of --bridge-volume");
     options.add(
         "stiffness-number", &stiffness_number,
-        "stiffness number (E/(1 - nu^2)/s22)^(2/3) of the contacts [1], for which the solid "
-        "fraction is predicted (default: the fidelity's)");
+        "stiffness number (E/(1 - nu^2)/s22)^(2/3) of the grains to predict [1], with the normal "
+        "stress s22 (default: that of --fidelity)");
     std::string along;
     int points = 60;
     options.add("along", &along, "NAME=FROM:TO: quantity to vary, with its first and last value");

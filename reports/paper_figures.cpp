@@ -416,7 +416,7 @@ std::vector<Figure> paper_figures(const PaperStudy& study) {
     for (Figure& figure : figures) {
         if (figure.name == "mustarphimu" || figure.name == "muphinertial") continue;
         figure.title += fmt::format("{}stiffness number {:g}", figure.title.empty() ? "" : ", ",
-                                    study.stiffness_number());
+                                    paper_stiffness);
     }
     return figures;
 }

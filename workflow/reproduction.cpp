@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -15,23 +14,6 @@
 
 namespace pendular {
 namespace {
-
-/// Name of the file beside the atlas with runs at the stiffness number of Badetti et al. (2018).
-/// No emulator is trained on these runs, since an emulator has a single stiffness number for
-/// structure.
-constexpr const char* paper_runs_name = "paper.csv";
-
-std::vector<dem::RunResult> paper_runs() {
-    const auto atlas = atlas_file();
-    const auto file = atlas.parent_path() / paper_runs_name;
-    std::vector<dem::RunResult> runs;
-    if (!atlas.empty() && std::filesystem::exists(file)) {
-        for (StoredRun& stored : read_runs(file)) {
-            runs.push_back(std::move(stored.run));
-        }
-    }
-    return runs;
-}
 
 /// JSON of a number that may be infinite: null in JSON.
 nlohmann::ordered_json number(double value) {
@@ -47,10 +29,8 @@ Reproduction::Reproduction(const Fidelity& fidelity, const RunStore* store) : fi
             "there are too few runs; name an atlas in PENDULAR_ATLAS, or make runs with 'pendular "
             "campaign'");
     }
-    std::vector<dem::RunResult> runs = paper_runs();
-    runs.insert(runs.end(), known->runs.begin(), known->runs.end());
     emulator_ = std::make_unique<Emulator>(known->runs, std::move(known->hyperparameters));
-    study_ = std::make_unique<PaperStudy>(runs, *emulator_);
+    study_ = std::make_unique<PaperStudy>(known->runs, *emulator_);
     rows_ = compare_with_published(*study_);
 }
 

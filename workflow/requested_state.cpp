@@ -62,6 +62,7 @@ void RequestedState::check_supported() const {
 
 FlowState RequestedState::state(const Emulator& emulator, const KnownRange& known) const {
     FlowState result{friction, inertial_number};
+    result.stiffness_number = stiffness_number;
     if (reduced_pressure) {
         if (!known.knows_wet()) {
             throw InputError(
@@ -80,7 +81,9 @@ FlowState RequestedState::state(const Emulator& emulator, const KnownRange& know
 }
 
 RequestedState RequestedState::with(const FlowState& state, const Emulator& emulator) const {
-    RequestedState other{state.friction, state.inertial_number, {}, {}, {}};
+    RequestedState other{.friction = state.friction,
+                         .inertial_number = state.inertial_number,
+                         .stiffness_number = stiffness_number};
     if (!state.dry()) {
         other.reduced_pressure = 1 / state.inverse_pressure;
         if (liquid_content) {
@@ -142,9 +145,10 @@ std::string simulate_command(const dem::RunParameters& run, const Fidelity& fide
 FlowState with_known_coordination(const RequestedState& requested, FlowState state,
                                   const Emulator& emulator, const KnownRange& known) {
     if (requested.liquid_content) {
+        FlowState nearest = known.nearest_supported(state);
+        nearest.stiffness_number = state.stiffness_number;
         state.bridge_volume =
-            dem::bridge_volume(*requested.liquid_content,
-                               coordination(emulator, known.nearest_supported(state)).value);
+            dem::bridge_volume(*requested.liquid_content, coordination(emulator, nearest).value);
     }
     return state;
 }
@@ -153,7 +157,8 @@ std::string unsupported_text(const RequestedState& requested, const FlowState& s
                              const std::string& why, const Emulator& emulator,
                              const KnownRange& known, const Fidelity& fidelity,
                              double stiffness_number) {
-    const FlowState nearest = known.nearest_supported(state);
+    FlowState nearest = known.nearest_supported(state);
+    nearest.stiffness_number = state.stiffness_number;
     const RequestedState nearest_request = requested.with(nearest, emulator);
     const auto run = run_of(with_known_coordination(requested, state, emulator, known), fidelity,
                             stiffness_number);

@@ -14,6 +14,7 @@ struct RequestedState {
     double friction = 0.09, inertial_number = 0;  ///< friction coefficient and inertial number [1]
     /// Reduced pressure P* [1], bridge volume over a^3 [1], liquid content Phi_L/Phi_S [1].
     std::optional<double> reduced_pressure, bridge_volume, liquid_content;
+    double stiffness_number = 0;  ///< of the grains [1]; 0: that of most training runs
 
     /// Checks that the requested state is possible: numbers within their ranges, and the amount of
     /// liquid given in exactly one way where the state is wet.

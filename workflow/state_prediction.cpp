@@ -62,7 +62,9 @@ std::optional<closures::ClosureValues> closures_at(
     const closures::CapillaryStress capillary{
         .normal = pressure * value(Observable::capillary_stress_22),
         .shear = pressure * value(Observable::capillary_shear_stress)};
-    FlowState dry{.friction = state.friction, .inertial_number = state.inertial_number};
+    const FlowState dry{.friction = state.friction,
+                        .inertial_number = state.inertial_number,
+                        .stiffness_number = state.stiffness_number};
     const double dry_stress_ratio = emulator.mean({{dry, Observable::stress_ratio}})(0);
     return closures::closure_values(network, capillary, value(Observable::stress_ratio),
                                     dry_stress_ratio, value(Observable::liquid_content));
@@ -129,12 +131,17 @@ void StatePredictor::check_stiffness_number(double stiffness_number) {
     }
 }
 
+FlowState StatePredictor::state_of(RequestedState requested) const {
+    requested.stiffness_number = stiffness_number_;
+    return requested.state(emulator_, known_);
+}
+
 bool StatePredictor::supports(const RequestedState& requested) const {
-    return known_.why_unsupported(requested.state(emulator_, known_)).empty();
+    return known_.why_unsupported(state_of(requested)).empty();
 }
 
 StatePrediction StatePredictor::at(const RequestedState& requested) const {
-    const FlowState state = requested.state(emulator_, known_);
+    const FlowState state = state_of(requested);
     if (const std::string why = known_.why_unsupported(state); !why.empty()) {
         throw InputError(unsupported(requested, state, why));
     }
@@ -154,7 +161,7 @@ PredictionCurve StatePredictor::along(RequestedState requested,
     std::optional<RequestedState> first_left_out;
     for (int k = 0; k < varied.points; ++k) {
         varied.set(requested, varied.at(k));
-        const FlowState state = requested.state(emulator_, known_);
+        const FlowState state = state_of(requested);
         if (std::string why = known_.why_unsupported(state); !why.empty()) {
             ++curve.left_out;
             if (!first_left_out) {
@@ -169,11 +176,10 @@ PredictionCurve StatePredictor::along(RequestedState requested,
             curve.closures.push_back(*closures);
     }
     if (curve.at.size() < 2) {
-        throw InputError(
-            fmt::format("--along: {} of {} states can be predicted, a curve needs 2; {}",
-                        curve.at.size(), varied.points,
-                        unsupported(*first_left_out, first_left_out->state(emulator_, known_),
-                                    curve.why_left_out)));
+        throw InputError(fmt::format(
+            "--along: {} of {} states can be predicted, a curve needs 2; {}", curve.at.size(),
+            varied.points,
+            unsupported(*first_left_out, state_of(*first_left_out), curve.why_left_out)));
     }
     return curve;
 }
@@ -181,7 +187,9 @@ PredictionCurve StatePredictor::along(RequestedState requested,
 std::optional<closures::ClosureValues> StatePredictor::closures_of(
     const dem::RunResult& run) const {
     const dem::RunParameters& p = run.parameters;
-    const FlowState dry{.friction = p.friction, .inertial_number = p.inertial_number};
+    const FlowState dry{.friction = p.friction,
+                        .inertial_number = p.inertial_number,
+                        .stiffness_number = p.stiffness_number};
     const bool others = std::ranges::any_of(p.effects, [](const EffectValues& values) {
         return built_in_effect(values.effect).touches != Touches::wet;
     });
@@ -192,7 +200,7 @@ std::optional<closures::ClosureValues> StatePredictor::closures_of(
 }
 
 dem::RunParameters StatePredictor::run_for(const RequestedState& requested) const {
-    const FlowState state = requested.state(emulator_, known_);
+    const FlowState state = state_of(requested);
     dem::RunParameters run = run_of(with_known_coordination(requested, state, emulator_, known_),
                                     fidelity_, stiffness_number_);
     if (const std::string why = why_impossible(run); !why.empty()) {

@@ -18,7 +18,7 @@ struct StatePrediction {
     FlowState state;
     /// Predicted values of the observables at the state.
     std::vector<EmulatedObservable> observables;
-    /// Stiffness number to which solid fraction and overlap are corrected [1].
+    /// Stiffness number of the grains for which predictions hold [1].
     double stiffness_number = 1000;
     /// Coordinates in which the state lies beyond all training runs, as text (`Emulator::beyond`);
     /// empty: none.
@@ -58,7 +58,7 @@ struct PredictionCurve {
     std::vector<std::vector<EmulatedObservable>> observables;
     /// Values of the closures at each state, from the predicted values; empty: dry.
     std::vector<closures::ClosureValues> closures;
-    /// Stiffness number to which solid fraction and overlap are corrected [1].
+    /// Stiffness number of the grains for which predictions hold [1].
     double stiffness_number = 1000;
     int left_out = 0;          ///< number of states that the known runs do not support
     std::string why_left_out;  ///< reason why the first state left out is not supported
@@ -69,8 +69,7 @@ struct PredictionCurve {
 class StatePredictor {
   public:
     /// @param store user's file of runs; may be null
-    /// @param stiffness_number stiffness number to which solid fractions and overlaps are corrected
-    ///        [1], 100 or more
+    /// @param stiffness_number stiffness number of the grains to predict [1], 100 or more
     /// @throws InputError where atlas and store have too few runs to train an emulator, and
     ///         whatever `check_stiffness_number` throws
     StatePredictor(const Fidelity& fidelity, const RunStore* store, double stiffness_number);
@@ -111,6 +110,8 @@ class StatePredictor {
     dem::RunParameters run_for(const RequestedState& requested) const;
 
   private:
+    /// Requested state for grains of `stiffness_number`.
+    FlowState state_of(RequestedState requested) const;
     std::vector<EmulatedObservable> observables_at(const FlowState& state) const;
     std::string unsupported(const RequestedState& requested, const FlowState& state,
                             const std::string& why) const;

@@ -5,12 +5,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
 #include "calib/emulator/emulated_observables.h"
+#include "calib/emulator/emulated_state.h"
 
 namespace pendular {
 namespace {
@@ -35,24 +34,33 @@ auto place_of(const dem::RunResult& run) {
                       run.parameters.wetting->reduced_pressure);
 }
 
-/// Order of the states, the run with the most grains first.
-bool comes_before(const dem::RunResult& a, const dem::RunResult& b) {
-    return place_of(a) != place_of(b) ? place_of(a) < place_of(b)
-                                      : a.parameters.grains > b.parameters.grains;
+bool is_stiff(const dem::RunResult& run) {
+    return emulated::alike(run.parameters.stiffness_number, paper_stiffness);
 }
 
-/// Stiffness number of the most states; the largest of several such [1].
-double commonest_stiffness(const std::vector<dem::RunResult>& runs) {
-    std::map<double, std::set<decltype(place_of(runs.front()))>> places;
-    for (const dem::RunResult& run : runs) {
-        places[run.parameters.stiffness_number].insert(place_of(run));
+/// Order of the states. Of one state, stiff runs come first, then those with more grains.
+bool comes_before(const dem::RunResult& a, const dem::RunResult& b) {
+    if (place_of(a) != place_of(b)) return place_of(a) < place_of(b);
+    return is_stiff(a) != is_stiff(b) ? is_stiff(a) : a.parameters.grains > b.parameters.grains;
+}
+
+/// Returns a run of wet grains as it would be at the stiffness number of the paper: each emulated
+/// observable is changed by the difference of the emulated values at the two stiffness numbers.
+/// The errors grow by those of the change, without those that both emulated values share.
+dem::RunResult at_paper_stiffness(dem::RunResult run, const Emulator& emulator) {
+    const FlowState state = emulated::flow_state_of(run.parameters);
+    const auto own =
+        emulated_at(emulator, state, run.parameters.stiffness_number, emulated::observables());
+    const auto stiff = emulated_at(emulator, state, paper_stiffness, emulated::observables());
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        Mean& mean = run.means[static_cast<std::size_t>(own[k].which)];
+        mean.value += stiff[k].value.value - own[k].value.value;
+        const double common = std::pow(own[k].value.standard_error, 2);
+        const double further = std::pow(stiff[k].value.standard_error, 2) - common;
+        mean.standard_error = std::hypot(mean.standard_error, std::sqrt(std::max(0.0, further)));
     }
-    double commonest = paper_stiffness;
-    std::size_t most = 0;
-    for (const auto& [stiffness_number, its_places] : places) {
-        if (its_places.size() >= most) commonest = stiffness_number, most = its_places.size();
-    }
-    return commonest;
+    run.parameters.stiffness_number = paper_stiffness;
+    return run;
 }
 
 /// Weighted straight line through the stress ratios of states against 1/P*.
@@ -126,17 +134,9 @@ Mean StrengthLine::at(double reduced_pressure) const {
 
 PaperStudy::PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator)
     : emulator_(emulator) {
-    std::vector<dem::RunResult> usable, grid, stiff;
-    std::ranges::copy_if(runs, std::back_inserter(usable), is_of_study);
-    stiffness_number_ = commonest_stiffness(usable);
-    for (const dem::RunResult& run : usable) {
-        const double stiffness_number = run.parameters.stiffness_number;
-        if (stiffness_number == stiffness_number_) grid.push_back(run);
-        if (stiffness_number >= paper_stiffness / 2) stiff.push_back(run);
-    }
+    std::vector<dem::RunResult> grid;
+    std::ranges::copy_if(runs, std::back_inserter(grid), is_of_study);
     states_ = states_of(std::move(grid));
-    stiff_states_ =
-        stiffness_number_ >= paper_stiffness / 2 ? states_ : states_of(std::move(stiff));
     fit_lines();
     std::ranges::copy_if(runs, std::back_inserter(dry_runs_), [](const dem::RunResult& run) {
         return emulated::usable(run) && !run.parameters.wetting && run.parameters.effects.empty();
@@ -146,15 +146,23 @@ PaperStudy::PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& 
     });
 }
 
-std::vector<PaperState> PaperStudy::states_of(std::vector<dem::RunResult> runs) const {
+std::vector<PaperState> PaperStudy::states_of(std::vector<dem::RunResult> runs) {
     std::ranges::stable_sort(runs, comes_before);
     std::vector<PaperState> states;
     for (dem::RunResult& run : runs) {
         if (!states.empty() && place_of(states.back().run()) == place_of(run)) continue;
         const dem::RunParameters p = run.parameters;
-        const double error = std::sqrt(emulator_.noise_variance(run, Observable::stress_ratio));
+        const double noise = emulator_.noise_variance(run, Observable::stress_ratio);
+        const double stated = std::pow(run[Observable::stress_ratio].standard_error, 2);
+        if (is_stiff(run)) {
+            ++stiff_;
+        } else if (emulator_.knows_stiffness()) {
+            run = at_paper_stiffness(std::move(run), emulator_);
+        }
+        const double change = std::pow(run[Observable::stress_ratio].standard_error, 2) - stated;
         states.emplace_back(std::move(run),
-                            dry(Observable::stress_ratio, p.friction, p.inertial_number), error);
+                            dry(Observable::stress_ratio, p.friction, p.inertial_number),
+                            std::sqrt(noise + change));
     }
     return states;
 }
@@ -216,8 +224,10 @@ const StrengthLine* PaperStudy::line(double friction, double bridge_volume) cons
 }
 
 Mean PaperStudy::dry(Observable which, double friction, double inertial_number) const {
-    const std::vector<Query> query = {
-        {FlowState{.friction = friction, .inertial_number = inertial_number}, which}};
+    const std::vector<Query> query = {{FlowState{.friction = friction,
+                                                 .inertial_number = inertial_number,
+                                                 .stiffness_number = paper_stiffness},
+                                       which}};
     return {emulator_.mean(query)(0), std::sqrt(std::max(0.0, emulator_.covariance(query)(0, 0)))};
 }
 

@@ -96,19 +96,17 @@ struct MissingState {
 class PaperStudy {
   public:
     /// Takes the usable runs without effects at the frictions and bridge volumes of the study and
-    /// inertial numbers up to 0.0035. The states are those of one stiffness number, that with the
-    /// most states, so that no trend is one of stiffness. Of several runs of one state, that with
-    /// the most grains counts.
-    /// @param runs known runs; @param emulator emulator trained on them, for dry grains
+    /// inertial numbers up to 0.0035. Of several runs of one state, one within a factor 2 of the
+    /// paper's stiffness number counts, else that with the most grains. Runs of other stiffness
+    /// numbers are changed to the paper's by the emulator, with the error of the change, so that no
+    /// trend is one of stiffness; an emulator that knows no such change leaves them as they are.
+    /// @param runs known runs; @param emulator emulator trained on them
     PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator);
 
     /// The states, in the order of friction, bridge volume and reduced pressure.
     const std::vector<PaperState>& states() const { return states_; }
-    /// Stiffness number of the states [1].
-    double stiffness_number() const { return stiffness_number_; }
-    /// States at half the paper's stiffness number (8400) or more, in the same order; those of
-    /// states() if these are stiff themselves.
-    const std::vector<PaperState>& stiff_states() const { return stiff_states_; }
+    /// Number of the states that were simulated within a factor 2 of the paper's stiffness number.
+    std::size_t stiff() const { return stiff_; }
     /// States that fulfil a condition.
     std::vector<const PaperState*> where(
         const std::function<bool(const PaperState&)>& condition) const;
@@ -134,14 +132,14 @@ class PaperStudy {
 
   private:
     /// One state for each friction, bridge volume and reduced pressure of runs.
-    std::vector<PaperState> states_of(std::vector<dem::RunResult> runs) const;
+    std::vector<PaperState> states_of(std::vector<dem::RunResult> runs);
     /// States of a friction and bridge volume at P* of `lowest_line_pressure` or above.
     std::vector<const PaperState*> line_states(double friction, double bridge_volume) const;
     void fit_lines();
 
     const Emulator& emulator_;
-    double stiffness_number_ = 0;
-    std::vector<PaperState> states_, stiff_states_;
+    std::size_t stiff_ = 0;
+    std::vector<PaperState> states_;
     std::vector<dem::RunResult> dry_runs_;
     std::vector<StrengthLine> lines_;
 };

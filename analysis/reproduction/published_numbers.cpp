@@ -313,11 +313,8 @@ void add_capillary_stresses(Scoreboard& board) {
                     all_states));
 }
 
-/// Structure depends on stiffness: these rows are of the stiff states, where there are any.
 void add_structure(Scoreboard& board) {
-    const PaperStudy& study = board.study();
-    board.section("Structure",
-                  study.stiff_states().empty() ? study.states() : study.stiff_states());
+    board.section("Structure", board.study().states());
     const auto of = [](Observable which) -> Scoreboard::Quantity {
         return [which](const PaperState& s) { return s[which]; };
     };

@@ -16,6 +16,9 @@ struct FlowState {
     /// Effects on grains that act in this state, with values in the units of a run (grain diameter,
     /// grain mass and normal stress are 1).
     std::vector<EffectValues> effects = {};
+    /// Stiffness number of the grains [1]. It changes coordination numbers and other observables of
+    /// structure by an `EffectResponse`; 0: that of the emulator's training runs for structure.
+    double stiffness_number = 0;
 
     bool dry() const { return inverse_pressure == 0; }
 };

@@ -11,15 +11,8 @@ using dem::Observable;
 /// Lowest stiffness number [1] for which the correction to rigid grains was measured.
 constexpr double softest = 300;
 
-/// Largest ratio between the stiffness number of a run and that of the emulated structure at which
-/// the run still serves as a training run for structure [1].
+/// Largest ratio between the stiffness numbers of runs that train a process together [1].
 constexpr double stiffness_factor = 2;
-
-bool depends_on_stiffness(Observable which) {
-    return !in_pair(which) && which != Observable::overlap &&
-           which != Observable::first_normal_stress_difference &&
-           which != Observable::second_normal_stress_difference;
-}
 
 }  // namespace
 
@@ -62,11 +55,13 @@ Domain domain_of(Observable which) {
                                                        : Domain::all_flow;
 }
 
-bool tells(const dem::RunResult& run, Observable which, double structure_stiffness) {
-    const double stiffness = run.parameters.stiffness_number / structure_stiffness;
-    return (run.parameters.wetting || !of_bridges(which)) &&
-           (!depends_on_stiffness(which) ||
-            (stiffness <= stiffness_factor && stiffness >= 1 / stiffness_factor));
+bool alike(double a_stiffness_number, double another) {
+    return std::max(a_stiffness_number, another) <=
+           stiffness_factor * std::min(a_stiffness_number, another);
+}
+
+bool has_value(const dem::RunResult& run, Observable which) {
+    return run.parameters.wetting || !of_bridges(which);
 }
 
 Coordinates place_of(const FlowState& state) {
@@ -94,6 +89,7 @@ FlowState flow_state_of(const dem::RunParameters& p) {
         state.bridge_volume = p.wetting->bridge_volume;
     }
     state.effects = p.effects;
+    state.stiffness_number = p.stiffness_number;
     return state;
 }
 

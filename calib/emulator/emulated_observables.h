@@ -6,8 +6,8 @@
 
 namespace pendular::emulated {
 
-/// Stiffness number [1] for which overlaps are emulated and, by default, structure: coordination
-/// numbers, capillary stresses and other observables that depend weakly on stiffness.
+/// Stiffness number [1] for which overlaps are emulated. By default it is also that of the runs
+/// that train the emulator's Gaussian processes, within a factor 2.
 constexpr double reference_stiffness = 1000;
 
 /// Localization above which a run does not train the emulator [1]: shear gathers in half of the
@@ -62,10 +62,13 @@ Unit unit_at(dem::Observable which, const FlowState& state);
 /// Kind of an observable, which decides how the observable behaves in the dry limit 1/P* -> 0.
 Domain domain_of(dem::Observable which);
 
-/// Whether a run, with or without effects, has a value of an observable that can train the
-/// emulator. Observables of bridges need a wet run. Observables of structure, such as coordination
-/// numbers, need a run whose stiffness number is within a factor 2 of `structure_stiffness` [1].
-bool tells(const dem::RunResult& run, dem::Observable which, double structure_stiffness);
+/// Whether runs of two stiffness numbers [1] can train a Gaussian process together: they differ by
+/// at most a factor 2.
+bool alike(double a_stiffness_number, double another);
+
+/// Whether a run, with or without effects, has a value of an observable, which for observables of
+/// bridges takes a wet run.
+bool has_value(const dem::RunResult& run, dem::Observable which);
 
 /// Coordinates of a flow state that the Gaussian processes of all observables use.
 Coordinates place_of(const FlowState& state);

@@ -34,14 +34,16 @@ Estimate estimate(const Jet& jet, Eigen::Index k) {
 
 /// Converts the solid fraction of rigid grains to grains of a stiffness number kappa: the part
 /// reference/kappa of the rigidity shift at the reference stiffness number applies. The errors of
-/// the overlap are neglected, since those of the correction are much larger.
-void soften(Jet& fraction, const Jet& overlap, double stiffness_number) {
+/// the overlap are neglected. The error of the correction is added unless runs of other stiffness
+/// numbers train the emulator and `corrected`, so that its own error contains it.
+void soften(Jet& fraction, const Jet& overlap, double stiffness_number, bool corrected) {
     const double part = emulated::reference_stiffness / stiffness_number;
     const double rigid = fraction.value(0), shift = dem::rigidity_shift(rigid, overlap.value(0));
     Eigen::VectorXd shifts =
         shift * (fraction.value / rigid + overlap.value / overlap.value(0));  // slopes of a product
     shifts(0) = shift;
     fraction.value += part * shifts;
+    if (corrected) return;
     const Eigen::VectorXd error =
         (1 - part) * dem::rigidity_factor_error / dem::rigidity_factor * shifts;
     fraction.covariance += error * error.transpose();
@@ -60,11 +62,14 @@ std::vector<Observable> observables_of(const FlowState& state) {
 std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const FlowState& state,
                                             double stiffness_number,
                                             const std::vector<Observable>& wanted) {
+    FlowState of_stiffness = state;
+    of_stiffness.stiffness_number = stiffness_number;
     std::vector<EmulatedObservable> result;
     for (const Observable which : wanted) {
-        Jet jet = jet_of(emulator, state, which);
+        Jet jet = jet_of(emulator, of_stiffness, which);
         if (which == Observable::solid_fraction) {
-            soften(jet, jet_of(emulator, state, Observable::overlap), stiffness_number);
+            soften(jet, jet_of(emulator, state, Observable::overlap), stiffness_number,
+                   emulator.knows_stiffness());
         } else if (which == Observable::overlap) {
             const double part = emulated::reference_stiffness / stiffness_number;
             jet.value *= part;

@@ -20,9 +20,10 @@ struct EmulatedObservable {
     std::vector<Estimate> slopes;
 };
 
-/// Emulated values of the observables `which` at a flow state, in the order of `which`. Solid
-/// fraction and overlap are converted to `stiffness_number` [1]: the error of the solid fraction
-/// includes that of the conversion; the overlap is inversely proportional to the stiffness number.
+/// Emulated values of the observables `which` for grains of the stiffness number `stiffness_number`
+/// [1] at a flow state, in the order of `which`. The errors include those of the change with
+/// stiffness. Derivatives of observables other than solid fraction and overlap are those at the
+/// stiffness number of the training runs.
 /// @throws std::invalid_argument for an observable of bridges at a dry state, an observable of
 ///         which no training run has a value, and an effect of `state` that no run has alone
 std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const FlowState& state,

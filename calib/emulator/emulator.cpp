@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -62,106 +63,204 @@ double response_degree(const EffectValues& values, double friction) {
     return most > 0 ? response_amplitude(values, friction) / most : 0;
 }
 
-/// Coordinates at which the response to an effect is evaluated, scaled to the range of the studies.
-ResponsePlace response_place(const FlowState& state, const EffectValues& values) {
+/// Amplitude of the change from one stiffness number to another [1]: their difference in overlap,
+/// which goes as 1/(stiffness number), over the overlap at the first. It is 1 for rigid grains. No
+/// grains softer than half the first stiffness number train the response, so that the amplitude
+/// ends there, at -1.
+double stiffness_change(double from, double to) {
+    return std::max(-1.0, 1 - from / to);
+}
+
+/// Coordinates at which the response to a cause of this amplitude (`degree`) is evaluated, scaled
+/// to the range of the studies.
+ResponsePlace response_place(const FlowState& state, double degree) {
     const Coordinates at = place_of(state);
     ResponsePlace place;
-    place << at.x, at.q / 0.1, std::log1p(10 * at.u) / 1.5, state.dry() ? 0.0 : at.v,
-        response_degree(values, state.friction);
+    place << at.x, at.q / 0.1, std::log1p(10 * at.u) / 1.5, state.dry() ? 0.0 : at.v, degree;
     return place;
+}
+
+/// Step of a variable for central differences of responses, which are smooth over the scale of
+/// each coordinate.
+double step_of(const FlowState& state, Input variable) {
+    constexpr double relative = 1e-3;
+    switch (variable) {
+        case Input::friction:
+            return relative * (state.friction + friction_scale);
+        case Input::inverse_pressure:
+            return relative * (state.inverse_pressure + 0.1);
+        case Input::bridge_volume:
+            return relative * state.bridge_volume;
+        default:
+            return relative;
+    }
+}
+
+FlowState shifted(FlowState state, Input variable, double by) {
+    switch (variable) {
+        case Input::friction:
+            state.friction += by;
+            break;
+        case Input::inverse_pressure:
+            state.inverse_pressure += by;
+            break;
+        case Input::bridge_volume:
+            state.bridge_volume += by;
+            break;
+        default:
+            state.inertial_number *= std::exp(by);
+    }
+    return state;
+}
+
+/// States whose responses, multiplied by the numbers beside them, add up to that of a query: its
+/// own state for a value, two states for a derivative, by central differences.
+std::vector<std::pair<FlowState, double>> states_of(const Query& query) {
+    if (!query.by) return {{query.state, 1}};
+    if (query.state.dry() && *query.by != Input::friction &&
+        *query.by != Input::log_inertial_number) {
+        return {};
+    }
+    const double step = step_of(query.state, *query.by);
+    return {{shifted(query.state, *query.by, step), 1 / (2 * step)},
+            {shifted(query.state, *query.by, -step), -1 / (2 * step)}};
 }
 
 }  // namespace
 
-/// Queries that need the response of one observable to one effect.
+Emulator::Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
+                   double stiffness_number)
+    : plain_(runs, std::move(hyperparameters), stiffness_number) {
+    knows_stiffness_ = std::ranges::any_of(plain_.runs(), [&](const dem::RunResult& run) {
+        return trains(run, stiffness_name, Observable::stress_ratio);
+    });
+}
+
+std::vector<Emulator::Cause> Emulator::causes_at(const FlowState& state, Observable which) const {
+    std::vector<Cause> causes;
+    for (const EffectValues& values : state.effects) {
+        causes.push_back({values.effect, response_size(values, state, which),
+                          response_place(state, response_degree(values, state.friction))});
+    }
+    const double trained = plain_.stiffness_number();
+    if (knows_stiffness_ && state.stiffness_number > 0 && state.stiffness_number != trained) {
+        const double change = stiffness_change(trained, state.stiffness_number);
+        causes.push_back({stiffness_name, change, response_place(state, change)});
+    }
+    return causes;
+}
+
+bool Emulator::trains(const dem::RunResult& run, const std::string& name, Observable which) const {
+    const auto& effects = run.parameters.effects;
+    const bool caused =
+        name == stiffness_name
+            ? effects.empty() && !alike(run.parameters.stiffness_number, plain_.stiffness_number())
+            : effects.size() == 1 && effects[0].effect == name;
+    return caused && has_value(run, which);
+}
+
+/// Evaluations of the response of one observable to one cause that queries need.
 struct Emulator::Affected {
     const LearnedResponse* learned;
-    std::vector<Eigen::Index> queries;
     std::vector<ResponsePlace> places;
     Eigen::VectorXd amplitudes;
-    Eigen::VectorXd sizes;  ///< scale of the observable at each query (`emulated::Unit::size`)
+    /// Changes of the answers to all queries (rows) per evaluated response (columns).
+    Eigen::SparseMatrix<double> map;
 };
 
-std::unique_ptr<const Emulator::LearnedResponse> Emulator::learned(const std::string& effect,
+std::unique_ptr<const Emulator::LearnedResponse> Emulator::learned(const std::string& name,
                                                                    Observable which) const {
-    std::vector<Query> plain;
     std::vector<ResponsePlace> places;
-    std::vector<double> amplitudes, training_values, variances, sizes;
+    std::vector<double> sizes_of_cause, training_values, variances, sizes;
+    std::vector<Query> plain, of_own_stiffness;
     for (const auto& run : runs()) {
-        const auto& effects = run.parameters.effects;
-        if (effects.size() != 1 || effects[0].effect != effect ||
-            !tells(run, which, plain_.structure_stiffness())) {
-            continue;
-        }
+        if (!trains(run, name, which)) continue;
         FlowState state = flow_state_of(run.parameters);
-        places.push_back(response_place(state, effects[0]));
-        amplitudes.push_back(response_size(effects[0], state, which));
+        const Cause cause = causes_at(state, which).front();
+        places.push_back(cause.place);
+        sizes_of_cause.push_back(cause.size);
         sizes.push_back(unit_at(which, state).size);
         training_values.push_back(training_value(run, which).value / sizes.back());
         variances.push_back(plain_.noise_variance(run, which) / (sizes.back() * sizes.back()));
         state.effects.clear();
+        if (name == stiffness_name) state.stiffness_number = 0;
+        of_own_stiffness.push_back({state, which});
+        state.stiffness_number = 0;
         plain.push_back({state, which});
     }
     if (plain.empty()) {
         throw std::invalid_argument(
             fmt::format("no known run has the effect {}; the atlas that comes with the program has "
                         "such runs: name it in $PENDULAR_ATLAS, or make a campaign with {}",
-                        effect, effect));
+                        name, name));
     }
     const auto vector = [](const std::vector<double>& v) {
         return Eigen::VectorXd(
             Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())));
     };
     const Eigen::VectorXd size = vector(sizes);
-    const Eigen::MatrixXd plain_error = size.cwiseInverse().asDiagonal() *
-                                        plain_.covariance(plain) * size.cwiseInverse().asDiagonal();
+    // Runs with an effect differ from predictions without it at their own stiffness number.
+    const auto error_at = [&](const Eigen::MatrixXd& covariance) {
+        return Eigen::MatrixXd(size.cwiseInverse().asDiagonal() * covariance *
+                               size.cwiseInverse().asDiagonal());
+    };
+    PlainEmulator::PreparedQueries prepared = plain_.prepare(plain);
+    const Eigen::MatrixXd plain_error = error_at(plain_.covariance(prepared));
     const Eigen::VectorXd changes =
-        vector(training_values) - plain_.mean(plain).cwiseQuotient(size);
-    Eigen::MatrixXd covariance = plain_error;
-    covariance.diagonal() += vector(variances);
+        vector(training_values) - mean(of_own_stiffness).cwiseQuotient(size);
+    Eigen::MatrixXd training_error = error_at(covariance(of_own_stiffness));
+    training_error.diagonal() += vector(variances);
     return std::make_unique<LearnedResponse>(
-        LearnedResponse{{std::move(places), vector(amplitudes), changes, covariance},
-                        std::move(plain),
+        LearnedResponse{{std::move(places), vector(sizes_of_cause), changes, training_error},
+                        std::move(prepared),
                         size,
                         plain_error});
 }
 
-const Emulator::LearnedResponse& Emulator::response_to(const std::string& effect,
+const Emulator::LearnedResponse& Emulator::response_to(const std::string& name,
                                                        Observable which) const {
     Responses::Response* response = nullptr;
     {
         const std::scoped_lock lock(responses_->mutex);
-        response = &responses_->all[{effect, which}];
+        response = &responses_->all[{name, which}];
     }
-    std::call_once(response->once, [&] { response->learned = learned(effect, which); });
+    std::call_once(response->once, [&] { response->learned = learned(name, which); });
     return *response->learned;
 }
 
 std::vector<Emulator::Affected> Emulator::affected(const std::vector<Query>& queries) const {
-    std::map<std::pair<std::string, Observable>, Affected> by_response;
-    std::map<std::pair<std::string, Observable>, std::vector<std::pair<double, double>>> factors;
+    struct Evaluation {
+        Eigen::Index query;
+        Cause cause;
+        double factor;  ///< change of the answer per response
+    };
+    std::map<std::pair<std::string, Observable>, std::vector<Evaluation>> by_response;
     for (std::size_t k = 0; k < queries.size(); ++k) {
         const Query& query = queries[k];
-        for (const EffectValues& values : query.state.effects) {
-            if (query.by) {
-                continue;
+        for (const auto& [state, weight] : states_of(query)) {
+            for (Cause& cause : causes_at(state, query.which)) {
+                if (query.by && cause.name != stiffness_name) continue;
+                const double size = unit_at(query.which, state).size;
+                by_response[{cause.name, query.which}].push_back(
+                    {static_cast<Eigen::Index>(k), std::move(cause), weight * size});
             }
-            const std::pair key(values.effect, query.which);
-            Affected& one = by_response[key];
-            one.learned = &response_to(values.effect, query.which);
-            one.queries.push_back(static_cast<Eigen::Index>(k));
-            one.places.push_back(response_place(query.state, values));
-            factors[key].emplace_back(response_size(values, query.state, query.which),
-                                      unit_at(query.which, query.state).size);
         }
     }
     std::vector<Affected> result;
-    for (auto& [key, one] : by_response) {
-        const auto n = static_cast<Eigen::Index>(one.queries.size());
-        one.amplitudes.resize(n), one.sizes.resize(n);
-        for (Eigen::Index k = 0; k < n; ++k) {
-            std::tie(one.amplitudes(k), one.sizes(k)) = factors[key][static_cast<std::size_t>(k)];
+    for (const auto& [key, evaluations] : by_response) {
+        const auto count = static_cast<Eigen::Index>(evaluations.size());
+        Affected one{.learned = &response_to(key.first, key.second),
+                     .places = {},
+                     .amplitudes = Eigen::VectorXd(count),
+                     .map = Eigen::SparseMatrix<double>(std::ssize(queries), count)};
+        std::vector<Eigen::Triplet<double>> factors;
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const Evaluation& evaluation = evaluations[static_cast<std::size_t>(k)];
+            one.places.push_back(evaluation.cause.place);
+            one.amplitudes(k) = evaluation.cause.size;
+            factors.emplace_back(evaluation.query, k, evaluation.factor);
         }
+        one.map.setFromTriplets(factors.begin(), factors.end());
         result.push_back(std::move(one));
     }
     return result;
@@ -170,54 +269,49 @@ std::vector<Emulator::Affected> Emulator::affected(const std::vector<Query>& que
 Eigen::VectorXd Emulator::mean(const std::vector<Query>& queries) const {
     Eigen::VectorXd result = plain_.mean(queries);
     for (const Affected& one : affected(queries)) {
-        result(one.queries) +=
-            one.sizes.cwiseProduct(one.learned->response.mean(one.places, one.amplitudes));
+        result += one.map * one.learned->response.mean(one.places, one.amplitudes);
     }
     return result;
 }
 
 Eigen::MatrixXd Emulator::covariance(const std::vector<Query>& queries) const {
     const std::vector<Affected> all = affected(queries);
-    const auto n = static_cast<Eigen::Index>(queries.size());
+    const PlainEmulator::PreparedQueries asked = plain_.prepare(queries);
     // The errors of the predictions are linear in those of the predictions without effects at the
-    // queries and at the training states of the responses, in this order.
-    std::vector<Query> plain = queries;
+    // queries and, with weights W, at the training states of the responses:
+    //     (1 W) (A B'; B C) (1 W)' = A + W B + (W B)' + W C W'
+    Eigen::MatrixXd result = plain_.covariance(asked);
+    std::vector<Eigen::MatrixXd> weights_of_training;
     for (const Affected& one : all) {
-        plain.insert(plain.end(), one.learned->plain.begin(), one.learned->plain.end());
+        const LearnedResponse& learned = *one.learned;
+        const Eigen::MatrixXd weights = learned.response.weights(one.places, one.amplitudes);
+        result += one.map *
+                  (learned.response.covariance(one.places, one.amplitudes) -
+                   weights * learned.plain_error * weights.transpose()) *
+                  one.map.transpose();
+        weights_of_training.push_back(
+            -(one.map * weights * learned.sizes.cwiseInverse().asDiagonal()));
+        const Eigen::MatrixXd through_training =
+            weights_of_training.back() * plain_.covariance(learned.plain, asked);
+        result += through_training + through_training.transpose();
     }
-    Eigen::MatrixXd weights_of_training =
-        Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(plain.size()) - n);
-    Eigen::MatrixXd at_given_plain = Eigen::MatrixXd::Zero(n, n);
-    Eigen::Index column = 0;
-    for (const Affected& one : all) {
-        const auto& [response, trained_at, sizes, plain_error] = *one.learned;
-        const Eigen::MatrixXd weights = response.weights(one.places, one.amplitudes);
-        weights_of_training(one.queries, Eigen::seqN(column, sizes.size())) =
-            -(one.sizes.asDiagonal() * weights * sizes.cwiseInverse().asDiagonal());
-        at_given_plain(one.queries, one.queries) +=
-            one.sizes.asDiagonal() *
-            (response.covariance(one.places, one.amplitudes) -
-             weights * plain_error * weights.transpose()) *
-            one.sizes.asDiagonal();
-        column += sizes.size();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+            const Eigen::MatrixXd part =
+                weights_of_training[i] *
+                plain_.covariance(all[i].learned->plain, all[j].learned->plain) *
+                weights_of_training[j].transpose();
+            result += part;
+            if (j < i) result += part.transpose();
+        }
     }
-    const Eigen::MatrixXd joint = plain_.covariance(plain);
-    if (all.empty()) {
-        return joint;
-    }
-    // (1 W) (A B'; B C) (1 W)' = A + W B + (W B)' + W C W', with W = weights_of_training
-    const Eigen::Index trained = column;
-    const Eigen::MatrixXd through_training =
-        weights_of_training * joint.bottomLeftCorner(trained, n);
-    const Eigen::MatrixXd half = weights_of_training * joint.bottomRightCorner(trained, trained);
-    return joint.topLeftCorner(n, n) + through_training + through_training.transpose() +
-           half * weights_of_training.transpose() + at_given_plain;
+    return result;
 }
 
 Emulator Emulator::with(const std::vector<dem::RunResult>& more) const {
     std::vector<dem::RunResult> all = runs();
     all.insert(all.end(), more.begin(), more.end());
-    return {all, hyperparameters(), plain_.structure_stiffness()};
+    return {all, hyperparameters(), plain_.stiffness_number()};
 }
 
 std::string Emulator::beyond(const FlowState& state) const {

@@ -18,18 +18,19 @@ namespace pendular {
 /// Emulator: Gaussian processes trained on simulation runs, which predict the observables of any
 /// flow state between the training runs, with standard errors. A `PlainEmulator` predicts them for
 /// grains without effects. For each effect on grains, an `EffectResponse` trained on the runs that
-/// have this effect alone adds the change. Changes by several effects add up. Derivatives of
-/// observables by friction, inertial number, pressure or bridge volume are those of the
-/// `PlainEmulator`: they omit the effects. The predictions never change after construction: any
-/// number of threads may query the emulator at once.
+/// have this effect alone adds the change. Changes by several effects add up. An `EffectResponse`
+/// trained on the runs of other stiffness numbers likewise adds the change from the stiffness
+/// number of the `PlainEmulator` to that of the flow state. Derivatives of observables by friction,
+/// inertial number, pressure or bridge volume are those of the `PlainEmulator`, with the
+/// change with stiffness: they omit the effects. The predictions never change after construction:
+/// any number of threads may query the emulator at once.
 class Emulator {
   public:
     /// Takes training runs, with the arguments of `PlainEmulator`; each Gaussian process is trained
     /// when it is first needed.
     /// @throws std::invalid_argument where no run can serve as a training run
     Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
-             double structure_stiffness = emulated::reference_stiffness)
-        : plain_(runs, std::move(hyperparameters), structure_stiffness) {}
+             double stiffness_number = emulated::reference_stiffness);
 
     /// Returns an emulator trained on the runs of this one and the runs `more`, with this
     /// emulator's hyperparameters.
@@ -62,6 +63,11 @@ class Emulator {
     /// Training runs, with and without effects.
     const std::vector<dem::RunResult>& runs() const { return plain_.runs(); }
 
+    /// Whether runs of another stiffness number than that of the `PlainEmulator` train the change
+    /// of predictions with stiffness. Without any, predictions hold for that stiffness number, but
+    /// for the known change of solid fraction and overlap.
+    bool knows_stiffness() const { return knows_stiffness_; }
+
     /// Covariance of the noise of a run's stress ratio and solid fraction [1], in this order; noise
     /// is the deviation from a much longer run.
     Eigen::Matrix2d noise(const dem::RunResult& run) const { return plain_.noise(run); }
@@ -71,29 +77,44 @@ class Emulator {
     }
 
   private:
-    /// Response (predicted change) of an observable to an effect on grains, with the predictions
-    /// without the effect from which its training changes follow.
+    /// A cause of change from the predictions of the `PlainEmulator` at one flow state: an effect
+    /// on grains, or another stiffness number.
+    struct Cause {
+        std::string name;     ///< name of the effect, or `stiffness_name`
+        double size;          ///< factor to which the response is proportional
+        ResponsePlace place;  ///< coordinates at which the response is evaluated
+    };
+    static constexpr const char* stiffness_name = "stiffness number";
+    /// Causes that change the observable `which` at a flow state. Stiffness is a cause only if
+    /// `knows_stiffness`.
+    std::vector<Cause> causes_at(const FlowState& state, dem::Observable which) const;
+    /// Whether a run trains the response of an observable to the cause `name`: another stiffness
+    /// number without effects, or this effect alone, at any stiffness number.
+    bool trains(const dem::RunResult& run, const std::string& name, dem::Observable which) const;
+
+    /// Response (predicted change) of an observable to a cause, with the predictions without the
+    /// cause from which its training changes follow.
     struct LearnedResponse {
         EffectResponse response;
-        std::vector<Query> plain;     ///< state of each training run, without the effect
+        PlainEmulator::PreparedQueries plain;  ///< state of each training run, without causes
         Eigen::VectorXd sizes;        ///< scale of the observable there (`emulated::Unit::size`)
         Eigen::MatrixXd plain_error;  ///< covariance of the errors at `plain`, in units of `sizes`
     };
-    /// Response of an observable to an effect on grains, trained at the first call.
-    /// @throws std::invalid_argument where no run has this effect alone
-    const LearnedResponse& response_to(const std::string& effect, dem::Observable which) const;
-    /// Returns the response of an observable to an effect on grains, trained on the runs that have
-    /// this effect alone.
+    /// Response of an observable to the cause `name`, trained at the first call.
+    /// @throws std::invalid_argument where no run has this cause alone
+    const LearnedResponse& response_to(const std::string& name, dem::Observable which) const;
+    /// Returns the response of an observable to the cause `name`, trained on the runs that have
+    /// this cause alone.
     /// @throws std::invalid_argument where no run does
-    std::unique_ptr<const LearnedResponse> learned(const std::string& effect,
+    std::unique_ptr<const LearnedResponse> learned(const std::string& name,
                                                    dem::Observable which) const;
     struct Affected;
-    /// Queries for values at states with effects on grains, grouped by the response (of one
-    /// observable to one effect) that they need. A query for a derivative is left out.
+    /// Queries for values that a cause changes, grouped by the response (of one observable to one
+    /// cause) that they need. A query for a derivative is left out.
     std::vector<Affected> affected(const std::vector<Query>& queries) const;
 
-    /// Responses of observables to effects on grains, by effect and observable, each trained when
-    /// it is first needed, once for all threads.
+    /// Responses of observables to causes of change, by cause and observable, each trained when it
+    /// is first needed, once for all threads.
     struct Responses {
         struct Response {
             std::once_flag once;
@@ -103,6 +124,7 @@ class Emulator {
         std::map<std::pair<std::string, dem::Observable>, Response> all;
     };
     PlainEmulator plain_;
+    bool knows_stiffness_ = false;
     std::unique_ptr<Responses> responses_ = std::make_unique<Responses>();
 };
 

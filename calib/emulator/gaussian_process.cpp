@@ -103,23 +103,45 @@ Eigen::VectorXd GaussianProcess::mean(const std::vector<Requested>& requested) c
     return result;
 }
 
-Eigen::MatrixXd GaussianProcess::covariance(const std::vector<Requested>& requested) const {
-    const Eigen::MatrixXd half = factor_.matrixL().solve(with_known(requested));
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(half.cols(), half.cols());
-    result.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose(), -1);
+GaussianProcess::Solved GaussianProcess::solve(std::vector<Requested> requested) const {
     std::vector<Kernel::Prepared> places;
     for (const Requested& one : requested) {
         places.push_back(prepared(one));
     }
-    for (std::size_t i = 0; i < requested.size(); ++i) {
+    Eigen::MatrixXd half = factor_.matrixL().solve(with_known(requested));
+    return {std::move(requested), std::move(places), std::move(half)};
+}
+
+double GaussianProcess::prior_covariance(const Solved& a, std::size_t i, const Solved& b,
+                                         std::size_t j) const {
+    const Eigen::Index quantity = a.requested[i].quantity;
+    return quantity == b.requested[j].quantity
+               ? kernels_[static_cast<std::size_t>(quantity)](a.places[i], b.places[j])
+               : 0.0;
+}
+
+Eigen::MatrixXd GaussianProcess::covariance_of(const Solved& requested) const {
+    const Eigen::MatrixXd& half = requested.half;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(half.cols(), half.cols());
+    result.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose(), -1);
+    for (std::size_t i = 0; i < requested.places.size(); ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
-            if (requested[i].quantity == requested[j].quantity) {
-                result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
-                    kernels_[static_cast<std::size_t>(requested[i].quantity)](places[i], places[j]);
-            }
+            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
+                prior_covariance(requested, i, requested, j);
         }
     }
     return result.selfadjointView<Eigen::Lower>();
+}
+
+Eigen::MatrixXd GaussianProcess::covariance_between(const Solved& a, const Solved& b) const {
+    Eigen::MatrixXd result = -(a.half.transpose() * b.half);
+    for (std::size_t i = 0; i < a.places.size(); ++i) {
+        for (std::size_t j = 0; j < b.places.size(); ++j) {
+            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
+                prior_covariance(a, i, b, j);
+        }
+    }
+    return result;
 }
 
 }  // namespace pendular

@@ -42,13 +42,32 @@ class GaussianProcess {
     };
     /// Posterior mean of each requested value or derivative.
     Eigen::VectorXd mean(const std::vector<Requested>& requested) const;
+    /// Requested values and derivatives with the terms that their covariances need, computed once.
+    struct Solved {
+        std::vector<Requested> requested;
+        std::vector<Kernel::Prepared> places;  ///< place of each request
+        /// L^-1 k with the Cholesky factor L of K + N and the prior covariance k of the
+        /// observations (rows) with the requested values (columns).
+        Eigen::MatrixXd half;
+    };
+    /// Computes the terms that the covariances of requested values and derivatives need.
+    Solved solve(std::vector<Requested> requested) const;
     /// Posterior covariance of the requested values and derivatives, one row and column for each.
-    Eigen::MatrixXd covariance(const std::vector<Requested>& requested) const;
+    Eigen::MatrixXd covariance_of(const Solved& requested) const;
+    Eigen::MatrixXd covariance(const std::vector<Requested>& requested) const {
+        return covariance_of(solve(requested));
+    }
+    /// Posterior covariance between requested values and derivatives `a` (rows) and others `b`
+    /// (columns).
+    Eigen::MatrixXd covariance_between(const Solved& a, const Solved& b) const;
 
   private:
     /// Prior covariance of the observations (rows: all places for the first quantity, then for the
     /// next) with the requested values and derivatives (columns).
     Eigen::MatrixXd with_known(const std::vector<Requested>& requested) const;
+
+    /// Prior covariance of the requests i of `a` and j of `b`.
+    double prior_covariance(const Solved& a, std::size_t i, const Solved& b, std::size_t j) const;
 
     Kernel::Prepared prepared(const Requested& requested) const {
         return kernels_[static_cast<std::size_t>(requested.quantity)].prepare(requested.functional);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -19,9 +18,24 @@ using namespace emulated;
 
 namespace {
 
-/// Whether a run without effects has a training value of an observable.
-bool teaches(const dem::RunResult& run, Observable which, double structure_stiffness) {
-    return run.parameters.effects.empty() && tells(run, which, structure_stiffness);
+/// Whether a run trains the process of an observable for grains of about this stiffness number: it
+/// has no effects and a value of the observable.
+bool teaches(const dem::RunResult& run, Observable which, double stiffness_number) {
+    return run.parameters.effects.empty() && has_value(run, which) &&
+           alike(run.parameters.stiffness_number, stiffness_number);
+}
+
+/// Returns `wanted` where a run without effects has about this stiffness number, else the stiffness
+/// number of the first run without effects.
+double stiffness_number_of(const std::vector<dem::RunResult>& runs, double wanted) {
+    const auto plain = [](const dem::RunResult& run) { return run.parameters.effects.empty(); };
+    const auto wanted_one = [&](const dem::RunResult& run) {
+        return plain(run) && alike(run.parameters.stiffness_number, wanted);
+    };
+    const auto first = std::ranges::find_if(runs, plain);
+    return first == runs.end() || std::ranges::any_of(runs, wanted_one)
+               ? wanted
+               : first->parameters.stiffness_number;
 }
 
 /// Observable under which the process of this observable is stored: stress ratio and solid fraction
@@ -33,7 +47,7 @@ Observable process_for(Observable which) {
 /// Training observations for the process of an observable: of this observable alone, or of stress
 /// ratio and solid fraction together.
 Observations observations_of(const std::vector<dem::RunResult>& runs, Observable which,
-                             double structure_stiffness) {
+                             double stiffness_number) {
     std::vector<Observable> quantities = {which};
     if (in_pair(which)) {
         quantities.assign(std::begin(pair), std::end(pair));
@@ -42,7 +56,7 @@ Observations observations_of(const std::vector<dem::RunResult>& runs, Observable
     Observations known;
     std::vector<double> values;
     for (const auto& run : runs) {
-        if (!teaches(run, which, structure_stiffness)) {
+        if (!teaches(run, which, stiffness_number)) {
             continue;
         }
         const FlowState state = flow_state_of(run.parameters);
@@ -164,25 +178,28 @@ Eigen::Matrix2d PlainEmulator::noise(const dem::RunResult& run) const {
 }
 
 bool PlainEmulator::known(const std::vector<dem::RunResult>& runs, Observable which) {
+    const double stiffness_number = stiffness_number_of(runs, reference_stiffness);
     return std::ranges::any_of(
-        runs, [&](const auto& run) { return teaches(run, which, reference_stiffness); });
+        runs, [&](const auto& run) { return teaches(run, which, stiffness_number); });
 }
 
 Hyperparameters PlainEmulator::learn(const std::vector<dem::RunResult>& runs, Observable which,
-                                     double structure_stiffness) {
-    const Observations known = observations_of(runs, which, structure_stiffness);
+                                     double stiffness_number) {
+    const Observations known =
+        observations_of(runs, which, stiffness_number_of(runs, stiffness_number));
     const Eigen::Index quantity = which == pair[1];
     return fit_hyperparameters(domain_of(which), known.only(quantity), unit_of(known, quantity));
 }
 
 PlainEmulator::PlainEmulator(const std::vector<dem::RunResult>& runs,
-                             EmulatorHyperparameters hyperparameters, double structure_stiffness)
-    : structure_stiffness_(structure_stiffness), learned_(std::make_unique<Learned>()) {
+                             EmulatorHyperparameters hyperparameters, double stiffness_number)
+    : stiffness_number_(stiffness_number), learned_(std::make_unique<Learned>()) {
     learned_->hyperparameters = std::move(hyperparameters);
     std::ranges::copy_if(runs, std::back_inserter(runs_), usable);
     if (runs_.empty()) {
         throw std::invalid_argument("there is no training run");
     }
+    stiffness_number_ = stiffness_number_of(runs_, stiffness_number);
 }
 
 EmulatorHyperparameters PlainEmulator::hyperparameters() const {
@@ -196,13 +213,13 @@ Hyperparameters PlainEmulator::hyperparameters_of(Observable which) const {
         const auto known = learned_->hyperparameters.find(which);
         if (known != learned_->hyperparameters.end()) return known->second;
     }
-    const Hyperparameters hyperparameters = learn(runs_, which, structure_stiffness_);
+    const Hyperparameters hyperparameters = learn(runs_, which, stiffness_number_);
     const std::scoped_lock lock(learned_->mutex);
     return learned_->hyperparameters.emplace(which, hyperparameters).first->second;
 }
 
 std::unique_ptr<const GaussianProcess> PlainEmulator::trained(Observable which) const {
-    const Observations known = observations_of(runs_, which, structure_stiffness_);
+    const Observations known = observations_of(runs_, which, stiffness_number_);
     std::vector<Observable> quantities = {which};
     if (in_pair(which)) {
         quantities.assign(std::begin(pair), std::end(pair));
@@ -235,12 +252,34 @@ Eigen::VectorXd PlainEmulator::mean(const std::vector<Query>& queries) const {
     return result;
 }
 
-Eigen::MatrixXd PlainEmulator::covariance(const std::vector<Query>& queries) const {
-    const auto n = static_cast<Eigen::Index>(queries.size());
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
-    for (const auto& [process, share] : shares_of(queries)) {
-        const Eigen::MatrixXd half = share.map * process_of(process).covariance(share.requested);
+PlainEmulator::PreparedQueries PlainEmulator::prepare(const std::vector<Query>& queries) const {
+    PreparedQueries prepared{.count = std::ssize(queries), .shares = {}};
+    for (auto& [process, share] : shares_of(queries)) {
+        prepared.shares[process] = {std::move(share.queries),
+                                    process_of(process).solve(std::move(share.requested)),
+                                    std::move(share.map)};
+    }
+    return prepared;
+}
+
+Eigen::MatrixXd PlainEmulator::covariance(const PreparedQueries& queries) const {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(queries.count, queries.count);
+    for (const auto& [process, share] : queries.shares) {
+        const Eigen::MatrixXd half = share.map * process_of(process).covariance_of(share.values);
         result(share.queries, share.queries) = half * share.map.transpose();
+    }
+    return result;
+}
+
+Eigen::MatrixXd PlainEmulator::covariance(const PreparedQueries& a,
+                                          const PreparedQueries& b) const {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(a.count, b.count);
+    for (const auto& [process, share] : a.shares) {
+        const auto other = b.shares.find(process);
+        if (other == b.shares.end()) continue;
+        const Eigen::MatrixXd half =
+            share.map * process_of(process).covariance_between(share.values, other->second.values);
+        result(share.queries, other->second.queries) = half * other->second.map.transpose();
     }
     return result;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <array>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -16,11 +18,9 @@ namespace pendular {
 /// Emulator of grains without effects: for each observable a Gaussian process over friction,
 /// inertial number, reduced pressure and bridge volume, trained on runs with the noise that they
 /// state. The noise of stress ratio and solid fraction of one run is correlated, and so are their
-/// predictions. Solid fraction and overlap depend on the stiffness number in a known way, so that
-/// runs of any stiffness number can train them: the solid fraction is predicted for rigid grains,
-/// the overlap for the stiffness number `emulated::reference_stiffness`. Observables of structure,
-/// such as coordination numbers, depend weakly on the stiffness number and are trained on runs of
-/// about one stiffness number.
+/// predictions. The processes are trained on runs of about one stiffness number. The solid fraction
+/// is predicted for rigid grains, the overlap for the stiffness number
+/// `emulated::reference_stiffness`: their main dependence on stiffness is known.
 ///
 /// Each process is trained when it is first needed, once for all threads.
 class PlainEmulator {
@@ -28,11 +28,11 @@ class PlainEmulator {
     /// Takes training runs and leaves out those that are not `emulated::usable`: runs that failed,
     /// crystallised or were not steady, for example. Missing hyperparameters are fitted when they
     /// are first needed, which takes half a second for each observable.
-    /// @param structure_stiffness stiffness number, within a factor 2, of the runs that train
-    ///         coordination numbers and other observables of structure [1]
+    /// @param stiffness_number stiffness number, within a factor 2, of the runs that train the
+    ///        processes [1]. Where no run without effects has it, that of the first such run.
     /// @throws std::invalid_argument where no usable run is left
     PlainEmulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
-                  double structure_stiffness = emulated::reference_stiffness);
+                  double stiffness_number = emulated::reference_stiffness);
 
     /// Hyperparameters of the observables for which they were given at construction or fitted
     /// since.
@@ -43,13 +43,31 @@ class PlainEmulator {
     /// @throws std::invalid_argument for an observable of which no training run has a value, and
     ///         for an observable of bridges at a dry state
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
+    /// Queries that one Gaussian process answers, with the terms that covariances need: answer =
+    /// map x values that the process predicts.
+    struct PreparedShare {
+        std::vector<Eigen::Index> queries;  ///< indices of the queries
+        GaussianProcess::Solved values;
+        Eigen::SparseMatrix<double> map;
+    };
+    /// Queries with the terms that their covariances need, computed once; the shares of the
+    /// processes by the observable under which each process is stored.
+    struct PreparedQueries {
+        Eigen::Index count = 0;
+        std::map<dem::Observable, PreparedShare> shares;
+    };
+    /// Computes the terms that the covariances of predictions need.
+    /// @throws std::invalid_argument as `mean` does
+    PreparedQueries prepare(const std::vector<Query>& queries) const;
     /// Covariance of the errors of the predictions that `mean` returns, a row and a column for each
     /// query.
-    /// @throws std::invalid_argument as `mean` does
-    Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
+    Eigen::MatrixXd covariance(const PreparedQueries& queries) const;
+    /// Covariance of the errors of the predictions for the queries `a` (rows) with those for the
+    /// queries `b` (columns).
+    Eigen::MatrixXd covariance(const PreparedQueries& a, const PreparedQueries& b) const;
 
-    /// All usable runs that were given; those with effects on grains train only the responses of
-    /// `Emulator`.
+    /// All usable runs that were given; those with effects on grains or of another stiffness number
+    /// train only the responses of `Emulator`.
     const std::vector<dem::RunResult>& runs() const { return runs_; }
 
     /// Variance of the noise of one observable of a run, in the square of the observable's unit:
@@ -59,18 +77,17 @@ class PlainEmulator {
     /// Covariance of the noise of stress ratio and solid fraction of one run [1], in this order.
     Eigen::Matrix2d noise(const dem::RunResult& run) const;
 
-    /// Stiffness number, within a factor 2, of the runs that train coordination numbers and other
-    /// observables of structure [1].
-    double structure_stiffness() const { return structure_stiffness_; }
-    /// Whether any of `runs` has no effects on grains and a training value of the observable; for
-    /// observables of structure, at a stiffness number within a factor 2 of
-    /// `emulated::reference_stiffness`.
+    /// Stiffness number, within a factor 2, of the runs that train the processes [1].
+    double stiffness_number() const { return stiffness_number_; }
+    /// Whether any of `runs` can train the process of an observable: it has no effects on grains, a
+    /// value of the observable, and a stiffness number within a factor 2 of
+    /// `emulated::reference_stiffness` or, where no run without effects has, of the first such run.
     static bool known(const std::vector<dem::RunResult>& runs, dem::Observable which);
     /// Fits the hyperparameters of one observable to the runs without effects
     /// (`fit_hyperparameters`).
     /// @throws std::invalid_argument where none of them has a training value of the observable
     static Hyperparameters learn(const std::vector<dem::RunResult>& runs, dem::Observable which,
-                                 double structure_stiffness = emulated::reference_stiffness);
+                                 double stiffness_number = emulated::reference_stiffness);
 
   private:
     /// Hyperparameters of one observable, fitted at the first call where they are missing.
@@ -94,7 +111,7 @@ class PlainEmulator {
         EmulatorHyperparameters hyperparameters;
     };
     std::vector<dem::RunResult> runs_;
-    double structure_stiffness_;
+    double stiffness_number_;
     std::unique_ptr<Learned> learned_;
 };
 

@@ -12,10 +12,10 @@ namespace pendular {
 namespace {
 
 std::shared_ptr<const EmulatedSimulation> simulation_of(const Study& study, const Calibration& c) {
-    const double structure_stiffness =
+    const double stiffness_number =
         c.cold ? c.fidelity.stiffness_number : emulated::reference_stiffness;
     return std::make_shared<EmulatedSimulation>(
-        study, c.fidelity, Emulator(c.runs, c.hyperparameters, structure_stiffness));
+        study, c.fidelity, Emulator(c.runs, c.hyperparameters, stiffness_number));
 }
 
 }  // namespace

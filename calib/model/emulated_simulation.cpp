@@ -28,7 +28,7 @@ std::size_t hash_of(const FlowState& state, double liquid_content) {
         hash = hash * 0x9e3779b97f4a7c15u + std::hash<double>()(value);
     };
     mix(liquid_content), mix(state.friction), mix(state.inertial_number);
-    mix(state.inverse_pressure);
+    mix(state.inverse_pressure), mix(state.stiffness_number);
     for (const EffectValues& effect : state.effects) {
         std::ranges::for_each(effect.values, mix);
     }
@@ -37,7 +37,8 @@ std::size_t hash_of(const FlowState& state, double liquid_content) {
 
 bool same_but_for_volume(const FlowState& a, const FlowState& b) {
     return a.friction == b.friction && a.inertial_number == b.inertial_number &&
-           a.inverse_pressure == b.inverse_pressure && a.effects == b.effects;
+           a.inverse_pressure == b.inverse_pressure && a.stiffness_number == b.stiffness_number &&
+           a.effects == b.effects;
 }
 
 }  // namespace
@@ -75,6 +76,7 @@ FlowState EmulatedSimulation::filled(const FlowState& state, double liquid_conte
 FlowState EmulatedSimulation::flow_state_at(double friction,
                                             const EffectiveCondition& condition) const {
     FlowState state{allowed(friction + condition.friction_difference), condition.inertial_number};
+    state.stiffness_number = stiffness_number_of(condition, study_.grains, fidelity_);
     for (const EffectValues& effect : condition.grain_effects) {
         state.effects.push_back(in_run_units(effect, condition.normal_stress, study_.grains));
     }
@@ -204,7 +206,7 @@ Prediction EmulatedSimulation::predict_slopes(const std::vector<FlowState>& stat
         }
         prediction.value.segment<2>(2 * k) << unit(0) * value(0), value(1) + (1 - share) * shift;
         prediction.jacobian.block<2, 1>(2 * k, 0) = unit.cwiseProduct(total);
-        if (errors != nullptr) {
+        if (errors != nullptr && !emulator_.knows_stiffness()) {
             errors->stiffness(2 * k + 1) =
                 share * shift * dem::rigidity_factor_error / dem::rigidity_factor;
         }

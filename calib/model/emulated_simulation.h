@@ -16,9 +16,9 @@ namespace pendular {
 /// Predictor of shear stress and solid fraction of dry and wet grains by the emulator (Gaussian
 /// processes trained on runs). Its only parameter is the friction.
 ///
-/// The emulated solid fraction of rigid grains is corrected to the study's stiffness by means of
-/// the emulated overlaps. A liquid content is converted into a bridge volume by means of the
-/// emulated coordination number.
+/// Predictions hold for the stiffness number of the study's grains at each normal stress or, where
+/// the study states no Young's modulus, that of the fidelity (set of simulation settings). A liquid
+/// content is converted into a bridge volume by means of the emulated coordination number.
 class EmulatedSimulation : public FlowPredictor {
   public:
     EmulatedSimulation(const Study& study, const Fidelity& fidelity, Emulator emulator);

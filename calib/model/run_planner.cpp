@@ -67,9 +67,9 @@ RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditi
       slowest_(slowest(conditions)),
       inertial_numbers_(inertial_numbers_for(conditions, fidelity.lowest_inertial_number)),
       wet_settings_(wet_settings_for(conditions, study, fidelity.lowest_inertial_number)) {
-    // Structure depends on stiffness: use the stiffness number of the atlas or, without known runs,
-    // that of the planner's own runs.
-    double structure_stiffness = emulated::reference_stiffness;
+    // Runs of one stiffness number train the emulator: that of the atlas or, without known runs, that
+    // of the planner's own runs.
+    double trained_stiffness = emulated::reference_stiffness;
     if (known.runs.empty() && orders_more_) {
         if (extrapolated(conditions, fidelity.lowest_inertial_number)) {
             // Two inertial numbers would not determine the approach to the quasi-static limit.
@@ -77,13 +77,13 @@ RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditi
             inertial_numbers_.push_back(std::min(
                 extrapolation_factor * fidelity.lowest_inertial_number, fastest_extrapolated));
         }
-        structure_stiffness = fidelity.stiffness_number;
+        trained_stiffness = fidelity.stiffness_number;
         known.runs = simulated(runs_at(first_dry_design()), "since nothing was known");
         if (known.runs.empty()) {
             throw dem::SimulationError("no run succeeded: " + notes_.back());
         }
     }
-    use(Emulator(known.runs, std::move(known.hyperparameters), structure_stiffness));
+    use(Emulator(known.runs, std::move(known.hyperparameters), trained_stiffness));
 }
 
 void RunPlanner::use(Emulator emulator) {
@@ -144,7 +144,8 @@ RunPlanner::Candidates RunPlanner::candidates(double friction,
                 EffectiveCondition simulated = condition;
                 simulated.inertial_number =
                     std::max(condition.inertial_number, fidelity_.lowest_inertial_number);
-                const FlowState state = simulation_->flow_state_at(at, simulated);
+                FlowState state = simulation_->flow_state_at(at, simulated);
+                state.stiffness_number = 0;  // that of simulations
                 if (condition.dry() != wet &&
                     std::ranges::none_of(states, [&](const auto& s) { return near(s, state); })) {
                     states.push_back(state);

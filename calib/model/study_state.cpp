@@ -21,10 +21,14 @@ dem::RunParameters run_at(const FlowState& state, const Study& study, const Fide
     return run;
 }
 
+double stiffness_number_of(const Condition& condition, const GrainProperties& grains,
+                           const Fidelity& fidelity) {
+    return stiffness_number(condition.normal_stress, grains).value_or(fidelity.stiffness_number);
+}
+
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity) {
-    const auto studied = stiffness_number(condition.normal_stress, grains);
-    return 1 - simulated / studied.value_or(fidelity.stiffness_number);
+    return 1 - simulated / stiffness_number_of(condition, grains, fidelity);
 }
 
 }  // namespace pendular

@@ -18,11 +18,15 @@ double inverse_pressure_of(const EffectiveCondition& condition, const Study& stu
 /// number and strain of `fidelity` (set of simulation settings). The seed keeps its default.
 dem::RunParameters run_at(const FlowState& state, const Study& study, const Fidelity& fidelity);
 
+/// Stiffness number [1] of the study's `grains` at `condition` or, where the study states no
+/// Young's modulus, of `fidelity` (set of simulation settings).
+double stiffness_number_of(const Condition& condition, const GrainProperties& grains,
+                           const Fidelity& fidelity);
+
 /// Share of the rigidity shift (change of solid fraction from rigid to soft grains) at stiffness
 /// number `simulated` that grains of stiffness number kappa do not have [1]:
 ///     1 - simulated/kappa,
-/// with the stiffness number kappa of the study's `grains` at `condition` or, where the study
-/// states no Young's modulus, of `fidelity` (set of simulation settings).
+/// with the stiffness number kappa that `stiffness_number_of` returns.
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity);
 

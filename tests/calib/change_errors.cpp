@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(OfInstruments, ErrorsOfChanges,
 
 TEST(ErrorsOfChangesByGrains, AreThoseOfTheEmulator) {
     Study study;
-    study.grains = {.diameter = 500e-6, .density = 1050, .youngs_modulus = 3.3e9};
+    study.grains = {.diameter = 500e-6, .density = 1050};
     const auto simulation = std::make_shared<const EmulatedSimulation>(
         study, fidelity_named("quick"), Emulator(all_shipped_runs(), shipped_hyperparameters()));
     const EffectModel plain(simulation, study, {}),

@@ -35,7 +35,8 @@ std::vector<dem::RunResult> runs_where(const EffectSet& choice) {
     std::vector<dem::RunResult> chosen;
     for (const StoredRun& stored : atlas()) {
         const auto& p = stored.run.parameters;
-        if (stored.run.failure.empty() && p.effects.empty() && choice(p)) {
+        if (stored.run.failure.empty() && p.effects.empty() && p.stiffness_number == 1000 &&
+            choice(p)) {
             chosen.push_back(stored.run);
         }
     }
