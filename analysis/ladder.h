@@ -23,8 +23,8 @@ struct LadderStep {
     std::string change = "start";      ///< "start", "add" or "drop"
     std::string effect = {};           ///< effect that was added or dropped; empty at a "start"
     std::vector<std::string> effects;  ///< all effects of the model
-    /// Rivals of the added effect: each a set of effects that, in its place, explained the readings
-    /// as well when it was added.
+    /// Alternatives to the added effect: sets of effects each of which, in its place, explained the
+    /// readings as well when it was added.
     std::vector<std::vector<std::string>> rivals = {};
     std::vector<LadderParameter> parameters;
     double chi2 = 0;  ///< chi2 of all readings (fitted, or only predicted) and direct measurements

@@ -11,8 +11,12 @@ namespace pendular::app {
 /// Paths in the results folder to which a change of effects writes.
 std::vector<std::filesystem::path> outputs_of_change();
 
-/// Adds an effect to the study of a session or drops one, as `Session::add` and `Session::drop` do,
-/// whose parameters and exceptions these are.
+/// Adds an effect to the study of a session or drops one, and fits the study before and after.
+/// @param effect name of the effect
+/// @param fit options of the fits
+/// @param same_fidelity whether to use the fidelity (simulation settings) of the fit in the results
+///        folder
+/// @throws what `Session::add` and `Session::drop` throw
 ChangedStudy change_effects(const Session& session, Action action, const std::string& effect,
                             const FitOptions& fit, bool same_fidelity);
 

@@ -14,9 +14,9 @@ namespace pendular::app {
 void print_closures(const closures::ClosureValues& values, double stress_ratio, Console& console);
 
 /// Prints what the formulas give for the state of a wet run, from its averages and the stress ratio
-/// of dry grains that the known runs give.
+/// of dry grains, predicted from the runs in atlas and store.
 /// @param store user's file of runs; may be null
-/// @return the printed values; empty for a dry run and where the known runs do not give the stress
+/// @return the printed values; empty for a dry run and where those runs do not give the stress
 ///         ratio of dry grains, which is printed
 std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,
                                                          const CommonOptions& common,

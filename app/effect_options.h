@@ -27,9 +27,9 @@ class EffectOptions {
     EffectOptions(Options& options, const std::vector<std::string>& arguments,
                   const std::string& meaning, const WhyNot& why_not = {});
 
-    /// Returns the effects that the parsed options set to a value other than neutral (no effect),
-    /// in the order of `built_in_effects`. An effect whose parameter is a property of the liquid
-    /// (`given_by_liquid`) is returned at the neutral value too, if its option was given.
+    /// Returns the effects that the parsed options set to a value at which the effect does not
+    /// vanish, in the order of `built_in_effects`. An effect whose parameter is a property of the
+    /// liquid (`given_by_liquid`) is returned even where it vanishes, if its option was given.
     /// @throws InputError for an option whose value is not a number, has a unit of another
     ///         dimension or is out of the parameter's bounds
     std::vector<ActiveEffect> effects() const;
@@ -43,8 +43,8 @@ class EffectOptions {
 std::vector<std::string> names_of_effects();
 
 /// Text for the examples in a help text, "--EFFECT.PARAMETER VALUE": option that sets the first
-/// parameter of the first built-in effect for which `wanted` is true to its smallest size of
-/// interest; empty where `wanted` is true for no effect.
+/// parameter of the first built-in effect for which `wanted` is true to the smallest change that
+/// matters; empty where `wanted` is true for no effect.
 std::string example_of(const std::function<bool(const Effect&)>& wanted);
 
 }  // namespace pendular::app

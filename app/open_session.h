@@ -32,16 +32,17 @@ class OpenSession {
     /// Reads the study `options.study` and opens the store of simulation runs.
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
-    /// @param access whether the command changes the study or its fit; commands that do so run one
-    ///        after the other
+    /// @param access whether the command changes the study or its fit; a command that does waits
+    ///        until no other such command is at work on the study
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
     /// @throws std::runtime_error where a store that the user named cannot be written
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
-    /// Opens a session whose work another part of the program shows and stops, with the other
-    /// parameters and exceptions of the first constructor.
+    /// Opens a session without a console, such as for `pendular serve`: events go to `listener`,
+    /// and long work ends at a request of `stop`. The other parameters and the exceptions are those
+    /// of the first constructor.
     /// @param stop request to stop long work
     /// @param listener callback for notes and progress; may be empty
     OpenSession(const std::stop_token& stop, const Listener& listener, const CommonOptions& options,

@@ -11,8 +11,8 @@
 
 namespace pendular::app {
 
-/// Calls `take` with every recording of a study, in the order of study.toml, or `note` with the
-/// reason why a recording is not drawn, such as its length.
+/// Calls `take` with each recording of a study that can be drawn, in the order of study.toml, and
+/// `note` with the reason for each that cannot, such as its length.
 void for_each_recording(const Study& study, const std::function<void(const std::string&)>& note,
                         const std::function<void(const FileView&)>& take);
 

@@ -48,7 +48,7 @@ class RunEffects {
 };
 
 /// Text for the examples of the help text, "--EFFECT.PARAMETER VALUE": option that sets the first
-/// built-in effect on grains that is not a switch to its smallest size of interest.
+/// built-in effect on grains that is not a switch to the smallest change that matters.
 std::string example_of_run();
 
 }  // namespace pendular::app

@@ -17,7 +17,7 @@ struct StudyPage {
     std::string answer;   ///< verdict of the diagnosis in a sentence
     std::string verdict;  ///< verdict of the diagnosis by its name in JSON
     std::string next;     ///< command to give next
-    std::string measure;  ///< next measurement to make, in a sentence; why there is none, if so
+    std::string measure;  ///< next measurement to make, or why there is none, in a sentence
     std::vector<std::string> switches;  ///< names of the effects that the page switches on and off
     std::size_t models = 0;             ///< number of fitted combinations of these effects
     std::size_t readings = 0;           ///< number of readings

@@ -40,8 +40,8 @@ std::string discrepancy_line(double size);
 /// worse than the others, with p < 0.05, the smallest p first; empty without such measurements.
 std::string suspects_line(const Diagnosis& diagnosis, const Evidence& evidence);
 
-/// Table of the effects that the study's readings would not reveal at the smallest size of
-/// interest, one line per effect below a heading; empty unless the diagnosis' verdict is
+/// Table of the effects that could be large enough to matter without showing in the study's
+/// readings, one line per effect below a heading; empty unless the diagnosis' verdict is
 /// inconclusive.
 std::vector<std::string> unseen_table(const Diagnosis& diagnosis, const ModelSpace& space);
 

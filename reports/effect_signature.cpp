@@ -95,7 +95,7 @@ Along along(const Column& column, bool dry, bool at_failure, const Study& study,
     return all;
 }
 
-/// Value of an effect's parameter at which its signature is drawn: the smallest size of interest
+/// Value of an effect's parameter at which its signature is drawn: the smallest size that matters
 /// away from neutral, or from the liquid's value where the parameter is a property of the liquid.
 double shown_size(const Effect& effect, const EffectParameter& p, const Study& study) {
     if (p.is_switch()) return 1;

@@ -20,8 +20,8 @@ Study signature_study(const std::vector<Effect>& effects);
 std::vector<Condition> signature_conditions(const Study& study);
 
 /// Figure of the signature of an effect: change of the predicted readings when its parameters go
-/// from neutral (no effect), or from the value of the study's liquid, by the smallest size of
-/// interest (a switch: on). Above: change of the shear stress [%]; below: 1000 times the change of
+/// from neutral (no effect), or from the value of the study's liquid, by the smallest amount that
+/// matters (a switch: on). Above: change of the shear stress [%]; below: 1000 times the change of
 /// the solid fraction [1]; against reduced pressure, liquid content, inertial number and height of
 /// the sample [mm]. Effects on grains have a band of one standard error of the change.
 /// @param simulation emulator, which interpolates between the study's simulation runs

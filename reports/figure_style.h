@@ -45,7 +45,7 @@ MeasuredAndModel means_of(const std::vector<std::size_t>& places, const Calibrat
 
 /// Whether the predicted stress ratio and solid fraction of each reading with an index in `places`
 /// agree with the mean prediction of these readings, within `told_apart` standard errors of the
-/// reading. A figure then shows the mean alone.
+/// reading. Where they agree, a figure shows the mean alone.
 bool told_by_mean(const std::vector<std::size_t>& places, const Calibration& calibration);
 
 /// Difference between two predictions, in standard errors of a measured reading [1], up to which

@@ -21,7 +21,10 @@ std::vector<std::string> columns_table(const FileView& view);
 /// [N]), largest shear stress [Pa] (or torque [N m]) and the reason for the role.
 std::vector<std::string> intervals_table(const FileView& view);
 
-/// Sentences on what the checks of a file found, with the lines and what was done.
+/// Heading and sentences on what the checks of a file found: lines of the file, what is wrong, and
+/// what was done.
+/// @param all whether all lines of the file are named; otherwise at most 8 ranges of lines for each
+///        finding
 std::vector<std::string> checks_lines(const FileView& view, bool all);
 
 /// Tables of the yield loci of a file: points of failure by the sample of largest shear stress and

@@ -17,9 +17,11 @@ std::vector<std::string> next_lines(const NextMeasurement& next);
 /// errors that are indented below them.
 std::string next_paragraph(const std::vector<std::string>& lines);
 
-/// Figure of the stress ratio and solid fraction that each model that fits the readings predicts
-/// against normal stress; vertical lines mark the readings to make. Without panels where one model
-/// fits, or where parameters can be measured directly but no further reading can be made.
+/// Figure of predicted stress ratio and solid fraction against normal stress, with one curve and
+/// its band of one standard error for each model that fits the readings, at most five. All other
+/// settings are those of the first reading to make. Vertical lines mark the normal stresses of the
+/// readings to make. The figure has no panels where only one model fits, and where the rig can make
+/// direct measurements of parameters only.
 Figure next_figure(const NextMeasurement& next);
 
 }  // namespace pendular

@@ -11,7 +11,8 @@
 
 namespace pendular {
 
-/// Rows of a recording that are averaged, by their numbers from 0, and what comes of their mean.
+/// Rows of a recording that are averaged, counted from 0, and whether their mean is used as a
+/// reading.
 struct AveragedWindow {
     enum class Kind { used, no_plateau, set_aside };
     std::size_t begin = 0, end = 0;  ///< first row, and the row after the last one

@@ -11,8 +11,8 @@ namespace pendular {
 /// simulations.
 std::string verdict_of(const Reproduction& reproduction);
 
-/// Table of published and simulated numbers, one line for each row of the scoreboard; rows that
-/// agree are left out unless `all` is true.
+/// Table of published and simulated numbers, one line for each row of the scoreboard.
+/// @param all whether rows that agree are shown too
 std::vector<std::string> scoreboard_table(const std::vector<ScoreboardRow>& rows, bool all);
 
 /// Page in Markdown on the reproduction of Badetti et al. (2018): the scoreboard by section, and

@@ -7,9 +7,9 @@
 
 namespace pendular {
 
-/// Diagnoses a study as `diagnose_study` does and confirms the verdict by simulations: in rounds,
-/// the runs that reduce the errors of the best models most are simulated, the emulator is trained
-/// on them, and the diagnosis is repeated. The rounds end when the verdict is firm
+/// Diagnoses a study as `diagnose_study` does and tests the verdict by simulations. Each round
+/// simulates the states that reduce the errors of the best models most, trains the emulator on the
+/// results, and repeats the diagnosis. The rounds end when the verdict is firm
 /// (`Confirmation::settled`) or the time is over. All runs are kept in the session's store, so that
 /// the same command continues where an earlier one ended.
 /// @param seconds time that runs and diagnoses may take together [s]; the first diagnosis is made

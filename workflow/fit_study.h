@@ -38,16 +38,17 @@ struct FitOptions {
     CohesionOptions cohesion = {};  ///< options of the Mohr-Coulomb lines through the wet readings
 };
 
-/// Whether a fit begins without any known training run: because `options.cold` is set, or because
-/// fewer than 20 runs of the atlas (runs that come with the program) and the store (the user's file
-/// of runs) can serve the study.
+/// Whether a fit begins without any earlier simulation to train on: because `options.cold` is set,
+/// or because fewer than 20 runs of the atlas (runs that come with the program) and the store (the
+/// user's file of runs) can serve the study.
 bool begins_cold(const Study& study, const SessionOptions& session, const FitOptions& options);
 
 /// Fits the parameters of a study's model to its readings, with an emulator trained on the runs of
 /// atlas (comes with the program) and store (the user's file of runs) or, where `begins_cold`, on
 /// runs that are simulated anew.
-/// @throws InputError where there is nothing to fit, where a reading cannot be simulated, where
-///         the study has effects on grains but no known runs, and where the atlas cannot be read
+/// @throws InputError where there is nothing to fit, where a reading cannot be simulated, where the
+///         study has effects on grains but there are no earlier simulations, and where the atlas
+///         cannot be read
 /// @throws dem::Interrupted where the user stops the work, with how to continue
 Calibration fit_study(const ResolvedStudy& study, const Measurements& measurements,
                       const SessionOptions& session, const FitOptions& options);

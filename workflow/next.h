@@ -24,8 +24,8 @@ struct NextMeasurement {
     Series series = {};
     /// Largest number of readings that the rig allows at one point, and in total.
     int most_repeats = 1, most_readings = 1;
-    /// Number of the rig's possible measurements that are left out of `points`, since the known
-    /// runs support no prediction there.
+    /// Number of the rig's possible measurements that are left out of `points`, since no run of
+    /// atlas and store is near their conditions.
     std::size_t unsupported = 0;
 };
 
@@ -48,8 +48,9 @@ Eigen::VectorXd error_of(const Forecast& forecast);
 /// between the models which the diagnosis found to fit; where only one model fits, the measurement
 /// that determines its parameters most precisely. Without [rig] in the study, the range of its
 /// readings is used. The diagnosis and the study must outlive the result.
-/// @throws InputError where the known runs support a prediction at none of the rig's conditions, or
-///         where [rig] lists a direct measurement of an effect that does not apply to the study
+/// @throws InputError where the runs of atlas and store allow a prediction at none of the rig's
+///         conditions, or where [rig] lists a direct measurement of an effect that does not apply
+///         to the study
 NextMeasurement next_measurement(const ResolvedStudy& study, const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

@@ -11,7 +11,7 @@
 
 namespace pendular {
 
-/// Numbers of Badetti et al. (2018), compared with the same numbers from the known simulations.
+/// Numbers of Badetti et al. (2018), compared with the same numbers from simulations.
 class Reproduction {
   public:
     /// Reads the runs of the atlas, the runs at the paper's stiffness that come with the program,
@@ -26,7 +26,7 @@ class Reproduction {
     const std::vector<ScoreboardRow>& rows() const { return rows_; }
     /// Number of rows that agree.
     std::size_t agreeing() const;
-    /// Parameters of runs at the states of the paper's grid that no known run simulates, with the
+    /// Parameters of runs at the states of the paper's grid that have not been simulated, with the
     /// fidelity's number of grains and stiffness number.
     std::vector<dem::RunParameters> missing_runs() const;
 

@@ -24,8 +24,8 @@ struct RequestedState {
     /// Requested state in the coordinates of the emulator (friction, inertial number, 1/P*, bridge
     /// volume). A liquid content is converted to a bridge volume with the emulated coordination
     /// number.
-    /// @throws InputError for a wet state where no known run is wet, and for a dry state where no
-    ///         known run is dry
+    /// @throws InputError for a wet state where no run of atlas and store is wet, and for a dry
+    ///         state where none is dry
     FlowState state(const Emulator& emulator, const KnownRange& known) const;
     /// Request for another state, `state`, with the amount of liquid given in the same way as in
     /// this request.
@@ -51,8 +51,9 @@ std::string why_impossible(const dem::RunParameters& run);
 /// Command line of `pendular simulate` that simulates a run with parameters from `run_of`.
 std::string simulate_command(const dem::RunParameters& run, const Fidelity& fidelity);
 
-/// Error message for a state that the known runs do not support: the reason `why`, the nearest
-/// supported state with the command that predicts it, and a command that simulates instead.
+/// Error message for a state that the runs of atlas and store do not cover: the reason `why`, the
+/// nearest state that they cover with the command that predicts it, and a command that simulates
+/// instead.
 std::string unsupported_text(const RequestedState& requested, const FlowState& state,
                              const std::string& why, const Emulator& emulator,
                              const KnownRange& known, const Fidelity& fidelity,

@@ -97,7 +97,7 @@ std::vector<RivalModel> rivals_alive(const StudyDiagnosis& d, const ResolvedStud
                     alive.push_back(std::move(model));
                 }
             } catch (const std::invalid_argument&) {
-                // The effect no longer exists or no known run has it.
+                // The effect no longer exists or no earlier run has it.
             } catch (const std::domain_error&) {
                 // The readings are impossible with this effect.
             }

@@ -47,7 +47,8 @@ class Session {
     ///         results would replace an input or be read as one
     explicit Session(const std::filesystem::path& study, SessionOptions options = {},
                      OutputPlaces outputs = {});
-    /// Opens a session on a study that has been read already; results go to `folder`.
+    /// Opens a session on a study that `read_input` has read, with its measurements. Results go to
+    /// `folder`; that they replace no input must have been checked before (`protect_inputs`).
     Session(StudyInput input, SessionOptions options, std::filesystem::path folder);
 
     const Study& study() const { return input_.study; }
@@ -72,25 +73,30 @@ class Session {
     /// @throws InputError where the folder has no readable fit.json, where the study has changed
     ///         since it was fitted, and where a condition cannot be simulated
     Prediction predict(const std::vector<Condition>& conditions) const;
-    /// Tests which physical effect is missing from the study's model, and refits the rivals of
-    /// effects that were added (`rivals_alive`).
-    /// @param confirming_seconds time for simulations that confirm the verdict
-    ///        (`confirm_diagnosis`) [s]; empty: nothing is simulated
-    /// @param repetitions number of repetitions of the experiment that are drawn to state how often
-    ///        the verdict comes again (`repeat_diagnosis`); 0: none
-    /// @throws InputError where readings or known runs are too few, where a reading is outside the
-    ///         range that can be simulated, and where ladder.json cannot be read
+    /// Tests which physical effect is missing from the study's model. If effects were added that
+    /// other effects could have replaced equally well, also fits the models with these other
+    /// effects in their place and returns those that the readings do not rule out.
+    /// @param confirming_seconds largest time that simulations which test the verdict, and the
+    ///        diagnoses repeated with their results, may take [s]; empty: nothing is simulated
+    /// @param repetitions number of simulated repetitions of the experiment, readings with new
+    ///        random errors, that are diagnosed too, to find how often the verdict would be the
+    ///        same; 0: none
+    /// @throws InputError where there are too few readings, or too few simulations in atlas and
+    ///         store, where a reading is outside the range that can be simulated, and where
+    ///         ladder.json cannot be read
     /// @throws dem::Interrupted where the user stops the work
     StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {},
                             std::size_t repetitions = 0) const;
     /// Plans the next measurement to make, from the diagnosis of this session's study: the
     /// measurement tells apart the models that fit or, if only one fits, determines the parameters
     /// of this model best. The session and the diagnosis must outlive the result.
-    /// @throws InputError where the known runs support a prediction at none of the rig's conditions
+    /// @throws InputError where the simulations in atlas and store allow a prediction at none of
+    ///         the rig's conditions
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
-    /// Adds an effect to study.toml and fits the study again, as `change_study`. This session keeps
-    /// the study without the effect; open a new session for the changed study.
+    /// Adds an effect to study.toml and fits the study again, with fits before and after the
+    /// change. This session keeps the study without the effect; open a new session for the changed
+    /// study.
     /// @param same_fidelity whether to use the fidelity (set of simulation settings) of the fit in
     ///        the results folder, if there is one
     /// @throws InputError where study.toml has changed since the session read it

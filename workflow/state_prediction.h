@@ -13,7 +13,8 @@
 
 namespace pendular {
 
-/// Predicted observables at one state of steady shear, by an emulator trained on known runs.
+/// Predicted observables at one state of steady shear, by an emulator trained on the runs of atlas
+/// and store.
 struct StatePrediction {
     FlowState state;
     /// Predicted values of the observables at the state.
@@ -48,20 +49,20 @@ struct VariedQuantity {
     void set(RequestedState& requested, double value) const;
 };
 
-/// Predictions along a curve of states that differ in one quantity. States that the known runs do
-/// not support are left out.
+/// Predictions along a curve of states that differ in one quantity. States that the runs of atlas
+/// and store do not cover are left out.
 struct PredictionCurve {
     std::string variable;           ///< name of the varied quantity, as in `VariedQuantity`
     std::vector<double> at;         ///< value of the varied quantity at each state [1]
-    std::vector<FlowState> states;  ///< states that the known runs support
+    std::vector<FlowState> states;  ///< states that the runs of atlas and store cover
     /// Predicted observables of each state.
     std::vector<std::vector<EmulatedObservable>> observables;
     /// Values of the closures at each state, from the predicted values; empty: dry.
     std::vector<closures::ClosureValues> closures;
     /// Stiffness number of the grains for which predictions hold [1].
     double stiffness_number = 1000;
-    int left_out = 0;          ///< number of states that the known runs do not support
-    std::string why_left_out;  ///< reason why the first state left out is not supported
+    int left_out = 0;          ///< number of states that these runs do not cover
+    std::string why_left_out;  ///< reason why the first state left out is not covered
 };
 
 /// Predicts steady shear at any state from the runs of the atlas (the runs that come with the
@@ -83,29 +84,30 @@ class StatePredictor {
     const Emulator& emulator() const { return emulator_; }
     double stiffness_number() const { return stiffness_number_; }
 
-    /// Whether the known runs (atlas and store) support a prediction at a requested state.
-    /// @throws InputError for a wet state where no known run is wet, and for a dry state where no
-    ///         known run is dry
+    /// Whether the runs of atlas and store cover a requested state: the state is within their
+    /// convex hull, and the predicted errors are small enough.
+    /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
+    ///         earlier run is dry
     bool supports(const RequestedState& requested) const;
     /// Predicts all observables at a requested state of steady shear.
-    /// @throws InputError where the known runs do not support the state, naming the nearest
+    /// @throws InputError where the earlier runs do not support the state, naming the nearest
     ///         supported state, and where the solid fraction would be impossible
     StatePrediction at(const RequestedState& requested) const;
     /// Predicts all observables along a curve of states: `requested`, with the varied quantity set
     /// to each of its values.
     /// @throws InputError where fewer than two states of the curve lie within the range of the
-    ///         known runs (atlas and store), and where a predicted solid fraction is impossible in
-    ///         a dense flow
+    ///         earlier runs (atlas and store), and where a predicted solid fraction is impossible
+    ///         in a dense flow
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;
 
     /// Values of the closures for the state of a wet run, from what the run measured and the
     /// predicted stress ratio of dry grains at its friction and inertial number. Empty for a dry
-    /// run, and where the known runs do not support that prediction or an effect of the run acts on
+    /// run, and where the earlier runs do not allow that prediction or an effect of the run acts on
     /// dry grains too.
     std::optional<closures::ClosureValues> closures_of(const dem::RunResult& run) const;
 
     /// Parameters of the run to simulate for a requested state that cannot be predicted from the
-    /// known runs.
+    /// earlier runs.
     /// @throws InputError where the state cannot be simulated
     dem::RunParameters run_for(const RequestedState& requested) const;
 

@@ -58,8 +58,8 @@ struct StudyDiagnosis {
     std::vector<Proposal> proposals = {};
     /// Simulations that confirmed the verdict; empty: none were requested.
     std::optional<Confirmation> confirmed = {};
-    /// How often the verdict comes again in repetitions of the experiment; empty: not computed, or
-    /// no explanation was accepted.
+    /// How often simulated repetitions of the experiment give the same verdict; empty: not
+    /// computed, or no model fits the readings.
     std::optional<Repeated> repeated = {};
     Belief belief = {};  ///< judgement of the fit of the model without further effects
 };
@@ -97,9 +97,9 @@ std::optional<Checks> remaining_checks(const StudyDiagnosis& diagnosis, std::uin
 /// `threads`: largest number of threads.
 std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size_t threads);
 
-/// How often the verdict of a study comes again in `count` repetitions of the experiment
-/// (`repeat`); empty where no explanation was accepted, and where a wrong measurement overruled the
-/// tests.
+/// Simulates `count` repetitions of the experiment (`repeat`), diagnoses each, and counts those
+/// with the same verdict. Empty where no model fits the readings, and where a wrong measurement
+/// took precedence over the tests.
 /// @throws dem::Interrupted where the user stops the work
 std::optional<Repeated> repeat_diagnosis(const StudyDiagnosis& diagnosis,
                                          const SessionOptions& session, std::size_t count);

@@ -45,8 +45,8 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs);
 /// Reads a study and its recordings, after checking that the files a command will write (`outputs`)
 /// do not replace them.
 /// @param file study.toml, or the folder that contains it
-/// @throws InputError where a file of the study or an effect that it lists is wrong, and whatever
-///         `protect_inputs` throws
+/// @throws InputError where a file of the study or an effect that it lists is wrong, and where an
+///         output would replace an input or be read as one
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
 
 }  // namespace pendular

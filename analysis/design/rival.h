@@ -32,10 +32,10 @@ struct Point {
     double cost = 1;       ///< cost of each reading at the point [cost of a dry reading]
 };
 
-/// Value that a rival model predicts at one point, (shear stress [Pa], solid fraction [1]) or the
-/// number of a direct measurement [its unit], with its errors.
+/// Prediction of a rival model at one point with its errors: (shear stress [Pa], solid fraction
+/// [1]) or, for a direct measurement, the value of the measured parameter [its unit].
 struct Forecast {
-    Eigen::VectorXd value;  ///< predicted value: two entries or, of a direct measurement, one
+    Eigen::VectorXd value;  ///< predicted values: two entries or, for a direct measurement, one
     Eigen::MatrixXd from_parameters;  ///< covariance from errors of the rival's parameters
     Eigen::MatrixXd from_simulation;  ///< covariance from errors of the simulation
 };

@@ -11,10 +11,10 @@ namespace pendular {
 
 /// Answer of a diagnosis to the question which physical effect a study's model lacks.
 enum class Verdict {
-    /// Model fits, and every effect that the readings can reveal at any size would have been
-    /// revealed at its smallest size of interest.
+    /// Model fits, and every effect that can show in the readings at all would have shown in them
+    /// if it were large enough to matter.
     nothing_missing,
-    inconclusive,  ///< model fits, but some of these effects might be unseen, or errors are assumed
+    inconclusive,  ///< model fits, but some effects may be present unseen, or errors are assumed
     missing,       ///< the model lacks the effects in `Diagnosis::effects`
     /// Models with different further effects fit, and no effect is in all of them.
     indistinguishable,
@@ -29,7 +29,7 @@ std::string_view to_string(Verdict verdict);
 struct Diagnosis {
     Verdict verdict = Verdict::inconclusive;
     /// Names of the effects that the verdict is about: missing, possibly missing or, with
-    /// `inconclusive`, effects that the readings could not reveal.
+    /// `inconclusive`, effects that could matter without showing in the readings.
     std::vector<std::string> effects;
     /// False where neither the study's model nor any refitted one fits the readings.
     bool complete = true;
@@ -46,8 +46,8 @@ struct Diagnosis {
     /// of `Evidence::suspects` [1], corrected for the number of tests.
     std::vector<double> suspect_p;
     /// Similarity of the changes of the readings by each two of `effects` [1]: absolute cosine of
-    /// the whitened changes, minus the parts that the calibrated parameters imitate. Empty unless
-    /// the verdict is `indistinguishable`.
+    /// the whitened changes, without the parts that changes of the calibrated parameters could
+    /// imitate. Empty unless the verdict is `indistinguishable`.
     Eigen::MatrixXd cosines;
     Fit fit;          ///< fit of the model without further effects
     double chi2 = 0;  ///< chi2 of all entries in the fit of the model without further effects
@@ -56,8 +56,8 @@ struct Diagnosis {
     /// means, and of the most significant candidate effect or suspect measurement, corrected for
     /// the number of tests.
     double lack_of_fit_p = 0, further_p = 0;
-    /// For each candidate effect, covariances of its change of the readings from errors of the
-    /// emulator (`Explanations::errors`).
+    /// For each candidate effect, covariances [squared units of the readings] of the change of the
+    /// readings that it causes at amplitude 1, from errors of the emulator.
     std::vector<ModelSpace::ChangeErrors> change_errors;
     bool errors_assumed = false;  ///< whether errors of some readings are assumed, not measured
 

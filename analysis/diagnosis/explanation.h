@@ -66,25 +66,26 @@ struct Finding {
     double standard_error = 0;  ///< standard error of `value` [unit of `value`]
     /// p value of the candidate's score test [1], corrected for the number of tests.
     double p = 1;
-    /// Probability that the score test reveals the smallest effect of interest [1].
+    /// Probability [1] that the score test finds the effect where its parameter differs from the
+    /// neutral value (no effect) by the smallest amount that matters.
     double power = 0;
-    /// Smallest distance of the parameter from its neutral value (no effect) that the score test
-    /// reveals with the probability DiagnosisOptions::wanted_power [unit of `value`].
+    /// Smallest distance of the parameter from its neutral value (no effect) at which the score
+    /// test finds the effect with the probability DiagnosisOptions::wanted_power [unit of `value`].
     double detectable = 0;
     /// Reduction of chi2, from the study's model to the model refitted with this candidate alone;
     /// empty: not refitted.
     std::optional<double> refitted_reduction;
     std::string decision;  ///< conclusion on the candidate, as in "missing" or "no sign of it"
-    /// Whether some size of the effect within its parameter's bounds would be revealed with the
-    /// probability DiagnosisOptions::wanted_power; for a switch, whether `power` exceeds 0.1.
+    /// Whether the score test would find the effect at a size within its parameter's bounds with
+    /// the probability DiagnosisOptions::wanted_power; for a switch, whether `power` exceeds 0.1.
     bool identifiable = false;
 };
 
 /// Options of a diagnosis.
 struct DiagnosisOptions {
     double significance = 0.05;  ///< probability that a complete model is called incomplete
-    /// Least power [1] at which a candidate effect counts as one that the readings would have
-    /// revealed.
+    /// Least power [1] of the score test of a candidate effect at which the effect counts as
+    /// excluded if the test does not find it.
     double wanted_power = 0.8;
     /// Number of random draws of the readings' errors, from which all tests take p values; with
     /// 6000, a p value of 0.025 has a standard error of 0.002.

@@ -38,7 +38,7 @@ class Explanations {
     /// bound are set to zero, since such a parameter cannot move to imitate a change.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
     /// p value of the lack of fit [1]: whether the mean residuals of the conditions are larger than
-    /// the errors explain.
+    /// the errors of readings and predictions explain.
     /// @param roughly whether to use only the first draws where the residuals are far larger than
     ///        in all of these draws
     double lack_of_fit_p(const WeightedResiduals& residuals, bool roughly = false) const;

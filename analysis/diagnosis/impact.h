@@ -36,13 +36,13 @@ struct Impact {
     double neutral = 0;        ///< size at which nothing is changed [unit]
     double error = 0;          ///< standard error of the estimated size [unit]; 0: not known
 
-    Shift at_interest;  ///< shift at the smallest size of interest
+    Shift at_interest;  ///< shift at the smallest size that matters
     Shift at_estimate;  ///< shift at the estimated size
     /// Shift at the estimate plus and minus its standard error, within the bounds of the parameter.
     Shift above, below;
 
-    /// Distance of the estimate from the neutral value over its standard error [1]; not a number
-    /// where the estimate has no error.
+    /// Distance of the estimate from no effect over its standard error [1]; not a number where the
+    /// estimate has no error.
     double pull() const;
     /// Shift of the parameters from the estimate to one standard error above it or below it.
     Eigen::VectorXd up() const { return difference(above); }
@@ -58,8 +58,8 @@ struct Impact {
     }
 };
 
-/// Impacts of all effects or errors of one group together: root of the sum of squares of the
-/// parameters' shifts in the linear approximation.
+/// Impacts of all effects or errors of one group together: for each calibrated parameter [its
+/// unit], the root of the sum of squares of its shifts in the linear approximation.
 struct GroupImpact {
     std::string group;
     Eigen::VectorXd at_interest, at_estimate, by_error;
@@ -71,17 +71,17 @@ struct ImpactTable {
     std::vector<Parameter> parameters;  ///< calibrated parameters, friction first
     Eigen::VectorXd fitted, errors;     ///< fitted values and standard errors of the parameters
     /// The impacts: first those of the effects that the verdict names, if any; then those with the
-    /// largest shift of the first parameter at the smallest size of interest.
+    /// largest shift of the first parameter at the smallest size that matters.
     std::vector<Impact> impacts;
     std::vector<GroupImpact> groups;
 };
 
-/// Impacts on the fit of a diagnosis, by covariance and, at the estimate and the smallest size of
-/// interest of the leading effects, by refits. The leading effects are up to `most_refitted` that
-/// the verdict names, also refitted at one standard error above and below their estimates, and the
-/// `most_refitted` others with the largest impacts. Estimates are those of refits of the diagnosis
-/// where there are any, else those of score tests. Effects with several free parameters, and
-/// effects with which the readings are impossible, are left out.
+/// Impacts on the fit of a diagnosis: in the linear approximation and, for the leading effects at
+/// their estimates and at the smallest sizes that matter, by refits. The leading effects are up to
+/// `most_refitted` that the verdict names, also refitted at one standard error above and below
+/// their estimates, and the `most_refitted` others with the largest impacts. Estimates are those of
+/// refits of the diagnosis where there are any, else those of score tests. Effects with several
+/// free parameters, and effects with which the readings are impossible, are left out.
 /// @param threads largest number of threads; no result depends on it
 ImpactTable impacts(const ModelSpace& space, const Evidence& evidence, const Diagnosis& diagnosis,
                     std::size_t most_refitted = 3, std::size_t threads = 1);

@@ -13,7 +13,8 @@ struct Leaders {
     Explanation model;  ///< refitted model with the leading effects alone
     /// Share of the excess chi2 - dof of the study's model that `model` removes [1].
     double explained = 0;
-    /// Share of repetitions in which the leading model lacks at least one of these effects [1].
+    /// Share of the drawn repetitions of the experiment (`find_leaders`) in which the best model
+    /// lacks at least one of these effects [1].
     double rival_share = 0;
 };
 
@@ -23,7 +24,7 @@ struct Leaders {
 double share_explained(double chi2, int dof, const Explanation& by);
 
 /// Finds the effects that explain most of a misfit where none of the refitted models `tried` fits;
-/// empty where there are none. `chi2` and `dof` are those of the model without further effects.
+/// empty where no effects do. `chi2` and `dof` are those of the model without further effects.
 ///
 /// Repetitions of the experiment are drawn: errors e change chi2 of model m by 2 s r_m' e, with its
 /// whitened residuals r_m. The misfit that even the best model leaves is taken as a sign that all

@@ -13,8 +13,8 @@ namespace pendular {
 /// diagnosis at one of its refitted models: the bare model at the fitted parameters theta_0
 /// predicts f_0, and candidate k changes the predictions by c_k at amplitude 1, so that
 ///     f = f_0 + J (theta - theta_0) + sum over the chosen candidates k of c_k A_k.
-/// The candidates are those of the original space with its bounds; their values are amplitudes A,
-/// 0 where there is no effect and 1 at the smallest size of interest. A prediction takes
+/// The candidates are those of the original space with its bounds; their values are amplitudes A, 0
+/// where there is no effect and 1 at the smallest size that matters. A prediction takes
 /// microseconds. At the estimates of the refitted model and of the refits with one effect, the
 /// predictions are those of the refitted models.
 class LinearisedSpace : public ModelSpace {
@@ -32,7 +32,7 @@ class LinearisedSpace : public ModelSpace {
 
     /// Adds the candidate with index `k` of `space`, and returns its amplitude in `refit`. `refit`:
     /// refitted model with the candidate, at whose estimate the change of the readings is computed;
-    /// null: at the smallest size of interest.
+    /// null: at the smallest size that matters.
     double add(const ModelSpace& space, std::size_t k, const Explanation* refit);
     /// Covariances of the predictions of the model with an effect set, as far as `diagnosis` has
     /// refitted it, else of the bare model.

@@ -28,7 +28,7 @@ struct RepetitionOptions {
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
 };
 
-/// Whether the diagnosis of a repetition of an experiment gives the same verdict. The verdicts
+/// Whether the diagnosis of a repeated experiment gives the same verdict as the first. The verdicts
 /// `nothing_missing` and `inconclusive` count as the same: which effects would stay unseen depends
 /// on the plan of the experiment, not on its readings. Other verdicts must name the same effects
 /// and the same suspect measurements.

@@ -9,10 +9,10 @@
 namespace pendular {
 
 /// Change of a model's predictions by one candidate (effect not in the model), per unit of the
-/// candidate's amplitude. The amplitude is 1 where the parameter differs from its neutral value by
-/// the smallest effect of interest, or where a switch is on. It is proportional to the parameter's
-/// distance from neutral, or to the function of the parameter that the candidate declares, such as
-/// the square of a deviation.
+/// candidate's amplitude. The amplitude is 1 where the parameter differs from its neutral value (no
+/// effect) by the smallest amount that matters, or where a switch is on. It is proportional to the
+/// parameter's distance from neutral, or to the function of the parameter that the candidate
+/// declares, such as the square of a deviation.
 struct Signature {
     /// Change of the predicted readings divided by the amplitude, in the units of the readings,
     /// entries (values of the readings) x parameters of the candidate.
@@ -21,7 +21,7 @@ struct Signature {
     /// unless they were requested.
     ModelSpace::ChangeErrors errors;
     /// Whether the amplitude cannot be negative: the neutral value is a bound of the parameter, or
-    /// both directions from neutral change the readings alike.
+    /// values above and below it change the readings in the same way.
     bool one_sided = false;
     double taken_at = 1;  ///< amplitude at which the change was computed [1]
 };
@@ -35,7 +35,7 @@ class Addition {
              Eigen::VectorXd parameters, Eigen::VectorXd values);
 
     /// Signature of the candidate effect: change of the predicted readings when its parameter goes
-    /// from the neutral value (no effect) to the smallest effect of interest. `with_errors`:
+    /// from the neutral value (no effect) by the smallest amount that matters. `with_errors`:
     /// whether to compute the covariances of the change.
     Signature signature(bool with_errors) const;
     /// Computes the change of the readings in a signature again at another amplitude of the
@@ -62,8 +62,8 @@ class Addition {
     /// Whether moving the candidate's parameter in the other direction from its neutral value is
     /// within the bounds and changes the predictions by about the negative of `change`.
     bool mirrored(const Eigen::VectorXd& change) const;
-    /// Direction from the neutral value of parameter `p`, 1 or -1, in which the smallest effect of
-    /// interest is within its bounds.
+    /// Direction from the neutral value of parameter `p`, 1 or -1, in which a change by the
+    /// smallest amount that matters stays within its bounds.
     double direction(const EffectParameter& p) const;
 
     const ModelSpace& space_;

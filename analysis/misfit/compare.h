@@ -43,7 +43,8 @@ struct FileMisfit {
 /// Direct measurement of a parameter of the model, with the value that the fitted model has.
 struct DirectMisfit {
     DirectMeasurement measurement;
-    /// Value of the parameter in the model [its unit]; without the effect, neutral.
+    /// Value of the parameter in the model [its unit]; in a model without the effect, the value at
+    /// which the effect vanishes.
     double predicted = 0;
 
     /// (measured - predicted) value of the parameter over the standard error of the measurement
@@ -53,8 +54,8 @@ struct DirectMisfit {
     }
 };
 
-/// Effective degrees of freedom nu of the estimated errors of readings; infinite where all errors
-/// are known:
+/// Effective degrees of freedom nu with which the errors of n measured values were estimated;
+/// infinite where all errors are known:
 ///     1/nu = sum (n_g/n)^2/nu_g,
 /// where n_g of the n measured values share one estimate of the variance, which has nu_g degrees of
 /// freedom.

@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// chi2 of a fitted model as its parameters are moved from the fit by d, with predictions by their
-/// second-order expansion f:
+/// chi2 of a fitted model as its p parameters are moved from the fit by d [their units], with the
+/// measured values y and the second-order expansion f of the predictions:
 ///     chi2(d) = (y - f(d))' Sigma^-1 (y - f(d)) = t' form t,  t = (1, d_i, d_i d_j with i <= j),
 /// with the covariance Sigma of measurement and simulation at the fit.
 /// @return `form`, symmetric, with 1 + p + p (p + 1)/2 rows for p parameters

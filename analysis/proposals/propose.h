@@ -21,8 +21,8 @@ struct FittedShape {
 /// the model, explain the readings or most of the misfit.
 struct Proposal {
     std::vector<FittedShape> shapes;
-    /// Changes of other quantities, with linear estimates, that change the readings nearly as a
-    /// single shape does; empty for two shapes.
+    /// Changes of other quantities, with estimates in the linear approximation, that would change
+    /// the readings in nearly the same way as the single shape in `shapes`; empty if there are two.
     std::vector<FittedShape> alike;
     Explanation explanation;  ///< refitted model; `chosen` is without meaning here
     /// Probability that the best of all shapes that were tried would reduce chi2 as much by chance,
@@ -31,7 +31,7 @@ struct Proposal {
     double explained = 0;  ///< share of the excess chi2 - dof that the shapes remove [1]
     double price = 0;      ///< price of the choice of the shapes, to be added to chi2 [1]
 
-    /// Length of the description of the readings: chi2 with the price of the shapes [1].
+    /// Score by which proposals are compared, the lower the better [1]: chi2 plus `price`.
     double description() const { return explanation.chi2 + price; }
 
     /// Whether the model with the shapes describes the readings: neither lack of fit nor a further

@@ -14,7 +14,7 @@ struct ChangedQuantity {
     std::string target;      ///< name of the quantity in formulas, such as "torque"
     bool relative = true;    ///< whether the change is a factor on the quantity, else it is added
     std::string unit;        ///< SI unit of the change: "1" where it is relative
-    double smallest = 0.01;  ///< smallest change of interest [unit]
+    double smallest = 0.01;  ///< smallest change that matters [unit]
     double lower = -0.9;     ///< smallest change considered [unit]
     double upper = 9;        ///< largest change considered [unit]
 
@@ -22,7 +22,8 @@ struct ChangedQuantity {
     WrittenEffect::Kind kind() const;
 };
 
-/// Change of unknown cause: a quantity changes in proportion to a profile.
+/// Change of unknown cause: the change of a quantity varies with one coordinate of the readings,
+/// such as time, as a profile does.
 struct ShapeOfChange {
     ChangedQuantity quantity;
     Profile profile;

@@ -26,8 +26,9 @@ struct PaperContent {
 inline constexpr std::array<PaperContent, 5> paper_contents = {
     {{5e-4, 0.003}, {1e-3, 0.007}, {2e-3, 0.014}, {4e-3, 0.030}, {8e-3, 0.063}}};
 
-/// Simulated state of wet grains with the stress ratio of dry grains of the same friction, from
-/// which the closures of Badetti et al. (2018) predict its strength. All values are dimensionless.
+/// Simulated state of wet grains, together with the stress ratio of dry grains of the same friction
+/// and inertial number. From both, the closures (formulas) of Badetti et al. (2018) predict the
+/// strength of the wet grains. All values are dimensionless.
 class PaperState {
   public:
     /// @param dry_stress_ratio stress ratio of dry grains at the run's friction and inertial number
@@ -43,15 +44,16 @@ class PaperState {
     double reduced_pressure() const { return run_.parameters.wetting->reduced_pressure; }
     /// Stress ratio of dry grains at this friction and inertial number [1].
     const Mean& dry_stress_ratio() const { return dry_stress_ratio_; }
-    /// Averages of the run from which the closures compute stresses.
+    /// Averages of the run (solid fraction, coordination numbers, fabric, bridge forces) from which
+    /// the closures compute stresses.
     const closures::State& network() const { return network_; }
     /// Capillary stresses measured in the run, over F0/a^2 [1].
     const closures::CapillaryStress& capillary() const { return capillary_; }
 
-    /// Observable of the run with its standard error; that of the stress ratio includes the scatter
-    /// between runs.
+    /// Observable of the run with its standard error. The standard error of the stress ratio
+    /// includes the scatter between runs of different seeds.
     Mean operator[](dem::Observable which) const;
-    /// Solid fraction corrected to rigid grains [1].
+    /// Solid fraction of the run, corrected to grains of infinite stiffness [1].
     Mean rigid_solid_fraction() const;
     /// Value of a closure, as in `closure(&closures::ClosureValues::strength2)`, with the part of
     /// its standard error that comes from the stress ratios of this state and of dry grains.
@@ -87,12 +89,12 @@ inline constexpr double paper_stiffness = 8400;
 /// Whether two frictions, bridge volumes or reduced pressures [1] are those of one state.
 bool same_setting(double a, double b);
 
-/// A state of the parameter study that no known run simulates.
+/// A state of the parameter study that has not been simulated.
 struct MissingState {
-    double friction, bridge_volume, reduced_pressure;
+    double friction, bridge_volume, reduced_pressure;  ///< mu, V0/a^3 and P* [1]
 };
 
-/// Known simulations of the parameter study of Badetti et al. (2018).
+/// Simulations of the parameter study of Badetti et al. (2018) that are in the atlas or the store.
 class PaperStudy {
   public:
     /// Takes the usable runs without effects at the frictions and bridge volumes of the study and
@@ -100,7 +102,8 @@ class PaperStudy {
     /// paper's stiffness number counts, else that with the most grains. Runs of other stiffness
     /// numbers are changed to the paper's by the emulator, with the error of the change, so that no
     /// trend is one of stiffness; an emulator that knows no such change leaves them as they are.
-    /// @param runs known runs; @param emulator emulator trained on them
+    /// @param runs runs of atlas and store
+    /// @param emulator emulator trained on them; must outlive this object
     PaperStudy(const std::vector<dem::RunResult>& runs, const Emulator& emulator);
 
     /// The states, in the order of friction, bridge volume and reduced pressure.
@@ -114,12 +117,13 @@ class PaperStudy {
     const PaperState* at(double friction, double bridge_volume, double reduced_pressure) const;
     /// Dry runs without effects, in the order of friction and inertial number.
     const std::vector<dem::RunResult>& dry_runs() const { return dry_runs_; }
-    /// Lines through the states of each friction and bridge volume that has three or more at P* of
-    /// `lowest_line_pressure` or above.
+    /// Straight lines mu*(1/P*), one for each friction and bridge volume with three or more states
+    /// at P* of `lowest_line_pressure` or above.
     const std::vector<StrengthLine>& lines() const { return lines_; }
     const StrengthLine* line(double friction, double bridge_volume) const;
-    /// Mean of a closure over the states of a line. The errors of the states are taken for common
-    /// to all, since most of them is that of the dry stress ratio.
+    /// Mean of a closure over the states of a line. Its standard error is the mean of the states'
+    /// standard errors: these are taken as fully correlated, since most of each comes from the one
+    /// stress ratio of dry grains.
     Mean mean_over(const StrengthLine& line, double closures::ClosureValues::*value) const;
     /// Stress ratio and solid fraction of rigid dry grains [1] in the limit of slow shear, by the
     /// emulator.
@@ -127,7 +131,8 @@ class PaperStudy {
     Mean dry_solid_fraction(double friction) const;
     /// Stress ratio and solid fraction of rigid dry grains at an inertial number [1].
     Mean dry(dem::Observable which, double friction, double inertial_number) const;
-    /// States of the paper's grid, at P* = 0.5, 1, 2, 3, 5 and 10, that no run simulates.
+    /// States of the paper's grid of frictions, bridge volumes and reduced pressures (P* = 0.5, 1,
+    /// 2, 3, 5 and 10) that have not been simulated.
     std::vector<MissingState> missing() const;
 
   private:

@@ -61,7 +61,9 @@ class LiveStudy {
     /// Stores a recording and returns the answer; waits until other work has ended. The making of a
     /// page is broken off for it.
     Answer receive(std::string name, std::string bytes);
-    /// Begins to add or drop an effect; its end is an event. Only one change is made at a time.
+    /// Starts to add an effect to the study or to drop one, and returns at once: status 202 where
+    /// the work was started, 409 while another effect is being added or dropped, 503 where too many
+    /// requests wait. The outcome is later among the events of `state`.
     Answer change(Action action, const std::string& effect);
 
   private:

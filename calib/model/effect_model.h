@@ -21,9 +21,9 @@ namespace pendular {
 /// which effects on the flow may change; the instrument map turns them into the values that the
 /// instrument shows. A reading that no effect touches is predicted exactly as by the inner model.
 /// Derivatives by an effect's parameter are central differences with a step of a thousandth of the
-/// parameter's smallest value of interest. Predictions are smooth functions of the parameters, so
-/// that the differences contain no noise. The covariance of a prediction includes the discrepancy
-/// that the study states for its model.
+/// smallest change of the parameter that matters. Predictions are smooth functions of the
+/// parameters, so that the differences contain no noise. The covariance of a prediction includes
+/// the discrepancy that the study states for its model.
 class EffectModel : public Predictor {
   public:
     /// Adds `effects` to the model `inside`. The effects must outlive this model. Effects that

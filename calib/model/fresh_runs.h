@@ -10,8 +10,8 @@
 
 namespace pendular {
 
-/// Source of seeds for new runs: each run that it describes differs from all known runs, since a
-/// repetition of a known run would confirm nothing.
+/// Source of seeds for new runs: each run that it describes differs from all earlier runs, since a
+/// repetition of an earlier run would confirm nothing.
 class FreshSeeds {
   public:
     /// @param seed the user's seed, from which the seeds of the runs follow

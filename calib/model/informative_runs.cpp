@@ -13,7 +13,7 @@ namespace {
 using emulated::pairs_at;
 
 /// Expected noise of a future run: covariance of its stress ratio and solid fraction [1], scaled
-/// from the mean noise of the known runs by the number of grains and the strain.
+/// from the mean noise of the earlier runs by the number of grains and the strain.
 Eigen::Matrix2d expected_noise(const Emulator& emulator, const Fidelity& fidelity) {
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
     for (const auto& run : emulator.runs()) {

@@ -24,19 +24,19 @@ struct Order {
 
 /// Planner of simulations: it decides repeatedly which runs would reduce the errors of a study's
 /// predictions most, carries them out and trains a better predictor on them. It requests two kinds
-/// of runs: runs outside the known range (flow states that the known runs enclose), where an
+/// of runs: runs outside the known range (flow states that the earlier runs enclose), where an
 /// emulator must not extrapolate, and runs near the optimum of a fit, which check the emulator and
-/// are chosen to reduce the variance of the predictions most. Without known runs it begins with
+/// are chosen to reduce the variance of the predictions most. Without earlier runs it begins with
 /// runs spread over the frictions and inertial numbers of the study.
 class RunPlanner {
   public:
-    /// Makes a first predictor from the known runs. Without known runs it simulates dry runs spread
-    /// over friction and inertial number at once, if runs may be requested
+    /// Makes a first predictor from the earlier runs. Without earlier runs it simulates dry runs
+    /// spread over friction and inertial number at once, if runs may be requested
     /// (`KnownRuns::orders_more`).
     /// @param conditions conditions of the study's readings, which are to be predicted
     /// @param budget time limit of all runs except these first runs
-    /// @throws std::invalid_argument where no known run can serve as a training run, or conditions
-    ///         are wet but the study has no liquid
+    /// @throws std::invalid_argument where no earlier run can serve as a training run, or
+    ///         conditions are wet but the study has no liquid
     /// @throws dem::SimulationError where none of these first dry runs succeeds
     RunPlanner(const Study& study, const std::vector<Condition>& conditions,
                const Fidelity& fidelity, std::uint64_t seed, Workers workers, KnownRuns known,
@@ -56,7 +56,7 @@ class RunPlanner {
     /// Improves the predictions at a friction [1] for wet `conditions` by new runs, if runs may be
     /// requested. The first call checks the emulator with few runs; later calls request as many as
     /// reduce the variance of the predictions by a factor 1 + `turns`, but at most 16. All calls
-    /// first request runs at states outside the range of the known runs.
+    /// first request runs at states outside the range of the earlier runs.
     /// @throws dem::SimulationError where no wet run is known and none of the first succeeds
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
@@ -85,8 +85,8 @@ class RunPlanner {
     /// at `friction` [1] and on either side of it.
     Candidates candidates(double friction, const std::vector<EffectiveCondition>& conditions,
                           bool wet) const;
-    /// Dry flow states of the runs that a planner without known runs simulates first, on a grid of
-    /// friction and inertial number.
+    /// Dry flow states of the runs that a planner without earlier runs simulates first, on a grid
+    /// of friction and inertial number.
     std::vector<FlowState> first_dry_design() const;
     /// Wet flow states of the runs to simulate where no wet run is known: they cover the study's
     /// wet conditions, spread over friction about `friction` [1] and over bridge volume.
@@ -99,7 +99,7 @@ class RunPlanner {
     void learn(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                double excess);
     /// Requests runs for those states of the dry (`wet` false) or the wet conditions at `friction`
-    /// [1] that lie outside the range of the known runs.
+    /// [1] that lie outside the range of the earlier runs.
     void order_beyond(double friction, const std::vector<EffectiveCondition>& conditions, bool wet);
     /// Requests runs near `friction` [1], the optimum of a fit, for the dry (`wet` false) or the
     /// wet conditions and tests whether they agree with the emulator; where they do not,
@@ -113,7 +113,7 @@ class RunPlanner {
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
-    /// Parameters of runs at these states with seeds that no known run has.
+    /// Parameters of runs at these states with seeds that no earlier run has.
     std::vector<dem::RunParameters> runs_at(const std::vector<FlowState>& states);
     /// Simulates runs, records them under the reason `why` and returns those that can serve as
     /// training runs.
@@ -141,7 +141,7 @@ class RunPlanner {
     /// Inertial numbers at which dry runs are requested [1].
     std::vector<double> inertial_numbers_;
     /// Whether a reading's inertial number is below that of all runs (by more than 5 %), in a
-    /// calibration that began without known runs.
+    /// calibration that began without earlier runs.
     bool extrapolates_ = false;
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;

@@ -16,21 +16,21 @@ namespace pendular {
 /// with the reason.
 struct LeftAside {
     std::string effect, why;
-    /// Whether the effect applies to the study, but no known run has it alone.
+    /// Whether the effect applies to the study, but no earlier run has it alone.
     bool without_runs = false;
 };
 
 /// All models of a study: the model with the effects that the study lists, and this model with any
 /// of the candidates added, which are all further effects that apply to the study. One emulator
-/// (Gaussian processes trained on known runs) serves all models; no new runs are simulated.
+/// (Gaussian processes trained on earlier runs) serves all models; no new runs are simulated.
 class StudyModels : public ModelSpace {
   public:
-    /// Prepares the emulator from known runs and finds the candidates for addition to the model.
+    /// Prepares the emulator from earlier runs and finds the candidates for addition to the model.
     /// @param conditions conditions of the readings that the models predict
     /// @param known training runs without effects and with effects on grains
     /// @throws InputError where the study lists or directly measures an effect on grains that no
-    ///         known run has alone
-    /// @throws std::invalid_argument where no known run can serve as a training run
+    ///         earlier run has alone
+    /// @throws std::invalid_argument where no earlier run can serve as a training run
     StudyModels(const ResolvedStudy& study, std::vector<Condition> conditions,
                 const Fidelity& fidelity, KnownRuns known);
 
@@ -42,12 +42,12 @@ class StudyModels : public ModelSpace {
     /// Returns the study's model with exactly these effects instead of those that the study lists,
     /// as a predictor for any conditions.
     /// @throws std::invalid_argument where the catalogue has no effect with one of these names, and
-    ///         where no known run has an effect on grains alone
+    ///         where no earlier run has an effect on grains alone
     std::shared_ptr<const EffectModel> with_only(const std::vector<std::string>& effects) const;
     /// Returns the study's model with the effects `added` in place of the listed effect `removed`,
     /// as a predictor for any conditions.
     /// @throws std::invalid_argument where the catalogue has no effect with one of these names, and
-    ///         where no known run has an added effect on grains alone
+    ///         where no earlier run has an added effect on grains alone
     std::shared_ptr<const EffectModel> exchanged(const std::string& removed,
                                                  const std::vector<std::string>& added) const;
     /// Returns these models with the effects `more` as further candidates, after the existing
@@ -67,11 +67,11 @@ class StudyModels : public ModelSpace {
     /// Effects that are neither listed by the study nor candidates for addition, with the reasons.
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
-    /// Reasons why the known runs do not support predictions of the study's readings at a friction
+    /// Reasons why the earlier runs do not allow predictions of the study's readings at a friction
     /// [1] by the model without effects, as in "reduced pressure 0.3 is below 0.5" (`KnownRange`);
     /// each reason once.
     std::vector<std::string> why_unsupported(double friction) const;
-    /// Reason why the known runs do not support a prediction at this friction [1] and condition by
+    /// Reason why the earlier runs do not allow a prediction at this friction [1] and condition by
     /// the model without effects; empty where they do.
     std::string why_unsupported(double friction, const Condition& condition) const;
 
@@ -80,8 +80,8 @@ class StudyModels : public ModelSpace {
     static Study with_all_effects(const ResolvedStudy& study);
 
   private:
-    /// Whether the emulator can predict an effect: it does not act on grains, or a known run has it
-    /// as its only effect.
+    /// Whether the emulator can predict an effect: it does not act on grains, or an earlier run has
+    /// it as its only effect.
     bool has_runs(const Effect& effect) const;
     /// Adds an effect to the candidates or, with the reason, to `left_aside_`.
     void add_candidate(const Effect& effect);

@@ -20,8 +20,8 @@ constexpr double largest_magnitude = 1e15;
 /// example.
 constexpr double smallest_magnitude = 1e-15;
 
-/// Reason why a number in SI units can be no measurement: it is not finite, or its magnitude
-/// exceeds `largest_magnitude`; empty if it can be one.
+/// Reason why a number in SI units cannot be a measured value: it is not finite, or its magnitude
+/// exceeds `largest_magnitude`. Empty if it can be a measured value.
 std::optional<std::string> beyond_measure(double number);
 
 /// Text of a number with three significant digits; an exponent is used only below 0.0001 and from a

@@ -9,20 +9,22 @@ namespace pendular {
 /// Plain mean of samples, in the unit of the samples.
 double plain_mean(std::span<const double> samples);
 
-/// Lagged covariances C(t) of two series, in the product of their units. Each lag is computed when
-/// it is first needed, since windows are short and most lags are never used. From `lags_alone` on,
-/// all lags of a series are computed at once, by Fourier transforms.
+/// Lagged covariances C(t) of two series: covariance of one series with the other t samples later,
+/// averaged over both directions, in the product of the series' units. The lag t is a number of
+/// samples. Each lag is computed when it is first needed, since most are never needed; from
+/// `lags_alone` on, all lags are computed at once, by Fourier transforms.
 class LaggedCovariances {
   public:
     /// @param second series as long as `first`
     LaggedCovariances(std::span<const double> first, std::span<const double> second);
 
-    /// Number of lags that are computed one by one.
+    /// First lag [samples] from which on all lags are computed at once.
     static constexpr std::size_t lags_alone = 512;
 
-    /// C(lag), averaged over both directions of the lag.
+    /// C at a lag [samples], in the product of the series' units.
     double operator()(std::size_t lag);
-    /// C(0) + 2 sum_{t=1}^{window} C(t).
+    /// Sum of the covariances over all lags from -window to window, C(0) + 2 sum_{t=1}^{window}
+    /// C(t), in the product of the series' units; `window` is a number of samples.
     double summed(std::size_t window);
 
   private:

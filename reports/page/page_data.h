@@ -10,15 +10,18 @@
 namespace pendular {
 
 /// JSON of the readings of a study, the panels that show them, and all combinations of switched
-/// effects with their expansions, from which a page computes curves, residuals, chi2 and RMS errors
-/// of any combination and any parameters near its fit.
+/// effects. For each combination it contains the expansion of the predictions to second order in
+/// the parameters about the fit, from which a page computes curves, residuals, chi2 and RMS errors
+/// as a reader moves the parameters.
 ///
-/// Arrays are base64 of little-endian numbers. `response` holds for (stress ratio, solid fraction):
-/// the values at the K points (readings, then points of curves) as 32-bit floats, then for each
-/// first- and second-order coefficient a scale (float) and K 16-bit integers in units of
-/// scale/32767. Coefficients are for parameters in units of their standard errors.
-/// @param panels panels of `page_panels`, whose curves the models were asked for
-/// @param recordings recordings of the study
+/// Arrays are base64 of little-endian numbers. The key `response` has, for the stress ratio and
+/// then for the solid fraction, the values at all points (the readings, then the points of the
+/// curves) as 32-bit floats. For each coefficient of first and second order follow a 32-bit float,
+/// the scale, and one 16-bit integer per point: the coefficient at this point is integer x
+/// scale/32767, for parameters in units of their standard errors.
+/// @param panels panels of the page; `models` must have predictions at the points of their curves,
+///        in the order of `points_of_curves`
+/// @param recordings courses of the study's recordings, which are drawn below the panels
 nlohmann::ordered_json page_data(const SwitchedModels& models, const std::vector<PagePanel>& panels,
                                  const std::vector<PageRecording>& recordings);
 

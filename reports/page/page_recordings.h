@@ -25,7 +25,8 @@ struct PageRecording {
     std::vector<AveragedWindow> windows;  ///< rows that are averaged
 };
 
-/// Recording of a page.
+/// A recording as a page shows it, from the file, the study's readings and the rows that the study
+/// left out.
 /// @param most largest number of points of a course (`points_of_recordings`)
 PageRecording page_recording(const FileView& view, const std::vector<Reading>& readings,
                              const std::vector<Excluded>& excluded, std::size_t most);

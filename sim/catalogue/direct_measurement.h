@@ -10,7 +10,7 @@ namespace pendular {
 
 /// Direct measurement of an effect's parameter, made without shearing the grains. Examples: the
 /// drag from the torque of the empty cell, the contact angle from a drop. A model without the
-/// effect predicts the neutral value.
+/// effect predicts the value at which the effect vanishes.
 struct DirectMeasurement {
     std::string parameter;      ///< "EFFECT.PARAMETER", as in "torque-offset.torque"
     std::string unit;           ///< SI unit of the parameter

@@ -27,8 +27,8 @@ struct RunResult {
     int threads = 1;  ///< threads that this run used
     std::array<Mean, observable_count> means;
     std::array<BinnedMeans, field_count> fields;  ///< fields of bridges are empty in dry runs
-    double covariance = 0;  ///< covariance of the means of stress ratio and solid fraction
-    double strain_averaged = 0;
+    double covariance = 0;       ///< covariance of the means of stress ratio and solid fraction
+    double strain_averaged = 0;  ///< shear strain over which was averaged [1]
     /// Strain of the detected transient, which the averages exclude [1].
     double strain_transient = 0;
     double time_step = 0;  ///< mean time step [sqrt(m/(a s22))]
@@ -36,7 +36,8 @@ struct RunResult {
     double wall_seconds = 0;
     bool crystallised = false;
     bool steady = false;
-    bool precise = true;       ///< whether all errors in RunParameters::precision were reached
+    bool precise =
+        true;  ///< whether all standard errors that RunParameters::precision asks for were reached
     Trace trace;               ///< averages over blocks of strain 0.02, transient included
     StoredSample final_state;  ///< state from which another run may start
     std::string failure;       ///< why the run failed (set by `run_all`); empty: success

@@ -40,7 +40,7 @@ struct RunParameters {
     double damping = 0.98;           ///< zeta, fraction of critical damping in normal direction
     std::optional<Wetting> wetting;  ///< liquid bridges; none: dry
     int grains = 2000;
-    double strain = 10;  ///< averaged strain, after the transient
+    double strain = 10;  ///< shear strain over which is averaged, after the transient
     std::uint64_t seed = 1;
     /// Fingerprint of the run whose final state is the initial state of this run; 0: start from a
     /// random gas.

@@ -7,7 +7,7 @@
 namespace pendular {
 
 /// Named set of simulation settings, a trade of accuracy for computing time: number of grains,
-/// stiffness, lowest inertial number and averaged strain of the runs of a study.
+/// stiffness, lowest inertial number, and strain over which the runs of a study are averaged.
 struct Fidelity {
     std::string name;
     int grains = 0;               ///< number of grains in a run

@@ -46,10 +46,10 @@ struct StepTrend {
 /// Trends of torque and gap over the second half of each step that turns the lid.
 std::vector<StepTrend> step_trends(const std::string& file, const std::vector<RecordedStep>& steps);
 
-/// Tests of torque and gap for a drift in one sense through at least three steps of a study: the
-/// weighted mean of the relative changes over the second halves of the steps, with the larger of
-/// the errors from within and from between steps. Steps whose run-in is among `unfinished` are left
-/// out. A drift has one sense in at least three of four steps.
+/// Tests of torque and gap for a drift in one direction through at least three steps of a study:
+/// the weighted mean of the relative changes over the second halves of the steps, with the larger
+/// of the errors from within and from between steps. Steps whose run-in is among `unfinished` are
+/// left out. A drift has the same direction in at least three of four steps.
 std::vector<RecordingFinding> drift_tests(const std::vector<StepTrend>& trends,
                                           const std::vector<RecordingFinding>& unfinished);
 

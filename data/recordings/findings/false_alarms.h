@@ -6,9 +6,10 @@
 
 namespace pendular {
 
-/// Probability that ordinary recordings of a study give a finding of one kind [1]. With all six
-/// kinds, at most 3 % of ordinary studies give a finding by the laws of the tests; the rest of the
-/// allowed 5 % covers the approximations of these laws.
+/// Significance level of the search for each kind of finding [1]: probability that chance alone
+/// gives a finding of this kind in the recordings of a study without any fault. With six kinds,
+/// chance gives a finding in at most 3 % of such studies; the remainder to an allowed 5 % covers
+/// the approximations in the distributions of the test statistics.
 constexpr double finding_significance = 0.005;
 
 /// Findings of one kind that are significant among all tests of this kind in a study, by the

@@ -35,8 +35,8 @@ struct RecordingFinding {
     double relative_error = 0;  ///< standard error of `relative` [1]; 0: not estimated
     /// Period of a wobble [turns of the lid] or of stick-slip [s]; 0: none.
     double period = 0;
-    /// p value [1]: probability of a finding as clear in one ordinary step (level change, drift: in
-    /// one ordinary study).
+    /// p value [1]: probability that chance alone gives as clear a finding in one step (level
+    /// change, drift: in one study) of a faultless instrument.
     double p = 1;
     bool offset = false;  ///< level change: whether an offset describes it better than a factor
     /// Whether import set the readings concerned aside, or corrected them.
@@ -46,9 +46,10 @@ struct RecordingFinding {
 /// Name of a kind of finding for JSON, such as "stick-slip".
 std::string_view to_string(RecordingFinding::Kind kind);
 
-/// Findings of one kind, quantity and period as one sentence each, which names the number of steps
-/// and files, the first place, the usual size with its unit and in per cent, and the smallest p
-/// value. The most serious kinds come first. With `all`, one sentence for each finding.
+/// Sentences on findings, the most serious kinds first. Findings of the same kind, quantity and
+/// period share a sentence, which names the number of steps and files, the first place, the usual
+/// size with its unit and in per cent, and the smallest p value.
+/// @param all whether each finding has a sentence of its own instead
 std::vector<std::string> sentences(const std::vector<RecordingFinding>& findings, bool all = false);
 
 }  // namespace pendular

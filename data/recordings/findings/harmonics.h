@@ -13,7 +13,7 @@ struct Harmonic {
     int per_turn = 1;           ///< periods per turn of the lid
     double amplitude = 0;       ///< amplitude, in the unit of the series
     double standard_error = 0;  ///< standard error of the amplitude, in the unit of the series
-    double p = 1;  ///< probability that ordinary noise has as large a periodic part [1]
+    double p = 1;               ///< probability that noise alone has as large a periodic part [1]
 };
 
 /// Rotation angle [rad] of the lid at each sample of a series, from 0: integral of the angular

@@ -15,7 +15,7 @@ struct Saturation {
     std::string quantity;  ///< "torque" or "normal_force"
     double limit = 0;      ///< largest value, as magnitude [N m or N]
     std::set<int> lines;   ///< lines of the saturated rows in the file
-    double p = 1;          ///< probability that the rows of an ordinary recording look so [1]
+    double p = 1;          ///< probability that an unsaturated recording has such rows [1]
 };
 
 /// Finds columns of a recording that are cut off at their largest value (torque by magnitude,
