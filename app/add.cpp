@@ -42,7 +42,7 @@ Writes fit.json, ladder.json (the sequence of the study's models) and the figure
 results folder. study.toml is changed last; it remains unchanged if the fit does not converge or is
 interrupted.
 
-An emulator trained on the atlas and all stored runs predicts the readings, at the fidelity of the
+An emulator trained on the atlas and all stored simulations predicts the readings, at the fidelity of the
 study's earlier fit. No simulation is made unless --confirm is given. 'pendular effects' lists the
 known effects.)";
 
@@ -77,7 +77,7 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
         "their noise enlarges no error by more than a fifth, or for MINUTES");
     options.add_switch(
         "cold", &own.fit.cold,
-        "use neither the atlas nor earlier runs: simulate all states that the fit needs");
+        "use neither the atlas nor earlier simulations: simulate all states that the fit needs");
     std::int64_t number = 0;
     if (adds) {
         options.add("proposed", &number,
@@ -91,9 +91,10 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
     set_confirmation(confirming, own.fit);
     const bool proposed = adds && options.given("proposed");
     if (words.size() != (proposed ? 0 : 1)) {
-        throw InputError(fmt::format("{}; usage: pendular {}",
-                                     words.empty() ? "the effect is missing" : "too many arguments",
-                                     usage));
+        throw InputError(fmt::format(
+            "{}; usage: pendular {}",
+            words.empty() ? "EFFECT, the name of an effect, is missing" : "too many arguments",
+            usage));
     }
     own.effects = proposed ? proposal(common->out_folder() / "proposed.toml", number) : words;
     own.fidelity_given = options.given("fidelity");

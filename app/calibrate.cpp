@@ -23,7 +23,7 @@
 namespace pendular::app {
 namespace {
 
-/// Sentence on the simulation runs that a calibration's emulator was trained on.
+/// Sentence on the simulations that a calibration's emulator was trained on.
 std::string basis_of(const Calibration& c) {
     std::size_t ordered = 0;
     std::string why;
@@ -33,11 +33,11 @@ std::string basis_of(const Calibration& c) {
     }
     if (ordered == 0) {
         return fmt::format(
-            "The emulator was trained on {} runs, none of them simulated for this study.",
+            "The emulator was trained on {} simulations, none of them made for this study.",
             c.runs.size());
     }
     return fmt::format(
-        "The emulator was trained on {} runs; {} of them were simulated for this study at {} "
+        "The emulator was trained on {} simulations; {} of them were made for this study at {} "
         "fidelity{}.",
         c.runs.size(), ordered, c.fidelity.name, why);
 }
@@ -73,17 +73,12 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
         console.line(fmt::format("The 68 % profile likelihood interval is {:.4g} to {:.4g}.",
                                  c.profile->first, c.profile->second));
     }
-    console.line(fmt::format(
-        "The fit has chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}, with allowance "
-        "for errors that are estimated from few repetitions).",
-        comparison.fitted.chi2, comparison.fitted.dof, comparison.fitted.p()));
+    console.line(fmt::format("The fit has {}.", misfit_text(comparison.fitted)));
     console.line(basis_of(c));
     if (c.fitted < c.readings.size()) {
-        console.line(fmt::format(
-            "{} wet readings are predicted by {}: chi2 = {:.2f} for {} degrees of freedom (p = "
-            "{:.2g}).",
-            c.readings.size() - c.fitted, source_of_wet(c), comparison.predicted.chi2,
-            comparison.predicted.dof, comparison.predicted.p()));
+        console.line(fmt::format("{} wet readings are predicted by {}: {}.",
+                                 c.readings.size() - c.fitted, source_of_wet(c),
+                                 misfit_text(comparison.predicted)));
     }
     if (console.all()) console.table(predictions_table(comparison), 0);
     console.table(cohesion_table(c.cohesion_lines), 7);
@@ -102,20 +97,21 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
 
 int calibrate(const std::vector<std::string>& arguments) {
     FitOptions fit;
-    Options options("calibrate STUDY [options]",
-                    "Fits the intergranular friction to shear stress and solid fraction of all dry "
-                    "readings together,\n"
-                    "by discrete-element simulation inside a Ceres least-squares loop, and "
-                    "predicts the wet readings\n"
-                    "with it (fit_to = \"all\" in the study fits them too). An emulator that is "
-                    "trained on the atlas and\n"
-                    "on all stored runs gives a first answer; simulations at the optimum confirm "
-                    "it, until both agree.\n"
-                    "Writes fit.json to the results folder.",
-                    "  pendular calibrate examples/polystyrene --no-confirm\n"
-                    "  pendular calibrate examples/polystyrene --fidelity quick --confirm 5\n"
-                    "  pendular calibrate my-study --cold --profile --json -\n",
-                    true);
+    Options options(
+        "calibrate STUDY [options]",
+        "Fits the intergranular friction to shear stress and solid fraction of all dry "
+        "readings together,\n"
+        "by discrete-element simulation inside a Ceres least-squares loop, and "
+        "predicts the wet readings\n"
+        "with it (fit_to = \"all\" in the study fits them too). An emulator that is "
+        "trained on the atlas\n"
+        "and on all stored simulations gives a first answer; simulations at the optimum "
+        "confirm it, until both agree.\n"
+        "Writes fit.json to the results folder.",
+        "  pendular calibrate examples/polystyrene --no-confirm\n"
+        "  pendular calibrate examples/polystyrene --fidelity quick --confirm 5\n"
+        "  pendular calibrate my-study --cold --profile --json -\n",
+        true);
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of the simulations (default 1)");
     bool no_confirm = false;
@@ -127,12 +123,12 @@ int calibrate(const std::vector<std::string>& arguments) {
     options.add_switch(
         "no-confirm", &no_confirm,
         "use the emulator without confirming simulations (with --cold: one round fewer)");
-    options.add_switch(
-        "cold", &fit.cold,
-        "use neither the atlas nor earlier runs: simulate all states that the fit needs, and keep "
-        "them in the store");
+    options.add_switch("cold", &fit.cold,
+                       "use neither the atlas nor earlier simulations: simulate all states that "
+                       "the fit needs, and keep them in the store");
     options.add("lowest-reduced-pressure", &fit.cohesion.lowest_reduced_pressure,
-                "least P* of the points that cohesion lines are fitted to [1] (default 2.3)");
+                "lowest reduced pressure P* = a^2 s22/F0 of the points to which cohesion lines are "
+                "fitted [1] (default 2.3)");
     options.add_switch("profile", &fit.profile,
                        "also compute the profile likelihood interval of the friction");
     const auto common = options.parse(arguments);

@@ -77,18 +77,19 @@ std::optional<double> estimate_duration(const Survey& found, const RunStore& sto
         return runs;
     };
     std::vector<dem::RunResult> measured = runs_of(store.select());
-    std::string source = fmt::format("the speed of the {} runs in the store", measured.size());
+    std::string source =
+        fmt::format("the speed of the {} simulations in the store", measured.size());
     auto seconds = expected_seconds(found.missing, measured, threads);
     if (const auto atlas = atlas_file(); !seconds && !atlas.empty()) {
         seconds = expected_seconds(found.missing, runs_of(read_runs(atlas)), threads);
-        source = "the speed of the runs in the atlas, which were made on another machine";
+        source = "the speed of the simulations in the atlas, which were made on another machine";
     }
     if (!seconds) {
-        console.line("The duration cannot be estimated: the store holds no run.");
+        console.line("The duration cannot be estimated: the store holds no simulation.");
         return seconds;
     }
     console.line(fmt::format(
-        "Estimated duration of the {} remaining runs: about {} on {} thread{}, from {}.",
+        "Estimated duration of the {} remaining simulations: about {} on {} thread{}, from {}.",
         found.missing.size(), duration(*seconds), threads, threads == 1 ? "" : "s", source));
     return seconds;
 }
@@ -99,7 +100,7 @@ void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOption
     const bool there = std::filesystem::exists(common.store);
     const RunStore store(there ? common.store : std::filesystem::path(RunStore::in_memory), there);
     const Survey found = survey(runs, store);
-    console.answer(fmt::format("{} of {} runs are in {}; {} remain to be done.",
+    console.answer(fmt::format("{} of {} simulations are in {}; {} remain to be done.",
                                runs.size() - found.missing.size(), runs.size(),
                                common.store.string(), found.missing.size()));
     const auto seconds = estimate_duration(found, store, common.threads, console);
@@ -118,14 +119,14 @@ void report_plan(const std::vector<dem::RunParameters>& runs, const CommonOption
 void report(std::size_t runs, const Survey& before, const Survey& after, const RunStore& store,
             Console& console) {
     for (const auto& run : after.failed) {
-        console.note(
-            fmt::format("The run with friction {}, inertial number {} and seed {} failed: {}",
-                        run.parameters.friction, run.parameters.inertial_number,
-                        run.parameters.seed, run.failure));
+        console.note(fmt::format(
+            "The simulation with friction {}, inertial number {} and seed {} failed: {}",
+            run.parameters.friction, run.parameters.inertial_number, run.parameters.seed,
+            run.failure));
     }
     const std::size_t stored = runs - after.missing.size(),
                       made = before.missing.size() - after.missing.size();
-    console.answer(fmt::format("{} of {} runs are in {}: {} new, {} failed.", stored, runs,
+    console.answer(fmt::format("{} of {} simulations are in {}: {} new, {} failed.", stored, runs,
                                store.file().string(), made, after.failed.size()));
     console.json({{"runs", runs},
                   {"stored", stored},
@@ -139,23 +140,24 @@ void report(std::size_t runs, const Survey& before, const Survey& after, const R
 int campaign(const std::vector<std::string>& arguments) {
     Options options(
         "campaign FILE [options]",
-        "Carries out the runs of a campaign file (grids, lists, Sobol fillings), the longest "
+        "Makes the simulations of a campaign file (grids, lists, Sobol sequences), the longest "
         "first, and keeps\neach in the store as it ends. The same command resumes a stopped "
-        "campaign; runs that are in the\nstore are not repeated.",
+        "campaign; simulations that are in\nthe store are not repeated.",
         "  pendular campaign sim/atlas/campaign.toml\n"
         "  mpirun -n 9 pendular campaign my.toml        # one manages, eight work\n"
         "  pendular campaign my.toml --shard 2/8 --store part-2.sqlite   # one of eight machines\n"
         "  pendular runs merge part-*.sqlite                             # then, together again\n"
         "  pendular campaign my.toml --dry-run\n",
         true);
+    options.set_first_word("FILE, the file that lists the simulations,");
     options.set_out("not used by this command");
     std::string shard;
     options.add("shard", &shard,
-                "i/n: carry out only the i-th of n shares of equal cost (for a Slurm array)");
+                "i/n: make only the i-th of n shares of equal cost (for a Slurm array)");
     bool dry_run = false;
     options.add_switch(
         "dry-run", &dry_run,
-        "print the number of remaining runs and their expected duration; write nothing");
+        "print how many simulations remain and how long they will take; write nothing");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;

@@ -26,14 +26,14 @@ std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& r
         values = StatePredictor(common.fidelity, store, run.parameters.stiffness_number)
                      .closures_of(run);
     } catch (const InputError&) {
-        // Without known runs there is no stress ratio of dry grains either.
+        // Without earlier runs there is no stress ratio of dry grains either.
     }
     if (values) {
         print_closures(*values, run[dem::Observable::stress_ratio].value, console);
     } else {
         console.line(
-            "No formulas are evaluated: the known runs do not give the stress ratio of dry grains "
-            "for this friction, inertial number, damping and these effects.");
+            "No formulas are evaluated: the simulations in atlas and store do not give the stress "
+            "ratio of dry grains for this friction, inertial number, damping and these effects.");
     }
     return values;
 }

@@ -62,9 +62,9 @@ int compare(const std::vector<std::string>& arguments) {
         "  pendular compare my-study --out results --json -\n",
         true);
     CohesionOptions cohesion;
-    options.add(
-        "lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
-        "least P* of the points that cohesion lines are fitted to [1] (default: as calibrated)");
+    options.add("lowest-reduced-pressure", &cohesion.lowest_reduced_pressure,
+                "lowest reduced pressure P* = a^2 s22/F0 of the points to which cohesion lines are "
+                "fitted [1] (default: as calibrated)");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -84,19 +84,15 @@ int compare(const std::vector<std::string>& arguments) {
     auto json = to_json(comparison, c.cohesion_lines, where);
     add_belief(json, belief);
     write_json(out / "compare.json", json);
-    console.answer(fmt::format(
-        "{} {:.2f} % in shear stress and {:.2f} % in solid fraction (chi2 = {:.2f} for {} degrees "
-        "of freedom, p = {:.2g}){}{}",
-        with_effects(c.model), comparison.rms_percent[0], comparison.rms_percent[1],
-        comparison.total.chi2, comparison.total.dof, comparison.total.p(),
-        belief.believable() ? verdict_on_predicted(c, comparison) : "",
-        verdict_on(belief, error_basis(measurements))));
+    console.answer(fmt::format("{} {:.2f} % in shear stress and {:.2f} % in solid fraction; {}{}{}",
+                               with_effects(c.model), comparison.rms_percent[0],
+                               comparison.rms_percent[1], misfit_text(comparison.total),
+                               belief.believable() ? verdict_on_predicted(c, comparison) : "",
+                               verdict_on(belief, error_basis(measurements))));
     print_doubts(console, belief, 1);
     if (c.fitted < c.readings.size()) {
-        console.line(fmt::format(
-            "Readings that were predicted, not fitted: chi2 = {:.2f} for {} degrees of freedom "
-            "(p = {:.2g}).",
-            comparison.predicted.chi2, comparison.predicted.dof, comparison.predicted.p()));
+        console.line(fmt::format("Readings that were predicted, not fitted: {}.",
+                                 misfit_text(comparison.predicted)));
     }
     console.table(failure_table(where), 3);
     console.table(predictions_table(comparison, !console.all()), 4);

@@ -16,7 +16,7 @@ struct ValueKind {
     const char* placeholder() const;
 };
 
-/// The value is a file, or one of a few words besides.
+/// The value is a file or one of the words `choices`, such as "-" for standard output.
 inline ValueKind a_file(std::vector<std::string> choices = {}) {
     return {ValueKind::Kind::file, std::move(choices)};
 }

@@ -39,8 +39,8 @@ const char* const about_diagnose =
     R"(Tests whether the study's model is complete and, if not, which physical effects explain the
 residuals. The command fits all readings jointly, tests the residuals for every effect that applies,
 refits with the likely effects, and keeps the smallest models that fit. Verdicts:
-  nothing-missing       the model describes the readings, and no effect that they can reveal is missing
-  inconclusive          the model describes the readings, but some effects might not be revealed
+  nothing-missing       the model describes the readings, and no effect that they can show is missing
+  inconclusive          the model describes the readings, but some effects might not show in them
   missing               one effect, or one set of effects, explains the residuals, or most of them
   indistinguishable     several effects explain the residuals equally well
   suspect-measurement   an error in one condition or file explains the residuals
@@ -49,15 +49,19 @@ If no known effect explains the residuals, the command tries changes of unknown 
 of the instrument, the flow, the beads and the liquid may change with each quantity that varies
 between the readings. Changes that explain the readings are written to proposed.toml as [[effect]]
 tables; 'add --proposed 1' adds the first one.
-Decisions on an effect: missing; may be missing (one of several); does not explain it (adding the
-effect leaves a misfit); no sign of it; absent (the readings would reveal any size of interest);
-cannot be excluded (the readings might not reveal a size of interest); cannot be seen (the readings
-would reveal no size within its bounds).
-An emulator predicts the readings from the atlas and all stored runs. No simulation is made unless
---confirm is given. With --confirm, the command simulates the runs that reduce the errors of the best
-models most, and repeats the diagnosis with them. It ends when the verdict stays the same, the runs
-agree with the emulator and their noise enlarges no error by more than a fifth, or when the time is
-over. All runs are kept; after Ctrl-C the same command continues with them.)";
+Decisions on an effect:
+  missing               adding the effect explains the residuals
+  may be missing        one of several effects that explain the residuals equally well
+  does not explain it   the residuals point to the effect, and adding it leaves a misfit
+  no sign of it         something is missing, and the residuals do not point to this effect
+  absent                nothing is missing, and an effect large enough to matter would show
+  cannot be excluded    an effect large enough to matter might not show in the readings
+  cannot be seen        the effect would not show even at the bounds of its parameter
+An emulator predicts the readings from the atlas and all stored simulations. No simulation is made
+unless --confirm is given. With --confirm, the command simulates the states that reduce the errors of
+the best models most, and repeats the diagnosis with the results. It ends when the verdict stays the
+same, the simulations agree with the emulator and their noise enlarges no error by more than a fifth,
+or when the time is over. All results are kept; after Ctrl-C the same command continues with them.)";
 
 /// Time for --confirm without a number [min].
 constexpr double usual_minutes = 5;
@@ -92,7 +96,7 @@ std::string confirmation_line(const Confirmation& confirmed) {
                      done, confirmed.open);
 }
 
-/// Sentence on how often the verdict would come again.
+/// Sentence on how often repeated experiments would give the same verdict.
 std::string repeated_line(const Repeated& repeated) {
     return fmt::format(
         "If the experiment were repeated, the diagnosis would give the same verdict in about "
@@ -178,10 +182,11 @@ void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& 
                         diagnosis.fit.message, study));
     }
     for (const std::string& why : models.why_unsupported(diagnosis.fit.parameters(0))) {
-        console.note(fmt::format(
-            "The known runs do not support a part of the readings: {}. A misfit of these readings "
-            "may be an error of the emulator. To simulate their states: pendular calibrate {}",
-            why, study));
+        console.note(
+            fmt::format("The simulations in atlas and store do not cover a part of the readings: "
+                        "{}. A misfit of these readings may be an error of the emulator. To "
+                        "simulate their states: pendular calibrate {}",
+                        why, study));
     }
 }
 
@@ -239,7 +244,7 @@ int diagnose(const std::vector<std::string>& arguments) {
                     "  pendular diagnose my-study --json - --quiet\n"
                     "  pendular diagnose my-study --confirm 5\n",
                     true);
-    options.set_threads(0, "number of refits, or of simulation runs, at a time");
+    options.set_threads(0, "number of refits, or of simulations, at a time");
     std::int64_t seed = 1;
     options.add("seed", &seed,
                 "seed of the random errors that set the limits, and of simulations (default 1)");
@@ -248,7 +253,7 @@ int diagnose(const std::vector<std::string>& arguments) {
                      "confirm the verdict by simulations for MINUTES at most");
     std::size_t repetitions = 0;
     options.add("repetitions", &repetitions,
-                "number of repetitions of the experiment to simulate, such as 100, to state how "
+                "number of repetitions of the experiment to simulate, such as 100, to find how "
                 "often the verdict would be the same (default 0: none)");
     const auto common = options.parse(arguments);
     if (!common) {

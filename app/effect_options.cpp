@@ -26,8 +26,8 @@ std::string description(const EffectParameter& parameter) {
     if (parameter.is_switch()) {
         return parameter.meaning;
     }
-    return fmt::format("{} [{}], {:.3g} to {:.3g}; {:g}: none", parameter.meaning, parameter.unit,
-                       parameter.lower, parameter.upper, parameter.neutral);
+    return fmt::format("{} [{}], {:.3g} to {:.3g}; {:g}: no effect", parameter.meaning,
+                       parameter.unit, parameter.lower, parameter.upper, parameter.neutral);
 }
 
 /// Checks an argument of the form --EFFECT.PARAMETER; any other argument passes.

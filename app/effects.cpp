@@ -87,8 +87,8 @@ void show_one(Console& console, const EffectEntry& entry) {
 }
 
 void show_all(Console& console, const std::vector<EffectEntry>& entries) {
-    console.answer(fmt::format("{} effects are known. To describe one: pendular effects NAME",
-                               entries.size()));
+    console.answer(fmt::format(
+        "The catalogue has {} effects. To describe one: pendular effects NAME", entries.size()));
     for (const auto& line : effects_table(entries)) {
         console.line(line);
     }

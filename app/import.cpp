@@ -50,7 +50,7 @@ std::vector<std::string> file_findings_lines(const std::vector<FileFinding>& fin
         lines.push_back(fmt::format("  {}: {}",
                                     std::filesystem::path(finding.file).filename().string(),
                                     text_of(finding, all ? finding.lines.size() : 8)));
-    if (!lines.empty()) lines.insert(lines.begin(), "The files by themselves show:");
+    if (!lines.empty()) lines.insert(lines.begin(), "Checks of the files show:");
     return lines;
 }
 
@@ -81,8 +81,8 @@ int import(const std::vector<std::string>& arguments) {
         "step, with standard errors. Writes readings.csv and excluded.csv to the "
         "results folder;\n"
         "excluded.csv lists each range of rows that was left out, with the reason. "
-        "Reports findings\n"
-        "in the rows, such as a saturated torque or a lid that wobbles.\n\n"
+        "Reports what is\n"
+        "wrong in the rows, such as a saturated torque or a lid that wobbles.\n\n"
         "For a single FILE, exported by an instrument, prints how the file is understood: "
         "layout, encoding,\n"
         "columns with units, intervals with roles, checks, points of failure. --figures draws "
@@ -93,6 +93,7 @@ int import(const std::vector<std::string>& arguments) {
         "  pendular import export.csv --study my-study\n"
         "  pendular import export.csv --figures figures\n",
         true);
+    options.set_first_word("STUDY or FILE, the folder of a study or a file of an instrument,");
     file.declare(options);
     const auto common = options.parse(arguments);
     if (!common) {

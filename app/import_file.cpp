@@ -87,14 +87,16 @@ std::optional<AnnularCell> cell_beside(const std::filesystem::path& file) {
 
 void ImportFileOptions::declare(Options& options) {
     options.begin_section("Options for a single file");
-    options.add("study", &study, "folder in which a study is begun: study.toml, guesses marked",
+    options.add("study", &study,
+                "folder for a new study with this file; guesses in its study.toml are marked",
                 a_folder());
     options.add("figures", &figures,
-                "folder for figures: the recording with what is averaged, yield loci; of a study, "
-                "each recording",
+                "folder for figures: the recording with the rows that are averaged, and yield "
+                "loci; of a study, each recording",
                 a_folder());
     options.add("tidy", &tidy,
-                "CSV file for all rows, in SI units, with rows of names and of units", a_file());
+                "CSV file for all rows in SI units, below a row of names and a row of units",
+                a_file());
     options.add("layout", &layout, "layout of the file (default: recognised by its content)",
                 one_of(layout_names()));
     options.add("encoding", &encoding, "character encoding of the file (default: detected)");

@@ -88,9 +88,10 @@ int next(const std::vector<std::string>& arguments) {
             "next --help' shows a [rig].");
     }
     if (next.unsupported > 0) {
-        console.note(fmt::format(
-            "The known runs do not support {} of {} conditions; the plan leaves them out.",
-            next.unsupported, next.unsupported + next.points.size()));
+        console.note(
+            fmt::format("The simulations in atlas and store do not cover {} of {} conditions; the "
+                        "plan leaves them out.",
+                        next.unsupported, next.unsupported + next.points.size()));
     }
     console.json(json);  // before the figure, which needs gnuplot
     if (const Figure figure = next_figure(next); !figure.panels.empty()) {

@@ -198,6 +198,22 @@ namespace {
 /// help text is printed.
 thread_local CommandDeclaration* requested_declaration = nullptr;
 
+/// First word of most commands and its meaning, for the message that it is missing.
+const char* const standard_missing_word = "STUDY, the folder of a study or its file study.toml,";
+
+/// Names of the fidelities with the settings of each, for the help text.
+std::string fidelity_text() {
+    std::string text = "size and accuracy of the simulations";
+    for (const Fidelity& each : fidelities()) {
+        text += fmt::format(
+            "; {}: {} beads, stiffness number {:g}, inertial number {:g} or more, averages over a "
+            "strain of {:g}",
+            each.name, each.grains, each.stiffness_number, each.lowest_inertial_number,
+            each.strain);
+    }
+    return text;
+}
+
 std::vector<std::string> fidelity_names() {
     std::vector<std::string> names;
     for (const Fidelity& each : fidelities()) {
@@ -280,24 +296,21 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     common.add_options()(
         "json", po::value(&json)->value_name("FILE"),
-        "file for the result as JSON; '-': standard output, with JSON alone on it")(
+        "file for the result as JSON; '-': standard output, which then holds nothing else")(
         "out", po::value(&out)->value_name("DIR"), out_meaning_.c_str())(
         "fidelity", po::value(&fidelity)->default_value("standard")->value_name("NAME"),
-        "quick, standard or paper: beads / stiffness number / lowest inertial number / averaged "
-        "strain "
-        "1000/1000/3e-3/5, 2000/1000/2e-3/10, 4000/8400/1e-3/20")(
-        "store", po::value(&store)->value_name("FILE"),
-        "SQLite file that keeps every run (default: $PENDULAR_STORE, else "
-        "~/.local/share/pendular/runs.sqlite)")(
+        fidelity_text().c_str())("store", po::value(&store)->value_name("FILE"),
+                                 "SQLite file that keeps the result of every simulation (default: "
+                                 "$PENDULAR_STORE, else ~/.local/share/pendular/runs.sqlite)")(
         "threads",
         po::value(&result.threads)
             ->default_value(default_threads_ > 0 ? default_threads_ : cores,
                             default_threads_ > 0 ? std::to_string(default_threads_) : "cores")
             ->value_name("N"),
         threads_meaning_.c_str())("quiet", po::bool_switch(&result.quiet),
-                                  "no progress on standard error")(
-        "all", po::bool_switch(&result.all), "all rows of tables and all notes")("help",
-                                                                                 "this text");
+                                  "print no progress on standard error")(
+        "all", po::bool_switch(&result.all), "print all rows of tables and all notes")(
+        "help", "print this text");
     po::options_description all, hidden;
     std::vector<std::string> words;
     if (takes_study_) {
@@ -346,8 +359,9 @@ std::optional<CommonOptions> Options::parse(const std::vector<std::string>& word
         *words_ = words;
     }
     if (takes_study_ && study.empty()) {
-        throw InputError(fmt::format(
-            "the name of the study, folder or file is missing; usage: pendular {}", usage_));
+        throw InputError(fmt::format("{} is missing; usage: pendular {}",
+                                     missing_word_.empty() ? standard_missing_word : missing_word_,
+                                     usage_));
     }
     if (result.threads < 1) {
         throw InputError(

@@ -37,7 +37,7 @@ struct CommonOptions {
     Fidelity fidelity;                         ///< size and accuracy of simulation runs
     int threads = 1;                           ///< number of simulation runs or refits at a time
     bool quiet = false;                        ///< print no progress on standard error
-    bool all = false;                          ///< print every row of every table and every note
+    bool all = false;                          ///< print all rows of tables and all notes
     std::filesystem::path store;               ///< SQLite file that keeps every simulation run
     bool store_named = false;     ///< whether the user named `store`: --store or $PENDULAR_STORE
     std::filesystem::path study;  ///< study or other file to read; empty: the command reads none
@@ -79,6 +79,11 @@ class Options {
     void set_threads(int by_default, std::string meaning) {
         default_threads_ = by_default, threads_meaning_ = std::move(meaning);
     }
+    /// Sets the first word of the command as its usage line names it, with its meaning, as in "OUT,
+    /// the folder for the new study,". The message that the word is missing begins with this text.
+    void set_first_word(std::string name_and_meaning) {
+        missing_word_ = std::move(name_and_meaning);
+    }
     /// Sets the text on option --out, the folder for results, in the help text.
     void set_out(std::string meaning) { out_meaning_ = std::move(meaning); }
     /// Makes the command accept any number of words that belong to no option, after the study if
@@ -111,13 +116,14 @@ class Options {
 
     std::string usage_, about_, examples_;
     bool takes_study_;
+    std::string missing_word_;  ///< first word and its meaning; empty: a study
     std::vector<std::string>* words_ = nullptr;
     ValueKind words_kind_;
     std::map<std::string, ValueKind> kinds_;  ///< values of the options by name
     /// Values of the options that `add_time` added where no number follows them, by option.
     std::map<std::string, std::string> times_;
     int default_threads_ = 0;  ///< default of --threads; 0: one per core
-    std::string threads_meaning_ = "number of runs at a time";
+    std::string threads_meaning_ = "number of simulations at a time";
     std::string out_meaning_ = "folder for results of a study (default: STUDY/out)";
     std::vector<std::string> headings_;                                ///< of the sections
     std::list<boost::program_options::options_description> sections_;  ///< options by section

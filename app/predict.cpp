@@ -1,4 +1,4 @@
-// `pendular predict`: predicts any state from known runs, without a new simulation.
+// `pendular predict`: predicts a state of steady shear from earlier simulations.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,10 +86,10 @@ void simulate_one(const RequestedState& requested, const StatePredictor& predict
         console.line(observable_line(which, run[which].value, run[which].standard_error));
     }
     console.line(fmt::format(
-        "Simulated at {} fidelity, since the known runs do not support a prediction: "
-        "{} grains, averaged strain {:.3g}, stiffness number {:.4g}.{}",
+        "Simulated at {} fidelity, since the simulations in atlas and store do not cover this "
+        "state: {} grains, averages over a strain of {:.3g}, stiffness number {:.4g}.{}",
         common.fidelity.name, wanted.grains, run.strain_averaged, predictor.stiffness_number(),
-        store ? " The run is in " + store->file().string() + "." : ""));
+        store ? " The result is in " + store->file().string() + "." : ""));
     note_differences(requested, run, console);
     console.json(simulated_state_json(wanted, run));
 }
@@ -112,9 +112,9 @@ void predict_one(const RequestedState& requested, const StatePredictor& predicto
                        console);
     }
     console.line(fmt::format(
-        "The emulator was trained on {} runs{}; the predictions hold for stiffness "
+        "The emulator was trained on {} simulations{}; the predictions hold for stiffness "
         "number {:.4g}.",
-        prediction.runs, simulates ? ", which support this state: nothing was simulated" : "",
+        prediction.runs, simulates ? ", which cover this state: nothing was simulated" : "",
         prediction.stiffness_number));
     console.json(to_json(prediction));
 }
@@ -125,13 +125,13 @@ std::string spoken(std::string name) {
     return name;
 }
 
-/// Prints a note on the part of a curve that is left out, since the known runs do not support it.
+/// Prints a note on the part of a curve that is left out, since no earlier simulation is near.
 void note_left_out(const PredictionCurve& curve, int points, Console& console) {
     if (curve.left_out > 0) {
         console.note(
-            fmt::format("{} of {} states are left out, since the known runs do not support them "
-                        "({}). The curve covers {} {:.4g} to {:.4g}. 'pendular simulate' and "
-                        "'pendular campaign' extend the range.",
+            fmt::format("{} of {} states are left out, since the simulations in atlas and store do "
+                        "not cover them ({}). The curve covers {} {:.4g} to {:.4g}. 'pendular "
+                        "simulate' and 'pendular campaign' extend the range.",
                         curve.left_out, points, curve.why_left_out, spoken(curve.variable),
                         curve.at.front(), curve.at.back()));
     }
@@ -148,10 +148,10 @@ void predict_along(const RequestedState& requested, const VariedQuantity& varied
     write_whole(folder / "prediction.csv", prediction_table(curve));
     console.json(to_json(curve));  // before the figure, which needs gnuplot
     draw(prediction_figure(curve, predictor.emulator(), drawn), folder / "figures");
-    console.answer(fmt::format("{} states from {} runs are written to {} and {}.", curve.at.size(),
-                               predictor.emulator().runs().size(),
-                               (folder / "prediction.csv").string(),
-                               (folder / "figures" / "prediction.png").string()));
+    console.answer(fmt::format(
+        "{} states, predicted from {} simulations, are written to {} and {}.", curve.at.size(),
+        predictor.emulator().runs().size(), (folder / "prediction.csv").string(),
+        (folder / "figures" / "prediction.png").string()));
     note_left_out(curve, varied.points, console);
 }
 
@@ -161,11 +161,11 @@ int predict(const std::vector<std::string>& arguments) {
     Options options(
         "predict [options]",
         "Predicts the observables of steady shear at once, with standard errors, "
-        "from the runs of the\n"
-        "atlas and of the store. Refuses a state that these runs do not support: outside of their "
-        "convex hull,\nwith a standard error above 15 % of the stress ratio or 2 % of the solid "
-        "fraction, or with impossible\nvalues. With --along, writes a curve as CSV and figure, as "
-        "far as the runs support it.",
+        "from the\nsimulations in the atlas, which comes with the program, and in the store. "
+        "Refuses a "
+        "state that these do\nnot cover: outside of their convex hull, with a standard error above "
+        "15 % of the stress ratio or 2 % of\nthe solid fraction, or with impossible values. With "
+        "--along, writes a curve as CSV and figure, as far\nas the simulations reach.",
         "  pendular predict --friction 0.09\n"
         "  pendular predict --friction 0.09 --reduced-pressure 1 --liquid-content 0.03\n"
         "  pendular predict --reduced-pressure 3 --bridge-volume 0.004 --json -\n"
@@ -181,15 +181,18 @@ int predict(const std::vector<std::string>& arguments) {
     options.add("friction", &requested.friction,
                 "intergranular friction coefficient [1] (default 0.09)");
     options.add("inertial-number", &requested.inertial_number,
-                "shear rate times sqrt(m/(a s22)) [1] (default 0, the quasi-static limit)");
-    options.add("reduced-pressure", &pressure, "P* = a^2 s22/F0 of wet beads [1] (default: dry)");
+                "shear rate times sqrt(m/(a s22)) with mass m and diameter a of a bead and normal "
+                "stress s22 [1] (default 0, the quasi-static limit)");
+    options.add("reduced-pressure", &pressure,
+                "P* = a^2 s22/F0 of wet beads, with the pull-off force F0 of a liquid bridge [1] "
+                "(default: dry)");
     options.add("bridge-volume", &volume, "volume of a liquid bridge over a^3 [1]");
     options.add("liquid-content", &content,
                 "liquid volume over bead volume [1], instead of --bridge-volume");
     options.add(
         "stiffness-number", &stiffness_number,
-        "stiffness number (E/(1 - nu^2)/s22)^(2/3) of the grains to predict [1], with the normal "
-        "stress s22 (default: that of --fidelity)");
+        "stiffness number (E/((1 - nu^2) s22))^(2/3), of the grains, with the normal stress "
+        "s22 [1] (default: the value that belongs to --fidelity)");
     std::string along;
     int points = 60;
     options.add("along", &along, "NAME=FROM:TO: quantity to vary, with its first and last value");
@@ -200,8 +203,8 @@ int predict(const std::vector<std::string>& arguments) {
                 "solid_fraction); may be repeated");
     bool simulate = false;
     options.add_switch("simulate", &simulate,
-                       "if the known runs do not support the state, simulate it at the --fidelity, "
-                       "keep the run in the store and print its averages");
+                       "simulate the state at the --fidelity if atlas and store do not cover it, "
+                       "keep the result in the store and print the averages");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -223,7 +226,8 @@ int predict(const std::vector<std::string>& arguments) {
     if (drawn.empty()) drawn = {"stress_ratio", "solid_fraction"};
     if (simulate && !along.empty()) {
         throw InputError(
-            "--simulate answers for one state; with --along, 'pendular campaign' makes the runs");
+            "--simulate answers for one state; with --along, 'pendular campaign' makes the "
+            "simulations");
     }
     std::optional<VariedQuantity> line;
     if (!along.empty()) {

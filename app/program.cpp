@@ -31,10 +31,10 @@ const std::vector<CommandGroup> groups = {
       {"drop", "remove an effect from the model, show the error before and after", drop},
       {"effects", "list the known effects, or describe one", effects}}},
     {"Simulate",
-     {{"predict", "predict a state of steady shear at once from known runs, with errors", predict},
+     {{"predict", "predict a state of steady shear at once from earlier simulations", predict},
       {"simulate", "shear one sample of grains by the discrete-element method", simulate},
       {"campaign", "simulate many states; resumable, also on a cluster", campaign},
-      {"runs", "list, compare, plot, export, import, merge and prune stored runs", runs},
+      {"runs", "list, compare, plot, export, import, merge and prune stored simulations", runs},
       {"virtual-lab", "simulate recordings of an instrument with hidden effects", virtual_lab},
       {"reproduce", "compare the simulations with a published study, figures included",
        reproduce}}}};

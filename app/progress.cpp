@@ -66,7 +66,7 @@ std::optional<double> progress_share(const Event& event) {
 }
 
 std::string progress_numbers(const EnsembleProgress& progress) {
-    std::string text = fmt::format("{:.0f} %, {} of {} runs done", 100 * progress.fraction,
+    std::string text = fmt::format("{:.0f} %, {} of {} simulations done", 100 * progress.fraction,
                                    progress.runs_done, progress.runs);
     if (progress.seconds_left > 0) text += ", " + duration(progress.seconds_left) + " left";
     return text;

@@ -22,7 +22,7 @@ std::string progress_sentence(const Event& event);
 /// Share of the work that an event names which is done [1]; empty where it is not known.
 std::optional<double> progress_share(const Event& event);
 
-/// Numbers on simulations in progress: "45 %, 1 of 3 runs done, 20 s left".
+/// Numbers on simulations in progress: "45 %, 1 of 3 simulations done, 20 s left".
 std::string progress_numbers(const EnsembleProgress& progress);
 
 }  // namespace pendular::app

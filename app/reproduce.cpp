@@ -21,11 +21,11 @@ namespace {
 
 const char* const about_reproduce =
     R"(Compares the simulations with every number of Badetti et al. (2018), Shear strength of wet
-granular materials, and draws each of its figures that shows simulations. The command uses the runs
-that come with the program and those of the store. It prints the numbers that disagree (--all: every
-number), and with --out it writes reproduction.md and the figures.)";
+granular materials, and draws each of its figures that shows simulations. The command uses the
+simulations that come with the program and those of the store. It prints the numbers that disagree
+(--all: every number), and with --out it writes reproduction.md and the figures.)";
 
-/// Simulates the states of the paper's study that no known run simulates, and keeps the runs.
+/// Simulates the states of the paper's study that no earlier run simulates, and keeps the runs.
 void simulate_missing(const Reproduction& reproduction, const CommonOptions& common,
                       RunStore* store, Console& console) {
     const std::vector<dem::RunParameters> runs = reproduction.missing_runs();
@@ -50,9 +50,9 @@ int reproduce(const std::vector<std::string>& arguments) {
                     false);
     options.set_out("folder for reproduction.md and the figures (default: none are written)");
     bool simulate = false;
-    options.add_switch("simulate", &simulate,
-                       "simulate the states that are missing at the --fidelity, keep the runs in "
-                       "the store");
+    options.add_switch(
+        "simulate", &simulate,
+        "simulate the missing states at the --fidelity and keep the results in the store");
     const auto common = options.parse(arguments);
     if (!common) {
         return done;
@@ -70,10 +70,10 @@ int reproduce(const std::vector<std::string>& arguments) {
     console.answer(verdict_of(reproduction));
     console.table(scoreboard_table(reproduction.rows(), common->all), 40);
     if (const std::size_t missing = reproduction.study().missing().size(); missing > 0) {
-        console.note(fmt::format(
-            "No run simulates {} of the {} states of the paper's grid; 'pendular reproduce "
-            "--simulate' makes them.",
-            missing, missing + reproduction.study().states().size()));
+        console.note(
+            fmt::format("{} of the {} states of the paper's grid have not been simulated; "
+                        "'pendular reproduce --simulate' simulates them.",
+                        missing, missing + reproduction.study().states().size()));
     }
     if (common->out) {
         write_whole(*common->out / "reproduction.md", reproduction_page(reproduction));

@@ -33,14 +33,15 @@ double positive(const std::string& words, const char* unit, const std::string& o
 
 RunEffects::RunEffects(Options& options, const std::vector<std::string>& arguments)
     : options_([&]() -> EffectOptions {
-          options.begin_section("Scale of effects that have parameters in SI units");
+          options.begin_section(
+              "Quantities that convert effects from SI units to the units of the simulation");
           options.add("diameter", &diameter_,
                       "diameter of the beads, with its unit (default 500 um)");
           options.add("density", &density_,
                       "density of the beads, with its unit (default 1050 kg/m^3)");
           options.add("normal-stress", &normal_stress_,
-                      "normal stress on dry beads, with its unit (default 1 kPa); on wet beads it "
-                      "is P* pi Gamma/a");
+                      "normal stress on dry beads, with its unit (default 1 kPa); on wet beads the "
+                      "normal stress is P* pi Gamma/a, with the diameter a");
           options.add("surface-tension", &surface_tension_,
                       "surface tension Gamma of the liquid, with its unit (default 20.6 mN/m)");
           return {options, arguments,
@@ -85,33 +86,32 @@ dem::RunParameters RunEffects::changed(const dem::RunParameters& run, const Opti
 void RunEffects::print(Console& console, const dem::RunParameters& changed) const {
     std::string text;
     for (const ActiveEffect& active : effects_) {
-        text += (text.empty() ? "with " : ", ") + to_string(active);
+        text += (text.empty() ? "With " : ", ") + to_string(active);
     }
     if (changed.friction != without_.friction) {
         text +=
             fmt::format("; friction {:g} in place of {:g}", changed.friction, without_.friction);
     }
     if (!changed.wetting && without_.wetting) {
-        text += "; dry";
+        text += "; the beads are dry";
     } else if (changed.wetting &&
                changed.wetting->reduced_pressure != without_.wetting->reduced_pressure) {
         text += fmt::format("; reduced pressure {:.4g} in place of {:g}",
                             changed.wetting->reduced_pressure, without_.wetting->reduced_pressure);
     }
     if (!text.empty()) {
-        console.line(text);
+        console.line(text + ".");
     }
     if (scaled_) {
         console.line(fmt::format(
-            "at a normal stress of {:.4g} Pa on beads of {:.4g} um and {:g} "
-            "kg/m^3{}",
+            "The normal stress is {:.4g} Pa, on beads of {:.4g} um and {:g} kg/m^3{}.",
             scale_.normal_stress, 1e6 * scale_.grains.diameter, scale_.grains.density,
             without_.wetting
                 ? fmt::format(", surface tension {:.4g} mN/m", 1e3 * scale_.liquid.surface_tension)
                 : ""));
     } else if (scale_given_) {
         console.note(
-            "no effect of this run has a parameter in SI units: --diameter, --density, "
+            "no effect of this simulation has a parameter in SI units: --diameter, --density, "
             "--normal-stress and --surface-tension change nothing");
     }
 }

@@ -107,7 +107,7 @@ int list(const Request& request, Console& console) {
     console.line(
         fmt::format("   id friction     I      P*  V0/a^3  kappa beads strain  stress ratio        "
                     "solid fraction{}",
-                    effects ? "      remarks, effects (in the units of the run)" : ""));
+                    effects ? "      remarks, effects (in the units of the simulation)" : ""));
     for (const auto& [id, version, run] : runs) {
         const auto& p = run.parameters;
         const Mean &ratio = run[dem::Observable::stress_ratio],
@@ -283,7 +283,9 @@ int learn(const Request& request, Console& console) {
         }
     }
     if (runs.empty()) {
-        throw InputError("there are no steady training runs");
+        throw InputError(
+            "none of these runs can train the emulator: it needs runs that are steady, sheared "
+            "uniformly and did not crystallise");
     }
     EmulatorHyperparameters hyperparameters;
     for (const dem::Observable which : emulated::observables()) {
@@ -312,8 +314,8 @@ const std::vector<std::pair<std::string, int (*)(const Request&, Console&)>> act
 int runs(const std::vector<std::string>& arguments) {
     Request request;
     Options options(
-        "runs list|show|compare|plot|export|import|merge|prune|learn [words] [options]",
-        "Lists, shows, compares, draws, exports, adds and removes runs of the store.\n"
+        "runs list|show|compare|plot|export|import|merge|prune|learn [arguments] [options]",
+        "Lists, shows, compares, draws, exports, adds and removes stored simulations (runs).\n"
         "  list              one line per run\n"
         "  show ID...        one run in full; with --out, a figure of its time series\n"
         "  compare ID ID     two runs side by side\n"
@@ -338,7 +340,8 @@ int runs(const std::vector<std::string>& arguments) {
                 "only runs for which this SQL condition on the columns holds");
     options.add("x", &request.x, "column on the x axis of the plot (default inertial_number)");
     options.add("y", &request.y, "column on the y axis of the plot (default stress_ratio)");
-    options.add_switch("atlas", &request.atlas, "the runs that come with pendular, not the store");
+    options.add_switch("atlas", &request.atlas,
+                       "use the runs that come with pendular in place of the store");
     options.add_switch("yes", &request.yes, "remove without asking");
     const auto common = options.parse(arguments);
     if (!common) {
@@ -354,12 +357,11 @@ int runs(const std::vector<std::string>& arguments) {
         }
         names.push_back(name);
     }
-    throw InputError(
-        request.words.empty()
-            ? "runs needs an action: list, show, compare, plot, export, import, merge, "
-              "prune or learn"
-            : fmt::format("unknown action '{}'; {}", request.words.front(),
-                          did_you_mean(request.words.front(), names)));
+    throw InputError(request.words.empty()
+                         ? "the action is missing; use list, show, compare, plot, export, import, "
+                           "merge, prune or learn"
+                         : fmt::format("unknown action '{}'; {}", request.words.front(),
+                                       did_you_mean(request.words.front(), names)));
 }
 
 }  // namespace pendular::app

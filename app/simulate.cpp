@@ -69,8 +69,9 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
             "The flow is not uniform: the localization is {}, above {}, and 1 is a thin shear "
             "band.{}",
             with_error(banded.value, banded.standard_error), dem::localised_above,
-            banded.value > emulated::banded_above ? " The run is not used to train the emulator."
-                                                  : ""));
+            banded.value > emulated::banded_above
+                ? " The emulator is not trained on this simulation."
+                : ""));
     }
     if (run.crystallised) {
         console.note(
@@ -81,9 +82,8 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
         const double reached = run[wanted.which].standard_error;
         if (reached > wanted.standard_error) {
             console.note(
-                fmt::format("The standard error of {} is {:.2g} after an averaged strain of "
-                            "{:.3g}; the request "
-                            "was {:g}: raise --strain or --beads.",
+                fmt::format("The standard error of {} is {:.2g} after averaging over a strain of "
+                            "{:.3g}; the request was {:g}: raise --strain or --beads.",
                             dem::observable_names[static_cast<std::size_t>(wanted.which)], reached,
                             run.strain_averaged, wanted.standard_error));
         }
@@ -101,8 +101,8 @@ void print_result(Console& console, const dem::RunResult& run, const RunEffects&
                                  about.meaning));
     }
     console.line(
-        fmt::format("{} grains, averaged strain {:.2f} after a transient of {:.2f}, {} steps of "
-                    "{:.3g} sqrt(m/(a s22)), {:.1f} s, {:.3g} grain-steps/s.",
+        fmt::format("{} grains; averages over a strain of {:.2f} after a transient strain of "
+                    "{:.2f}; {} steps of {:.3g} sqrt(m/(a s22)); {:.1f} s, {:.3g} grain-steps/s.",
                     p.grains, run.strain_averaged, run.strain_transient, run.steps, run.time_step,
                     run.wall_seconds, run.particle_steps_per_second()));
 }
@@ -156,7 +156,8 @@ void Extras::check_combination(const Options& options, const CommonOptions& comm
     }
     if (options.given("start") && options.given("seed")) {
         throw InputError(
-            "--start takes its initial state from a stored run, so that there is no --seed to set");
+            "--start takes its initial state from a stored simulation, so that there is no --seed "
+            "to set");
     }
     if (!(checkpoint_minutes > 0)) {
         throw InputError(
@@ -222,10 +223,10 @@ std::optional<StoredRun> start_of(const dem::RunParameters& run, const std::stri
     if (word != "nearest") {
         StoredRun stored = store.get(run_number(word));
         if (stored.run.final_state.grains.empty()) {
-            throw InputError(fmt::format(
-                "--start {}: that run has no final state to start from, as one that failed or has "
-                "beads of several sizes",
-                word));
+            throw InputError(
+                fmt::format("--start {}: this stored simulation has no final state to start from; "
+                            "one that failed or has beads of several sizes has none",
+                            word));
         }
         return stored;
     }
@@ -284,10 +285,10 @@ void simulate_and_report(dem::RunParameters run, const RunEffects& effects, cons
         if (start) {
             run.start = fingerprint(run_description(start->run.parameters, start->run.threads));
         } else {
-            console.note(fmt::format(
-                "The run starts from a random sample: {} holds no steady {} run of {} grains with "
-                "its final state.",
-                store->file().string(), run.wetting ? "wet" : "dry", run.grains));
+            console.note(
+                fmt::format("The simulation starts from a random sample: {} holds no steady {} "
+                            "simulation of {} grains with its final state.",
+                            store->file().string(), run.wetting ? "wet" : "dry", run.grains));
         }
     }
     const dem::RunResult result =
@@ -300,8 +301,8 @@ void simulate_and_report(dem::RunParameters run, const RunEffects& effects, cons
     const auto closures = print_closures_of(result, common, store.get(), console);
     if (start) {
         console.line(fmt::format(
-            "The run started from the final state of run {}: friction {:.4g}, inertial number "
-            "{:.4g}.",
+            "The simulation started from the final state of stored run {}: friction {:.4g}, "
+            "inertial number {:.4g}.",
             start->id, start->run.parameters.friction, start->run.parameters.inertial_number));
     }
     nlohmann::ordered_json json = to_json(result);
@@ -338,33 +339,39 @@ int simulate(const std::vector<std::string>& arguments) {
         "  pendular simulate --normal-stress \"3 kPa\" " +
             example_of_run() + "\n",
         false);
-    options.set_threads(1, "threads of this run; equal numbers of threads give identical results");
+    options.set_threads(
+        1, "threads of this simulation; equal numbers of threads give identical results");
     options.set_out(
         "folder for run.json, profiles and distributions as CSV and figures, and snapshots "
         "(default: no files)");
     options.add("friction", &run.friction, "intergranular friction coefficient [1] (default 0.09)");
     options.add("inertial-number", &run.inertial_number,
-                "shear rate times sqrt(m/(a s22)) [1] (default: the fidelity's lowest)");
+                "shear rate times sqrt(m/(a s22)) with mass m and diameter a of a bead and normal "
+                "stress s22 [1] (default: the lowest that belongs to --fidelity)");
     options.add("stiffness-number", &run.stiffness_number,
-                "(E/(1 - nu^2)/s22)^(2/3) [1] (default: the fidelity's)");
+                "(E/((1 - nu^2) s22))^(2/3) with Young's modulus E, Poisson ratio nu and normal "
+                "stress s22 [1] (default: the value that belongs to --fidelity)");
     options.add("poisson-ratio", &run.poisson_ratio,
                 "Poisson ratio of the beads [1] (default 0.3)");
     options.add("damping", &run.damping,
-                "normal viscous damping, fraction of critical [1] (default 0.98)");
-    options.add("beads", &run.grains, "number of beads (default: the fidelity's)");
+                "viscous damping of a contact along its normal, over the critical damping [1] "
+                "(default 0.98)");
+    options.add("beads", &run.grains,
+                "number of beads (default: the number that belongs to --fidelity)");
     options.add("strain", &run.strain,
-                "averaged strain, after the transient [1] (default: the fidelity's)");
+                "shear strain over which averages are taken, after the transient [1] (default: the "
+                "value that belongs to --fidelity)");
     std::vector<std::string> precisions;
-    options.add(
-        "precision", &precisions,
-        "OBSERVABLE=STANDARD_ERROR at which averaging stops before --strain is reached; may "
-        "be repeated");
+    options.add("precision", &precisions,
+                "OBSERVABLE=STANDARD_ERROR: averaging stops at this standard error, even before "
+                "--strain is reached; may be repeated");
     dem::Wetting wetting{.bridge_volume = 2e-3};
     std::string bridge_force = to_string(FormulaVariant::derived);
     options.add("reduced-pressure", &wetting.reduced_pressure,
-                "P* = a^2 s22/F0 of wet beads [1] (default: dry)");
+                "P* = a^2 s22/F0 of wet beads, with the pull-off force F0 of a liquid bridge [1] "
+                "(default: dry)");
     options.add("bridge-volume", &wetting.bridge_volume,
-                "volume of a liquid bridge over a^3 [1] (default 0.002)");
+                "volume of a liquid bridge over a^3, with the diameter a [1] (default 0.002)");
     options.add("bridge-force", &bridge_force,
                 "formula of the bridge force: derived (default) or as_printed",
                 one_of({"derived", "as_printed"}));
@@ -372,12 +379,13 @@ int simulate(const std::vector<std::string>& arguments) {
     options.add("seed", &seed, "seed of the random initial state (default 1)");
     Extras extras;
     options.add("start", &extras.start,
-                "number of the stored run whose final state is the initial state, or 'nearest' "
-                "(random if the store has no run): shortens the transient");
+                "number of the stored simulation ('pendular runs list') whose final state is the "
+                "initial state, or 'nearest' for the one of the nearest parameters (a random state "
+                "if there is none): shortens the transient");
     options.add("snapshot-every", &extras.snapshot_every,
                 "strain between snapshots for OVITO and ParaView in the folder of --out [1]");
     options.add("checkpoint", &extras.checkpoint,
-                "file for the state of the running simulation; the same command resumes the run",
+                "file for the state of the running simulation; the same command resumes it",
                 a_file());
     options.add("checkpoint-every", &extras.checkpoint_minutes,
                 "time between checkpoints [min] (default 10)");

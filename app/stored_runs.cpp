@@ -15,8 +15,8 @@ std::unique_ptr<RunStore> open_store(const CommonOptions& options) {
         std::error_code error;
         std::filesystem::create_directories(options.store.parent_path(), error);
         if (error || access(options.store.parent_path().c_str(), W_OK) != 0) {
-            print_line(stderr, fmt::format("note: {} cannot be written, so that runs are not kept; "
-                                           "--store FILE names another place",
+            print_line(stderr, fmt::format("note: {} cannot be written, so that no simulation is "
+                                           "kept; --store FILE names another place",
                                            options.store.parent_path().string()));
             return nullptr;
         }
@@ -29,7 +29,8 @@ std::int64_t run_number(const std::string& word) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
     if (error != std::errc() || end != word.data() + word.size()) {
         throw InputError(fmt::format(
-            "'{}' is no number of a run; 'pendular runs list' lists the stored runs", word));
+            "'{}' is not the number of a stored simulation; 'pendular runs list' lists them",
+            word));
     }
     return id;
 }

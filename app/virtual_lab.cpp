@@ -88,10 +88,13 @@ void print_result(Console& console, const LabResult& result, const std::filesyst
         folder.string(), result.recordings.size(), steps, plan.instrument.noise,
         plan.effects.empty() ? "" : " and the hidden effects"));
     console.line(fmt::format(
-        "Each step has its own simulation and seed: {} grains, stiffness number {:g}, averaged "
-        "strain {:g}; {} pilot runs.",
+        "Each step has its own simulation and seed: {} grains, stiffness number {:g}, averages "
+        "over a strain of {:g}.{}",
         result.recordings.front().steps.front().run.parameters.grains,
-        plan.fidelity.stiffness_number, plan.fidelity.strain, result.pilots));
+        plan.fidelity.stiffness_number, plan.fidelity.strain,
+        result.pilots > 0
+            ? fmt::format(" {} shorter simulations found the bridge volumes.", result.pilots)
+            : ""));
     if (!plan.liquid_contents.empty()) {
         console.line(fmt::format("  {:<16} {:>8} {:>8} {:>8} {:>10}   {}", "file", "s22 [Pa]", "P*",
                                  "I", "V0/a^3", "liquid content requested: reached"));
@@ -123,7 +126,8 @@ void declare(Options& options, LabPlan& plan, Words& words) {
     options.add("liquid-contents", &words.liquid_contents,
                 "liquid volume over bead volume [1] (default \"0.007, 0.03\")");
     options.add("inertial-numbers", &words.inertial_numbers,
-                "shear rate times sqrt(m/(a s22)) [1] (default \"0.003, 0.03\")");
+                "inertial numbers, shear rate times sqrt(m/(a s22)) with mass m and diameter a of "
+                "a bead and normal stress s22 [1] (default \"0.003, 0.03\")");
     options.add("replicates", &plan.replicates,
                 "number of recordings of each liquid content (default 2)");
     options.add("rows", &plan.instrument.rows,
@@ -159,16 +163,18 @@ int virtual_lab(const std::vector<std::string>& arguments) {
         "Simulates recordings of an annular cell whose friction and effects are known, and writes "
         "them to the\nnew folder OUT with study.toml and truth.json. study.toml lists no effects; "
         "truth.json states the\nhidden friction and effects, and no command reads it. The "
-        "simulations share no run with a calibration.\nBeads of 500 um and 1050 kg/m^3 are in a "
+        "simulations are not stored, so that no calibration uses them.\nBeads of 500 um and 1050 "
+        "kg/m^3 are in a "
         "cell with radii of 21 and 45 mm. The contact angle is 0 and\nthe weight of the beads is "
         "neglected, unless a hidden effect changes this. Set points are values that\nthe "
         "instrument shows.",
         examples(), true);
+    options.set_first_word("OUT, the folder for the new study,");
     declare(options, plan, words);
     std::int64_t seed = 1;
     options.add("seed", &seed, "seed of simulations and instrument (default 1)");
     bool dry = false;
-    options.add_switch("dry", &dry, "no wet recordings");
+    options.add_switch("dry", &dry, "make no wet recordings");
     const EffectOptions effects(
         options, arguments,
         "Hidden effects (values with a unit, or numbers in the unit in brackets)");

@@ -105,7 +105,7 @@ std::string leading_line(const Diagnosis& d, const ModelSpace& space) {
     const Explanation& model = d.leaders->model;
     return fmt::format(
         "Missing: {}, and something smaller that no known effect explains. Adding {} brings {}, "
-        "{} of the misfit beyond the errors.",
+        "which removes {} of the misfit beyond the errors.",
         with_estimates(model, space), model.chosen.size() > 1 ? "them" : "it", reduction(d, model),
         percent(d.leaders->explained));
 }
@@ -148,9 +148,8 @@ std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) 
 
 std::string inconclusive_line(const Diagnosis& d) {
     if (d.effects.empty() && !d.errors_assumed) {
-        return "No effect is missing as far as these readings show, but they would reveal none of "
-               "the known "
-               "effects.";
+        return "No effect is missing as far as these readings show, but none of the known effects "
+               "would show in them.";
     }
     if (d.effects.empty()) {
         return "The readings do not tell whether an effect is missing: their errors are assumed, "
@@ -158,8 +157,8 @@ std::string inconclusive_line(const Diagnosis& d) {
                "measured.";
     }
     return fmt::format(
-        "No effect is missing as far as these readings show, but they would not reveal {} effect{} "
-        "of the smallest size of interest: {}.",
+        "No effect is missing as far as these readings show, but {} effect{} could be large enough "
+        "to matter without showing in them: {}.",
         d.effects.size(), d.effects.size() == 1 ? "" : "s", some_of(d.effects));
 }
 
@@ -192,8 +191,8 @@ std::string finding_line(const Finding& finding, const ModelSpace& space) {
 std::string alike_line(const Diagnosis& d) {
     if (d.effects.size() == 2) {
         return fmt::format(
-            "The two change these readings in a similar way (cosine {:.3f}; 1: the same).",
-            d.cosines(0, 1));
+            "{} and {} change these readings in a similar way (cosine {:.3f}; 1: in the same way).",
+            d.effects[0], d.effects[1], d.cosines(0, 1));
     }
     Eigen::MatrixXd others = d.cosines;
     others.diagonal().setOnes();
@@ -201,8 +200,8 @@ std::string alike_line(const Diagnosis& d) {
     const double least = others.minCoeff(&one, &other);
     const auto name = [&](Eigen::Index k) { return d.effects[static_cast<std::size_t>(k)]; };
     return fmt::format(
-        "They change these readings in a similar way (least cosine {:.3f}, of {} and {}; 1: the "
-        "same).",
+        "These effects change the readings in a similar way (least cosine {:.3f}, of {} and {}; 1: "
+        "in the same way).",
         least, name(other), name(one));
 }
 
@@ -239,10 +238,11 @@ std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& s
         lines.push_back(finding_line(finding, space));
     }
     lines.push_back(
-        "  (chi2 falls: predicted, refitted; imitated: share of the effect that other values "
-        "of the calibrated parameters imitate; power: to see "
-        "the smallest effect of interest; p: probability that chance makes any tested "
-        "effect look as good)");
+        "  (chi2 falls: by how much chi2 would fall with the effect in the model; refitted: by how "
+        "much it falls in a fit with the effect; imitated: share of the effect that other values "
+        "of the calibrated parameters imitate; power: probability that these readings show an "
+        "effect just large enough to matter; p: probability that chance makes any tested effect "
+        "look as good)");
     if (std::ranges::any_of(
             d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(
@@ -263,9 +263,8 @@ std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<d
         "fraction from {:.2f} % to {:.2f} %.",
         effects, before[0], after[0], before[1], after[1])};
     lines.push_back(fmt::format(
-        "In simulated repetitions of the experiment another explanation would lead in {:.1f} of "
-        "100.",
-        100 * d.leaders->rival_share));
+        "In {:.1f} of 100 simulated repetitions of the experiment, the best model would lack {}.",
+        100 * d.leaders->rival_share, joined(d.effects, "or")));
     const std::string trend = strongest_trend(remaining);
     lines.push_back("With " + effects + " in the model, a misfit remains" + trend);
     return lines;
@@ -298,24 +297,40 @@ std::string fit_line(const Diagnosis& d) {
 
 namespace {
 
-/// Line on the size from which the readings would reveal an effect; for a switch, on the share of
-/// studies that would reveal it.
+/// Name of a parameter with its article: "a force", "an angle", "a surface tension".
+std::string with_article(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    const bool vowel = std::string("aeiou").find(name.front()) != std::string::npos;
+    return (vowel ? "an " : "a ") + name;
+}
+
+/// Line on the size from which the readings would show an effect, and the size from which it
+/// matters; for a switch, on the share of studies that would show it.
 std::string unseen_line(const Finding& finding, const EffectParameter& p,
                         const std::string& effect) {
-    return p.is_switch() ? fmt::format("  {} would be revealed by {:.0f} of 100 such studies.",
-                                       effect, 100 * finding.power)
-                         : fmt::format(
-                               "  {} would be revealed at {} or more from its neutral value; the "
-                               "smallest size of interest is {}.",
-                               effect, with_unit(finding.detectable, p.unit),
-                               with_unit(p.smallest_of_interest, p.unit));
+    if (p.is_switch()) {
+        return fmt::format("  {}: {:.0f} of 100 such studies would show it.", effect,
+                           100 * finding.power);
+    }
+    const std::string name = with_article(p.name);
+    const std::string shown = with_unit(finding.detectable, p.unit),
+                      matters = with_unit(p.smallest_of_interest, p.unit);
+    if (p.neutral != 0) {
+        return fmt::format(
+            "  {}: the readings would show {} that differs from {} by {} or more; a difference of "
+            "{} or more would matter.",
+            effect, name, with_unit(p.neutral, p.unit), shown, matters);
+    }
+    return fmt::format("  {}: the readings would show {} of {} or more{}; {} or more would matter.",
+                       effect, name, shown, p.lower < 0 ? ", positive or negative" : "", matters);
 }
 
 }  // namespace
 
 std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& space) {
     if (d.verdict != Verdict::inconclusive || d.effects.empty()) return {};
-    std::vector<std::string> lines = {"Effects that these readings would not reveal:"};
+    std::vector<std::string> lines = {
+        "Effects that could matter without showing in these readings:"};
     for (const std::string& effect : d.effects) {
         const Finding& finding = finding_of(d, space, effect);
         lines.push_back(unseen_line(finding, parameter_of(space, finding), effect));
@@ -333,8 +348,10 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, 
     }
     if (d.verdict == Verdict::unknown) {
         if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
-            lines.push_back(fmt::format("The best of them, {}, brings {}, which is not enough.",
-                                        with_estimates(*best, space), reduction(d, *best)));
+            lines.push_back(fmt::format(
+                "Of the known effects, {} {} most and {} {}, which is not enough.",
+                with_estimates(*best, space), best->chosen.size() > 1 ? "explain" : "explains",
+                best->chosen.size() > 1 ? "bring" : "brings", reduction(d, *best)));
         }
         if (!proposes) {
             lines.push_back("An effect of your own can be written as [[effect]] in study.toml.");

@@ -98,12 +98,12 @@ std::string parameter_text(const EffectParameter& p) {
     if (p.is_switch()) {
         return fmt::format("{}, a switch: 1 on, 0 off: {}", p.name, p.meaning);
     }
-    return fmt::format("{} [{}], {:g} to {:g}, neutral at {:g}, smallest of interest {:g}: {}",
-                       p.name, p.unit, p.lower, p.upper, p.neutral, p.smallest_of_interest,
-                       p.meaning);
+    return fmt::format(
+        "{} [{}], {:g} to {:g}; no effect at {:g}; a difference of {:g} from that matters: {}",
+        p.name, p.unit, p.lower, p.upper, p.neutral, p.smallest_of_interest, p.meaning);
 }
 
-/// Options that set an effect to its smallest size of interest, "--torque-offset.torque 0.0001".
+/// Options that set an effect to its smallest size that matters, "--torque-offset.torque 0.0001".
 std::string options_of(const Effect& effect) {
     std::vector<std::string> options;
     for (const EffectParameter& p : effect.parameters) {
@@ -124,11 +124,11 @@ void add_how_to(std::vector<std::string>& page, const EffectEntry& entry) {
     }
     if (group.in_virtual_lab) {
         page.push_back(
-            field("as a truth", fmt::format("pendular virtual-lab OUT {}", options_of(effect))));
+            field("in a lab", fmt::format("pendular virtual-lab OUT {}", options_of(effect))));
     }
     if (group.in_simulate) {
         page.push_back(
-            field("in one run", fmt::format("pendular simulate {}", options_of(effect))));
+            field("in simulate", fmt::format("pendular simulate {}", options_of(effect))));
     }
 }
 
@@ -165,8 +165,8 @@ std::string parameter_row(const EffectParameter& p) {
 
 std::string parameter_table(const Effect& effect) {
     std::string text =
-        "| parameter | unit | bounds | neutral | smallest of interest | meaning "
-        "|\n|---|---|---|---|---|---|\n";
+        "| parameter | unit | bounds | value without effect | smallest change that matters | "
+        "meaning |\n|---|---|---|---|---|---|\n";
     for (const EffectParameter& p : effect.parameters) {
         text += parameter_row(p);
     }
@@ -184,7 +184,7 @@ std::string manual_how_to(const EffectEntry& entry) {
                 code_block("sh", fmt::format("pendular virtual-lab my-lab {}", options_of(effect)));
     }
     if (!entry.written && group.in_simulate) {
-        text += "\nIn one run:\n\n" +
+        text += "\nIn a simulation:\n\n" +
                 code_block("sh", fmt::format("pendular simulate {}", options_of(effect)));
     }
     return text;

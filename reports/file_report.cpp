@@ -185,8 +185,8 @@ std::vector<std::string> checks_lines(const FileView& view, bool all) {
         lines.push_back("  " + text_of(finding, all ? finding.lines.size() : 8));
     for (const std::string& line : skipped_lines(view.file, all))
         lines.push_back(line);
-    if (lines.empty()) lines.emplace_back("  Nothing was found.");
-    lines.insert(lines.begin(), "Checks of the file by itself:");
+    if (lines.empty()) lines.emplace_back("  The checks found nothing wrong.");
+    lines.insert(lines.begin(), "Checks of the file:");
     return lines;
 }
 

@@ -39,7 +39,7 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
         down{.label = "estimate minus its standard error",
              .style = Curve::Style::bars_across,
              .colour = calibrated_colour},
-        interest{.label = "smallest size of interest",
+        interest{.label = "effect just large enough to matter",
                  .colour = measured_colour,
                  .symbol = {Shape::diamond, Filling::hollow}};
     const double error = in_thousandths * table.errors(0);
@@ -55,7 +55,8 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
         }
         panel.y_names.push_back(plain_text(impact_name(*rows[k])));
     }
-    // Shifts by sizes of interest that are far larger would shrink the bars: they are left out.
+    // Shifts far beyond the bars, of effects just large enough to matter, would shrink them: left
+    // out.
     for (std::size_t k = interest.x.size(); k-- > 0;) {
         if (std::abs(interest.x[k]) > 1.05 * reach) {
             interest.x.erase(interest.x.begin() + static_cast<std::ptrdiff_t>(k));

@@ -130,7 +130,7 @@ std::vector<std::string> impact_table(const ImpactTable& table) {
     const std::size_t width = width_of(table);
     std::vector<std::string> lines = {
         fmt::format("  {:<{}} {:>14} {:>9} {:>9} {:>14} {:>9} {:>9} {:>9} {:>9} {:>7}",
-                    "shift of " + parameter + " by", width, "of interest", "linear", "refitted",
+                    "shift of " + parameter + " by", width, "smallest size", "linear", "refitted",
                     "estimate", "linear", "refitted", "+1 error", "-1 error", "pull")};
     for (const Impact& impact : table.impacts) {
         lines.push_back(row_of(table, impact, width));
@@ -145,8 +145,8 @@ std::vector<std::string> impact_table(const ImpactTable& table) {
     }
     lines.push_back(fmt::format(
         "  (shift of the fitted {} if the model took the effect or error of measurement into "
-        "account, at its smallest size of interest and at its estimated size; linear: by "
-        "covariance; refitted: the other parameters fitted again; +1 error, -1 error: further "
+        "account; smallest size: the smallest that matters; estimate: the estimated size; linear: "
+        "by covariance; refitted: the other parameters fitted again; +1 error, -1 error: further "
         "shift one standard error above and below the estimate; pull: distance of the estimate "
         "from no effect, in standard errors; groups: root of the sum of squares)",
         parameter));

@@ -9,8 +9,8 @@ namespace pendular {
 
 /// Sentences, at most two, on the shift of the friction by the effects or measurements that a
 /// verdict names, at their estimated sizes. If the verdict names none that would shift the
-/// friction, the sentences are on the effects with the largest shifts at their smallest sizes of
-/// interest: "If wall-friction of 0.05 were present, the fitted friction would be 0.012 lower.".
+/// friction, the sentences are on the effects with the largest shifts at the smallest sizes that
+/// matter: "If wall-friction of 0.05 were present, the fitted friction would be 0.012 lower.".
 /// Shifts below a tenth of the friction's standard error are left out. Empty where no known effect
 /// explains the readings.
 std::vector<std::string> impact_lines(const ImpactTable& table, const Diagnosis& diagnosis);

@@ -77,8 +77,8 @@ void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next,
                 fmt::format("  {:<44} {:>30}", next.rivals[k].name,
                             with_error(forecast.value(0), error_of(forecast)(0), direct->unit)));
         }
-        lines.push_back(fmt::format("  (one measurement: {})",
-                                    with_error(0, direct->standard_error, direct->unit)));
+        lines.push_back(fmt::format("  (standard error of one measurement: {})",
+                                    with_unit(direct->standard_error, direct->unit)));
         return;
     }
     lines.push_back(fmt::format("  {:<44} {:>22} {:>22}", "if the missing effect is",
@@ -91,8 +91,8 @@ void add_forecasts(std::vector<std::string>& lines, const NextMeasurement& next,
                                     with_error(forecast.value(1), error(1))));
     }
     const Eigen::Vector2d noise = plan.noise.diagonal().cwiseSqrt();
-    lines.push_back(
-        fmt::format("  (one reading scatters by {:.2g} Pa and {:.2g})", noise(0), noise(1)));
+    lines.push_back(fmt::format("  (standard deviation of one reading: {:.2g} Pa and {:.2g})",
+                                noise(0), noise(1)));
 }
 
 std::vector<std::string> separating_lines(const NextMeasurement& next) {
@@ -176,7 +176,7 @@ std::string next_paragraph(const std::vector<std::string>& lines) {
 
 Figure next_figure(const NextMeasurement& next) {
     Figure figure{.name = "next",
-                  .title = "Predictions of the rival models, and suggested readings",
+                  .title = "Predictions of the models that fit, and suggested readings",
                   .panels = {},
                   .stacked = true};
     if (next.plans.empty()) {
@@ -213,7 +213,7 @@ Figure next_figure(const NextMeasurement& next) {
     }
     if (steps.empty()) stresses.push_back(at.normal_stress);
     if (stresses.empty()) {
-        figure.title = "Predictions of the rival models; a direct measurement tells them apart";
+        figure.title = "Predictions of the models that fit; a direct measurement tells them apart";
     }
     for (const std::size_t o : {0u, 1u}) {
         Panel panel{.x_label = "normal stress σ_{22} [Pa]",

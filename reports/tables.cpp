@@ -27,6 +27,14 @@ constexpr std::size_t place_width = 28;
 
 }  // namespace
 
+std::string misfit_text(const Misfit& misfit) {
+    return fmt::format("chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}{})", misfit.chi2,
+                       misfit.dof, misfit.p(),
+                       std::isfinite(misfit.freedom) && misfit.dof > 0
+                           ? ", with allowance for errors that are estimated from few repetitions"
+                           : "");
+}
+
 /// Text of an error with two significant digits, without an exponent.
 std::string error_text(double error) {
     const double rounded = std::stod(fmt::format("{:.1e}", error));
@@ -88,8 +96,8 @@ std::vector<std::string> scatter_table(const Measurements& measurements) {
     }
     if (scatter.load_exponent.cwiseAbs().maxCoeff() > 0.05) {
         lines.push_back(
-            fmt::format("  step scatter grows as normal stress to the power {:.2f} "
-                        "(stress), {:.2f} (fraction)",
+            fmt::format("  The scatter from step to step is proportional to the normal stress to "
+                        "the power {:.2f} (shear stress) and {:.2f} (solid fraction).",
                         -scatter.load_exponent(0), -scatter.load_exponent(1)));
     }
     return lines;

@@ -28,6 +28,10 @@ std::vector<std::string> scatter_table(const Measurements& measurements);
 /// per direct measurement of a parameter.
 std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first = false);
 
+/// Text on a misfit for a sentence: "chi2 = 45.72 for 46 degrees of freedom (p = 0.51)". Where the
+/// p value differs from that of the chi2 distribution, since the errors are estimated, says so.
+std::string misfit_text(const Misfit& misfit);
+
 /// Table of the misfit chi2 by observable (shear stress, solid fraction), by condition and, where
 /// there are several files, by file. Each division adds up to the chi2 of all readings.
 std::vector<std::string> misfit_table(const Comparison& comparison);

@@ -144,8 +144,9 @@ class Confirming {
                 : !same_                ? "the verdict changed with the last simulations"
                 : p_ < disagreement
                     ? "the last simulations differed from the emulator's predictions"
-                : excess_ > 1 ? fmt::format("the noise of the runs enlarges {}", text_of(largest))
-                              : "";
+                : excess_ > 1
+                    ? fmt::format("the noise of the simulations enlarges {}", text_of(largest))
+                    : "";
         return open_.empty();
     }
 
@@ -174,7 +175,7 @@ class Confirming {
              {.kind = Event::Kind::stage,
               .text = fmt::format(
                   "Simulations test the verdict. They take at most {:.0f} s and end sooner if the "
-                  "verdict is firm; the first {} runs take about {:.0f} s",
+                  "verdict is firm; the first {} of them take about {:.0f} s",
                   budget_.seconds_left(), runs.size(), expected.value_or(0))});
     }
 

@@ -273,7 +273,8 @@ Calibration parse_calibration(const Json& json, const ResolvedStudy& resolved,
     c.fit.converged = json.at("converged");
     c.runs = named_runs(json.at("runs"), where.file);
     if (c.runs.size() < 3) {
-        throw InputError(where, "the runs of this fit are missing; run 'pendular calibrate' again");
+        throw InputError(where,
+                         "the simulations of this fit are missing; run 'pendular calibrate' again");
     }
     return c;
 }

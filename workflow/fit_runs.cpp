@@ -76,9 +76,9 @@ std::vector<dem::RunResult> named_runs(const nlohmann::ordered_json& names,
     if (missing > 0) {
         throw InputError(
             {fit_file.string()},
-            fmt::format("{} of the {} runs that this fit rests on are neither in the atlas ({}) "
-                        "nor in {}; one of the two was changed or removed since: run 'pendular "
-                        "calibrate' again",
+            fmt::format("{} of the {} simulations that this fit rests on are neither in the atlas "
+                        "({}) nor in {}; one of the two was changed or removed since: run "
+                        "'pendular calibrate' again",
                         missing, names.size(), atlas.empty() ? "there is none" : atlas.string(),
                         own.string()));
     }

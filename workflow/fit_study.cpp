@@ -11,8 +11,8 @@
 namespace pendular {
 namespace {
 
-/// Request for a calibration. With known runs, new runs at the optimum confirm the fit if that is
-/// requested; without known runs, one more round confirms the fit.
+/// Request for a calibration. With earlier runs, new runs at the optimum confirm the fit if that is
+/// requested; without earlier runs, one more round confirms the fit.
 CalibrationRequest request_for(std::optional<KnownRuns> known, const SessionOptions& session,
                                const FitOptions& options) {
     CalibrationRequest request{
@@ -68,7 +68,7 @@ Calibration fit_study(const ResolvedStudy& study, const Measurements& measuremen
 dem::Interrupted interrupted_with(const RunStore* store) {
     if (!store) return dem::Interrupted();
     return dem::Interrupted(
-        fmt::format("The finished runs are in {}; give the same command again to continue.",
+        fmt::format("The finished simulations are in {}; give the same command again to continue.",
                     store->file().string()));
 }
 

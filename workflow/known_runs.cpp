@@ -47,10 +47,11 @@ std::optional<KnownRuns> known_runs(const Study& study, const Fidelity& fidelity
     }
     known.runs = runs_serving(study, fidelity, runs);
     if (known.runs.size() > most_known) {
-        tell(listener, {.text = fmt::format(
-                            "Of {} possible training runs the emulator uses {}: the atlas and the "
-                            "latest runs of the store. 'pendular runs prune' removes runs.",
-                            known.runs.size(), most_known)});
+        tell(listener,
+             {.text = fmt::format("Of {} simulations that could train the emulator, it uses {}: "
+                                  "those of the atlas and the latest of the store. 'pendular runs "
+                                  "prune' removes simulations from the store.",
+                                  known.runs.size(), most_known)});
         known.runs.resize(most_known);
     }
     return known.runs.size() < fewest ? std::nullopt : std::optional(std::move(known));

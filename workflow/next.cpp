@@ -33,8 +33,8 @@ NextMeasurement next_measurement(const ResolvedStudy& resolved, const StudyDiagn
     });
     if (next.points.empty()) {
         throw InputError({study.file.string()},
-                         "[rig]: the known runs support none of its conditions; 'pendular "
-                         "campaign' makes runs there");
+                         "[rig]: the simulations in atlas and store cover none of its conditions; "
+                         "'pendular campaign' makes simulations there");
     }
     const Eigen::Vector2d errors = relative_errors(d.readings);
     if (next.rivals.size() > 1) {

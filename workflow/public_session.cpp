@@ -33,7 +33,7 @@ auto translated(const Work& work) {
 std::string line_of(const Event& event) {
     switch (event.kind) {
         case Event::Kind::runs:
-            return fmt::format("{}: {} of {} runs", event.text, event.runs.runs_done,
+            return fmt::format("{}: {} of {} simulations", event.text, event.runs.runs_done,
                                event.runs.runs);
         case Event::Kind::round:
             return fmt::format("round {}: friction = {:.4g} +- {:.2g}", event.number,

@@ -26,8 +26,8 @@ Reproduction::Reproduction(const Fidelity& fidelity, const RunStore* store) : fi
     auto known = known_runs(Study{}, fidelity, store);
     if (!known) {
         throw InputError(
-            "there are too few runs; name an atlas in PENDULAR_ATLAS, or make runs with 'pendular "
-            "campaign'");
+            "there are too few simulations; name an atlas in PENDULAR_ATLAS, or simulate with "
+            "'pendular campaign'");
     }
     emulator_ = std::make_unique<Emulator>(known->runs, std::move(known->hyperparameters));
     study_ = std::make_unique<PaperStudy>(known->runs, *emulator_);

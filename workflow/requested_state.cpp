@@ -66,16 +66,16 @@ FlowState RequestedState::state(const Emulator& emulator, const KnownRange& know
     if (reduced_pressure) {
         if (!known.knows_wet()) {
             throw InputError(
-                "none of the known runs has liquid bridges, so that wet states cannot be "
-                "predicted; 'pendular campaign' makes such runs");
+                "no simulation in atlas and store has liquid bridges, so that wet states cannot be "
+                "predicted; 'pendular campaign' makes such simulations");
         }
         result.inverse_pressure = 1 / *reduced_pressure;
         result.bridge_volume =
             bridge_volume ? *bridge_volume : bridge_volume_of(emulator, *liquid_content, result);
     } else if (!known.knows_dry()) {
         throw InputError(
-            "none of the known runs is dry, so that dry states cannot be predicted; 'pendular "
-            "campaign' makes such runs");
+            "no simulation in atlas and store is dry, so that dry states cannot be predicted; "
+            "'pendular campaign' makes such simulations");
     }
     return result;
 }
@@ -164,14 +164,14 @@ std::string unsupported_text(const RequestedState& requested, const FlowState& s
                             stiffness_number);
     const std::string impossible = why_impossible(run);
     return fmt::format(
-        "the known runs do not support a prediction at {}: {}.\n"
-        "  The nearest supported state has {}:\n"
+        "the simulations in atlas and store do not cover {}: {}.\n"
+        "  The nearest state that they cover has {}:\n"
         "    pendular predict {}\n"
         "  {}:\n    {}",
         requested.text(), why, nearest_request.text(), nearest_request.options(),
         impossible.empty() ? "To simulate the requested state instead, add --simulate, or"
                            : fmt::format("The requested state cannot be simulated either: {}. To "
-                                         "simulate the nearest supported state",
+                                         "simulate the nearest state that they cover",
                                          impossible),
         simulate_command(impossible.empty() ? run : run_of(nearest, fidelity, stiffness_number),
                          fidelity));

@@ -21,8 +21,8 @@ Emulator emulator_of_known_runs(const Fidelity& fidelity, const RunStore* store)
     auto known = known_runs(Study{}, fidelity, store);
     if (!known) {
         throw InputError(
-            "there are too few runs to predict from; name an atlas in PENDULAR_ATLAS, or make runs "
-            "with 'pendular campaign'");
+            "there are too few simulations to predict from; name an atlas in PENDULAR_ATLAS, or "
+            "simulate with 'pendular campaign'");
     }
     return Emulator(known->runs, std::move(known->hyperparameters));
 }

@@ -128,10 +128,10 @@ KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& s
     auto known = known_runs(StudyModels::with_all_effects(study), session.fidelity, session.store,
                             session.listener);
     if (!known) {
-        throw InputError({study.study().file.string()},
-                         "neither the atlas nor the store has enough runs that can serve this "
-                         "study; set PENDULAR_ATLAS to the atlas, or make runs with 'pendular "
-                         "calibrate'");
+        throw InputError(
+            {study.study().file.string()},
+            "neither the atlas nor the store has enough simulations that can serve this study; set "
+            "PENDULAR_ATLAS to the atlas, or simulate with 'pendular calibrate'");
     }
     return std::move(*known);
 }

@@ -49,10 +49,9 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
     }
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         if (!out_of_range(fit, parameters, k)) continue;
-        belief.reasons.push_back(
-            fmt::format("The fitted {} is {:.3g}, at the end of its range or of the range of the "
-                        "training runs.",
-                        parameters[k].name, fit.parameters(static_cast<Eigen::Index>(k))));
+        belief.reasons.push_back(fmt::format(
+            "The fitted {} is {:.3g}, at the end of its range or of the range of the simulations.",
+            parameters[k].name, fit.parameters(static_cast<Eigen::Index>(k))));
     }
     for (std::size_t k = 0; k < std::min(most_doubts, measurements.doubts.size()); ++k) {
         belief.reasons.push_back(measurements.doubts[k].what);

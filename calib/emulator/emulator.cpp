@@ -189,10 +189,10 @@ std::unique_ptr<const Emulator::LearnedResponse> Emulator::learned(const std::st
         plain.push_back({state, which});
     }
     if (plain.empty()) {
-        throw std::invalid_argument(
-            fmt::format("no known run has the effect {}; the atlas that comes with the program has "
-                        "such runs: name it in $PENDULAR_ATLAS, or make a campaign with {}",
-                        name, name));
+        throw std::invalid_argument(fmt::format(
+            "no simulation in atlas and store has the effect {}; the atlas that comes with the "
+            "program has such simulations: name it in $PENDULAR_ATLAS, or make a campaign with {}",
+            name, name));
     }
     const auto vector = [](const std::vector<double>& v) {
         return Eigen::VectorXd(

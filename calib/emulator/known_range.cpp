@@ -188,12 +188,12 @@ std::string KnownRange::why_unsure(const FlowState& state) const {
 std::string KnownRange::why_unsupported(const FlowState& state) const {
     const Cloud& cloud = cloud_for(state);
     if (cloud.runs == 0) {
-        return state.dry() ? "no known run is dry" : "no known run has liquid bridges";
+        return state.dry() ? "no simulation is dry" : "no simulation has liquid bridges";
     }
     const Point at = place(state);
     if ((at - nearest_in_hull(at, cloud)).norm() > margin) {
         const std::string outside = emulator_.beyond(state);
-        return outside.empty() ? "the state lies outside the convex hull of the known runs"
+        return outside.empty() ? "the state lies outside the convex hull of the simulations"
                                : outside;
     }
     return why_unsure(state);
@@ -202,7 +202,7 @@ std::string KnownRange::why_unsupported(const FlowState& state) const {
 FlowState KnownRange::nearest_supported(const FlowState& state) const {
     const Cloud& cloud = cloud_for(state);
     if (cloud.runs == 0) {
-        throw std::invalid_argument("no known run is near this state");
+        throw std::invalid_argument("no simulation is near this state");
     }
     const Point at = place(state), edge = nearest_in_hull(at, cloud);
     const auto found = [&](const Point& point) {

@@ -75,7 +75,7 @@ Observations observations_of(const std::vector<dem::RunResult>& runs, Observable
     }
     if (known.at.empty()) {
         throw std::invalid_argument(
-            fmt::format("no training run has a value of {}",
+            fmt::format("no simulation that trains the emulator has a value of {}",
                         dem::observable_names[static_cast<std::size_t>(which)]));
     }
     known.values = Eigen::MatrixXd(
@@ -197,7 +197,7 @@ PlainEmulator::PlainEmulator(const std::vector<dem::RunResult>& runs,
     learned_->hyperparameters = std::move(hyperparameters);
     std::ranges::copy_if(runs, std::back_inserter(runs_), usable);
     if (runs_.empty()) {
-        throw std::invalid_argument("there is no training run");
+        throw std::invalid_argument("there is no simulation to train the emulator on");
     }
     stiffness_number_ = stiffness_number_of(runs_, stiffness_number);
 }

@@ -28,10 +28,11 @@ Fit calibrate(LearningModel& learning, const Measured& measured, const Calibrati
         }
         const Enlargement enlarged = enlargement_by_runs(best, measured, model.parameters());
         excess = enlarged.excess(options.largest_enlargement);
-        unsettled = !settled(best) ? "the parameters still changed"
-                    : !learning.confirmed()
-                        ? "simulations still differed from the emulator's predictions"
-                        : fmt::format("the noise of the runs still enlarged {}", text_of(enlarged));
+        unsettled =
+            !settled(best) ? "the parameters still changed"
+            : !learning.confirmed()
+                ? "simulations still differed from the emulator's predictions"
+                : fmt::format("the noise of the simulations still enlarged {}", text_of(enlarged));
         const bool done =
             round >= options.fewest_rounds && settled(best) && excess <= 1 && learning.confirmed();
         at = best.parameters;

@@ -87,13 +87,13 @@ void check_fitted(const Study& study, const Measurements& measurements, const Ca
 }
 
 /// Checks that effects on grains can be predicted.
-/// @throws InputError where a study with effects on grains has no known runs
+/// @throws InputError where a study with effects on grains has no earlier runs
 void check_effects(const std::vector<const Effect*>& effects, const CalibrationRequest& request) {
     const auto grains = std::ranges::find_if(effects, &Effect::of_grains);
     if (request.known.runs.empty() && grains != effects.end()) {
         throw InputError(
-            fmt::format("a fit without known runs cannot include effects on grains, such as {}: "
-                        "leave out --cold",
+            fmt::format("a fit without earlier simulations cannot include effects on grains, such "
+                        "as {}: leave out --cold",
                         (*grains)->name));
     }
 }

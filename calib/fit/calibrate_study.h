@@ -23,7 +23,7 @@ struct CalibrationRequest {
     /// Criteria for the end of the rounds of simulations and fits.
     CalibrationOptions options = {};
     /// Time limit of the simulations, except for the first simulations of a calibration that begins
-    /// without known runs.
+    /// without earlier runs.
     RunBudget budget = {};
     /// Options for the lines of stress ratio of wet readings against 1/P*.
     CohesionOptions cohesion = {};
@@ -36,13 +36,13 @@ struct CalibrationRequest {
 };
 
 /// Calibrates a study: fits the parameters of its model to readings. The model uses an emulator
-/// trained on known runs and on new runs that are simulated as needed. With fit_to = "dry" the fit
-/// uses the dry readings, and the wet readings are predicted, unless an effect needs a joint fit
-/// (`fitted_count`); with fit_to = "all" it uses all readings.
+/// trained on earlier runs and on new runs that are simulated as needed. With fit_to = "dry" the
+/// fit uses the dry readings, and the wet readings are predicted, unless an effect needs a joint
+/// fit (`fitted_count`); with fit_to = "all" it uses all readings.
 /// @param report called after each round of simulations and fit; may be empty
 /// @throws InputError where there is no reading to fit, a reading cannot be simulated
-///         (`check_range`), or the study lists effects on grains and there are no known runs
-/// @throws std::invalid_argument where no known run can serve as a training run
+///         (`check_range`), or the study lists effects on grains and there are no earlier runs
+/// @throws std::invalid_argument where no earlier run can serve as a training run
 /// @throws dem::SimulationError where none of the first dry or none of the first wet runs succeeds
 Calibration calibrate_study(const ResolvedStudy& study, const Measurements& measurements,
                             const CalibrationRequest& request, const Workers& workers,

@@ -29,8 +29,8 @@ std::string remedy(const Calibration& c) {
                             : "a higher fidelity reduces the error";
 }
 
-/// Note that names the readings whose predictions the known runs do not support; empty if there are
-/// none.
+/// Note that names the readings whose predictions the earlier runs do not support; empty if there
+/// are none.
 std::optional<std::string> unsupported_note(const Calibration& c, const RunPlanner& planner) {
     constexpr std::size_t most_named = 5;
     const KnownRange known(planner.simulation()->emulator());
@@ -52,11 +52,11 @@ std::optional<std::string> unsupported_note(const Calibration& c, const RunPlann
     const std::size_t count = readings.size(), named = std::min(count, most_named);
     readings.resize(named);
     return fmt::format(
-        "The known runs do not support the predictions of {} of {} readings: {}{}. {}.", count,
+        "The simulations in atlas and store do not cover {} of {} readings: {}{}. {}.", count,
         c.readings.size(), fmt::join(readings, "; "),
         count > named ? fmt::format("; and {} more", count - named) : "",
         planner.orders_more()
-            ? "Make runs at these states with 'pendular campaign', or leave these readings out"
+            ? "Simulate these states with 'pendular campaign', or leave these readings out"
             : "'pendular calibrate' without --no-confirm simulates these states");
 }
 
@@ -90,8 +90,8 @@ std::optional<std::string> exhausted_note(const Calibration& c, const RunPlanner
         return std::nullopt;
     }
     return fmt::format(
-        "The time for simulations ended while the noise of the runs still enlarged {}. 'pendular "
-        "calibrate --confirm' continues from the stored runs",
+        "The time for simulations ended while the noise of the simulations still enlarged {}. "
+        "'pendular calibrate --confirm' continues from the stored simulations",
         text_of(enlarged));
 }
 

@@ -53,7 +53,7 @@ std::vector<dem::RunResult> usable_of(const std::vector<dem::RunResult>& runs,
         if (emulated::usable(run)) {
             usable.push_back(run);
         } else {
-            notes.push_back(fmt::format("a run at {} is not used: it {}",
+            notes.push_back(fmt::format("a simulation at {} is not used: it {}",
                                         describe(emulated::flow_state_of(run.parameters)),
                                         !run.failure.empty() ? "failed, " + run.failure
                                         : run.crystallised   ? "crystallised"

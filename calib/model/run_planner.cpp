@@ -21,8 +21,8 @@ constexpr double spread = 0.2;
 /// the maximum number of runs is requested.
 constexpr double unknown = 1e9;
 
-/// Frictions of the first dry design, for studies without known runs; spaced about evenly in their
-/// logarithm.
+/// Frictions of the first dry design, for studies without earlier runs; spaced about evenly in
+/// their logarithm.
 constexpr double first_frictions[] = {0.02, 0.07, 0.15, 0.3, 0.6};
 /// Where readings are slower than all runs, the first design contains a further, faster inertial
 /// number, from which to extrapolate: the lowest inertial number of the runs times this factor, but
@@ -78,9 +78,9 @@ RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditi
                 extrapolation_factor * fidelity.lowest_inertial_number, fastest_extrapolated));
         }
         trained_stiffness = fidelity.stiffness_number;
-        known.runs = simulated(runs_at(first_dry_design()), "since nothing was known");
+        known.runs = simulated(runs_at(first_dry_design()), "since there was none to predict from");
         if (known.runs.empty()) {
-            throw dem::SimulationError("no run succeeded: " + notes_.back());
+            throw dem::SimulationError("no simulation succeeded: " + notes_.back());
         }
     }
     use(Emulator(known.runs, std::move(known.hyperparameters), trained_stiffness));
@@ -125,9 +125,10 @@ void RunPlanner::begin_wet(double friction) {
     if (!orders_more_ || std::ranges::any_of(simulation_->emulator().runs(), wet)) {
         return;
     }
-    const auto fresh = simulated(runs_at(first_wet_design(friction)), "since no wet run was known");
+    const auto fresh =
+        simulated(runs_at(first_wet_design(friction)), "since there was none with liquid bridges");
     if (fresh.empty()) {
-        throw dem::SimulationError("no wet run succeeded: " + notes_.back());
+        throw dem::SimulationError("no wet simulation succeeded: " + notes_.back());
     }
     use(simulation_->emulator().with(fresh));
 }
@@ -233,7 +234,7 @@ void RunPlanner::order_beyond(double friction, const std::vector<EffectiveCondit
         return;  // the notes of a calibration name the readings that runs do not support
     }
     // Without runs nearby, the initial error is that of the prior.
-    order(most_informative(targets, from, unknown), "since " + why + " of the known runs");
+    order(most_informative(targets, from, unknown), "since " + why + " of the earlier simulations");
 }
 
 void RunPlanner::confirm(double friction, const std::vector<EffectiveCondition>& conditions,
@@ -261,8 +262,8 @@ void RunPlanner::confirm(double friction, const std::vector<EffectiveCondition>&
     if (p < disagreement) {
         confirmed_ = false;
         notes_.push_back(
-            fmt::format("Fresh runs {} differed from the emulator's predictions (p = {:.2g}); the "
-                        "emulator is now trained on them.",
+            fmt::format("New simulations {} differed from the emulator's predictions (p = {:.2g}); "
+                        "the emulator is now trained on them.",
                         wet ? "at the wet readings" : "at the optimum", p));
     }
 }

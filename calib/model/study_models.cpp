@@ -41,21 +41,21 @@ StudyModels::StudyModels(const ResolvedStudy& study, std::vector<Condition> cond
     const std::vector<const Effect*>& listed = study_.effects();
     for (std::size_t k = 0; k < listed.size(); ++k) {
         if (!has_runs(*listed[k])) {
-            throw InputError(
-                study_.study().model.effects[k].position,
-                fmt::format("'effects': no known run has {} as its only effect, so that the "
-                            "emulator cannot predict it; make such runs with 'pendular campaign'",
-                            listed[k]->name));
+            throw InputError(study_.study().model.effects[k].position,
+                             fmt::format("'effects': no simulation in atlas and store has {} as "
+                                         "its only effect, so that the emulator cannot predict it; "
+                                         "make such simulations with 'pendular campaign'",
+                                         listed[k]->name));
         }
     }
     for (const StatedDirect& stated : study_.study().direct) {
         if (!has_runs(study_.catalogue().find(stated.effect))) {
             throw InputError(
                 stated.effect_position,
-                fmt::format(
-                    "'effect': no known run has {} as its only effect, so that the emulator cannot "
-                    "predict it; make such runs with 'pendular campaign', or leave this entry out",
-                    stated.effect));
+                fmt::format("'effect': no simulation in atlas and store has {} as its only effect, "
+                            "so that the emulator cannot predict it; make such simulations with "
+                            "'pendular campaign', or leave this entry out",
+                            stated.effect));
         }
     }
     for (const Effect& effect : study_.catalogue().all()) {
@@ -92,9 +92,10 @@ void StudyModels::add_candidate(const Effect& effect) {
     if (const auto why = why_not(effect, study_)) {
         left_aside_.push_back({effect.name, *why});
     } else if (!has_runs(effect)) {
-        left_aside_.push_back(
-            {effect.name,
-             "no known run has it as its only effect; 'pendular campaign' makes such runs", true});
+        left_aside_.push_back({effect.name,
+                               "no simulation in atlas and store has it as its only effect; "
+                               "'pendular campaign' makes such simulations",
+                               true});
     } else {
         Candidate candidate{effect.name, effect.parameters, group_of(effect)};
         // An effect that the liquid switches on is neutral at the value that the liquid gives.
@@ -127,7 +128,7 @@ std::shared_ptr<const EffectModel> StudyModels::with_only(
     for (const std::string& name : names) {
         const Effect& effect = study_.catalogue().find(name);
         if (!has_runs(effect)) {
-            throw std::invalid_argument("no known run has " + name + " alone");
+            throw std::invalid_argument("no simulation in atlas and store has " + name + " alone");
         }
         effects.push_back(&effect);
     }

@@ -50,8 +50,8 @@ const std::vector<std::string>& instrument_targets();
 /// "stress_ratio" and "solid_fraction".
 const std::vector<std::string>& flow_targets();
 /// Properties of the grains and of their liquid that formulas of an [[effect]] of study.toml can
-/// set: "friction_difference" (friction coefficient minus the friction coefficient of the model
-/// [1]) and "surface_tension" [N/m].
+/// set: "friction_difference" (friction coefficient of the grains minus the fitted friction of the
+/// model [1]) and "surface_tension" [N/m].
 const std::vector<std::string>& condition_targets();
 
 /// Reads the effects that a user defines in the tables [[effect]] of study.toml.

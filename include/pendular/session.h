@@ -63,8 +63,8 @@ struct Verdict {
     /// known effect explains) or "suspect-measurement".
     std::string verdict;
     /// Effects that the verdict names. "missing": all of them are missing; "indistinguishable":
-    /// alternatives that explain the readings equally well; "inconclusive": effects that these
-    /// readings would not reveal.
+    /// alternatives that explain the readings equally well; "inconclusive": effects that could be
+    /// large enough to matter without showing in these readings.
     std::vector<std::string> effects;
     bool complete = true;  ///< whether the model with the named effects explains the readings
     std::vector<std::string> suspects;  ///< measurements whose error would explain the readings too
@@ -175,15 +175,16 @@ class Session {
 
     /// Tests which physical effect, if any, is missing from the study's model, without any new
     /// simulation.
-    /// @throws InputError where the study has too few readings or known simulation runs for a
-    ///         diagnosis, or a reading is outside the range that can be simulated
+    /// @throws InputError where the study has too few readings, or atlas and store too few
+    ///         simulations, for a diagnosis, or a reading is outside the range that can be
+    ///         simulated
     /// @throws Interrupted where `Options::stop` ended the work
     Verdict diagnose() const;
 
     /// Diagnoses the study as `diagnose` and plans the next measurement, among the instrument
     /// settings in section [rig] of study.toml or, without this section, in the readings' range.
     /// @throws InputError where `diagnose` would throw it, and where the reading at none of these
-    ///         settings can be predicted from the known simulation runs
+    ///         settings can be predicted from the simulations in atlas and store
     /// @throws Interrupted where `Options::stop` ended the work
     Suggestion next() const;
 

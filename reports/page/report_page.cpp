@@ -94,7 +94,7 @@ PageSection where_section(const PageContent& content) {
 PageTable scan_table(const PageContent& content) {
     PageTable table{.caption = "Known effects, the largest fall of chi2 first",
                     .head = {"effect", "group", "estimate", "chi2 falls by", "refitted", "p",
-                             "power at the smallest size of interest", "decision"}};
+                             "power for an effect just large enough to matter", "decision"}};
     const auto& candidates = content.diagnosis.models->candidates();
     for (const Finding& finding : content.diagnosis.diagnosis.scan) {
         const Candidate& candidate = candidates[finding.candidate];
@@ -152,13 +152,13 @@ PageSection effects_section(const PageContent& content) {
 
 PageSection impact_section(const PageContent& content) {
     const ImpactTable& impacts = *content.impacts;
-    PageSection section{.id = "impacts", .title = "What it does to the friction"};
+    PageSection section{.id = "impacts", .title = "How effects shift the fitted friction"};
     section.lines = impact_lines(impacts, content.diagnosis.diagnosis);
     const double error = impacts.errors(0);
     PageTable table{
         .caption = fmt::format("Shift of the friction {} by each effect or error of measurement",
                                with_error(impacts.fitted(0), error)),
-        .head = {"effect or error", "group", "at the smallest size of interest", "at the estimate",
+        .head = {"effect or error", "group", "at the smallest size that matters", "at the estimate",
                  "by the estimate's error"}};
     for (const Impact& impact : impacts.impacts) {
         table.rows.push_back({impact_name(impact), impact.group,
@@ -210,13 +210,13 @@ std::vector<std::string> used_effects(const PageContent& content) {
 PageSection provenance_section(const PageContent& content) {
     PageSection section{.id = "provenance", .title = "Provenance"};
     section.lines = {
-        fmt::format("Made by Pendular {} from {} readings and {} stored simulation runs, fidelity "
-                    "{}, seed {}.",
+        fmt::format("Made by Pendular {} from {} readings and {} earlier simulations, fidelity {}, "
+                    "seed {}.",
                     content.version, content.diagnosis.readings.size(), content.runs,
                     content.options.fidelity.name, content.options.seed),
-        "No simulation was made for the fits of this page: the emulator predicts what the runs "
+        "No simulation was made for the fits of this page: the emulator predicts what simulations "
         "would give, with its error. 'pendular calibrate' confirms the fit of the study's model by "
-        "runs of its own.",
+        "new simulations.",
         "Contact and capillary laws, closures and the friction's calibration follow Badetti, Fall, "
         "Chevoir and Roux, Shear strength of wet granular materials: macroscopic cohesion and "
         "effective stress (2018)."};

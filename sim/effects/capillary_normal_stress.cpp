@@ -9,8 +9,10 @@ Effect capillary_normal_stress() {
         .summary =
             "takes the capillary normal stress itself, not its estimate by Z* (not for base dem)",
         .equation =
-            "mu* = mu*_0 (1 - s22cap/s22) - s12cap/s22      eq:strength1 in place of eq:strength2",
-        .parameters = {on_switch("0: eq:strength2, 1: eq:strength1")},
+            "mu* = mu*_0 (1 - s22cap/s22) - s12cap/s22      in place of mu* = mu*_0 + (mu*_0 Phi_S "
+            "Z*/pi - a^2 s12cap/F0)/P*",
+        .parameters = {on_switch(
+            "1: the simulated capillary normal stress, 0: its estimate by Z*")},
         .change = ChangeClosure{.level = closures::Level::strength1},
         .touches = Touches::wet,
         .acts_through = {"1/reduced_pressure", "liquid_content"},

@@ -5,18 +5,19 @@ namespace pendular {
 /// Capillary forces carry a shear stress opposite in sign to the total shear stress, which Rumpf's
 /// cohesion neglects. The effect takes this shear stress into account.
 Effect capillary_shear_stress() {
-    return {.summary =
-                "adds the shear stress of capillary forces to Rumpf's cohesion (not for base dem)",
-            .equation =
-                "mu* = mu*_0 + (mu*_0 Phi_S Z*/pi - a^2 s12cap/F0)/P*      eq:strength2 in place "
-                "of eq:strength3",
-            .parameters = {on_switch("0: eq:strength3, 1: eq:strength2")},
-            .change = ChangeClosure{.level = closures::Level::strength2},
-            .touches = Touches::wet,
-            .acts_through = {"1/reduced_pressure", "liquid_content"},
-            .references = {
-                "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
-                "macroscopic cohesion and effective stress (2018), eq:strength2 and eq:strength3"}};
+    return {
+        .summary =
+            "adds the shear stress of capillary forces to Rumpf's cohesion (not for base dem)",
+        .equation =
+            "mu* = mu*_0 + (mu*_0 Phi_S Z*/pi - a^2 s12cap/F0)/P*      s12cap = 0 without the "
+            "effect",
+        .parameters = {on_switch("1: the capillary shear stress is included, 0: it is neglected")},
+        .change = ChangeClosure{.level = closures::Level::strength2},
+        .touches = Touches::wet,
+        .acts_through = {"1/reduced_pressure", "liquid_content"},
+        .references = {
+            "Badetti, Fall, Chevoir and Roux, Shear strength of wet granular materials: "
+            "macroscopic cohesion and effective stress (2018), eq:strength2 and eq:strength3"}};
 }
 
 }  // namespace pendular

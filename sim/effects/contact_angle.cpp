@@ -24,7 +24,7 @@ Effect contact_angle() {
                             .upper = 89 * degree,
                             .neutral = 0,
                             .smallest_of_interest = 10 * degree,
-                            .meaning = "added to the study's contact angle",
+                            .meaning = "difference to the contact angle in the study",
                             .amplitude = [](double angle) { return 1 - std::cos(angle); }}},
             .change = ChangeCondition{[](EffectiveCondition condition, const Values& v) {
                 double& angle = condition.liquid->contact_angle;

@@ -10,10 +10,10 @@ Effect contact_stress() {
         .summary =
             "lets the stress ratio of contacts differ from that of dry grains (not for base dem)",
         .equation =
-            "mu* = |s12cont + s12cap|/s22, simulated, in place of eq:strength1, which has s12cont "
-            "= "
-            "-mu*_0 s22cont",
-        .parameters = {on_switch("0: eq:strength1, 1: the simulation")},
+            "mu* = |s12cont + s12cap|/s22, simulated      s12cont = -mu*_0 s22cont without the "
+            "effect",
+        .parameters = {on_switch("1: the simulated stress of the contacts, 0: their stress ratio "
+                                 "is that of dry grains")},
         .change = ChangeClosure{.level = closures::Level::simulation},
         .touches = Touches::wet,
         .acts_through = {"1/reduced_pressure", "liquid_content"},

@@ -9,10 +9,10 @@ Effect distant_bridge_force() {
         .summary =
             "weighs bridges without contact by their mean force, not by F0/2 (base mohr-coulomb)",
         .equation =
-            "mu* = mu*_0 [1 + Phi_S Z*/(pi P*)], Z* = Z_c + Z_d F_d/F0      eq:strength3 in place "
-            "of "
-            "eq:cohesion3 with Z_c + 0.5 Z_d",
-        .parameters = {on_switch("0: 0.5 Z_d, 1: eq:strength3")},
+            "mu* = mu*_0 [1 + Phi_S Z*/(pi P*)], Z* = Z_c + Z_d F_d/F0      in place of Z_c + 0.5 "
+            "Z_d",
+        .parameters = {on_switch(
+            "1: their simulated mean force F_d, 0: half the pull-off force F0")},
         .change = ChangeClosure{.level = closures::Level::strength3},
         .touches = Touches::wet,
         .acts_through = {"1/reduced_pressure", "liquid_content"},

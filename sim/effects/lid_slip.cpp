@@ -18,7 +18,7 @@ Effect lid_slip() {
                         .upper = 0.9,
                         .neutral = 0,
                         .smallest_of_interest = 0.05,
-                        .meaning = "part of the lid's velocity that is slip"}},
+                        .meaning = "velocity of slip over velocity of the lid"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            shown.angular_velocity /= 1 - v["fraction"];

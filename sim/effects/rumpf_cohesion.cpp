@@ -10,9 +10,9 @@ Effect rumpf_cohesion() {
         .summary =
             "replaces fitted cohesions by Rumpf's cohesion from the structure (base mohr-coulomb)",
         .equation =
-            "mu* = mu*_0 [1 + Phi_S Z/(pi P*)], Z = Z_c + 0.5 Z_d      eq:cohesion3 in place of "
-            "eq:mohrcoulomb2",
-        .parameters = {on_switch("0: eq:mohrcoulomb2, 1: eq:cohesion3")},
+            "mu* = mu*_0 [1 + Phi_S Z/(pi P*)], Z = Z_c + 0.5 Z_d      in place of mu* = mu*_0 + "
+            "c*/P* with a fitted c*",
+        .parameters = {on_switch("1: Rumpf's cohesion, 0: cohesions fitted to the readings")},
         .change = ChangeClosure{.level = closures::Level::rumpf},
         .touches = Touches::wet,
         .acts_through = {"1/reduced_pressure", "liquid_content"},

@@ -15,7 +15,7 @@ Effect rupture_distance() {
                             .upper = 2,
                             .neutral = 1,
                             .smallest_of_interest = 0.2,
-                            .meaning = "factor on the rupture distance"}},
+                            .meaning = "rupture distance over V0^(1/3) (V0: volume of a bridge)"}},
             .change = dem::ChangePairs{.bridge_law =
                                            [](dem::BridgeLaw law, const Values& v) {
                                                law.rupture_distance *= v["factor"];

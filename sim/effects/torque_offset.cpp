@@ -15,7 +15,7 @@ Effect torque_offset() {
                         .upper = 0.1,
                         .neutral = 0,
                         .smallest_of_interest = 1e-4,
-                        .meaning = "drag torque"}},
+                        .meaning = "torque of the drag"}},
         .change = ChangeInstrument{.show =
                                        [](CellState shown, const Values& v) {
                                            shown.torque += v["torque"];

@@ -58,14 +58,13 @@ class Runs {
   private:
     void note_or_give_up(const dem::RunParameters& p, const std::string& why, int attempt) {
         const std::string what = fmt::format(
-            "a run at inertial number {:g}{} {}", p.inertial_number,
+            "a simulation at inertial number {:g}{} {}", p.inertial_number,
             p.wetting ? fmt::format(", reduced pressure {:.3g}", p.wetting->reduced_pressure) : "",
             why);
         if (attempt == most_attempts) {
             throw dem::SimulationError(
-                fmt::format("{}; {} runs of other seeds were no better; leave the condition out, "
-                            "or use a higher "
-                            "friction or fidelity",
+                fmt::format("{}; {} simulations with other seeds were no better; leave the "
+                            "condition out, or use a higher friction or fidelity",
                             what, attempt - 1));
         }
         notes_.push_back(what + "; it was repeated with another seed");
@@ -147,20 +146,21 @@ std::vector<double> find_bridge_volumes(const LabPlan& plan,
     std::vector<double> contents;
     std::ranges::transform(conditions, std::back_inserter(contents),
                            &EffectiveCondition::liquid_content);
-    return bridge_volumes(contents, [&](std::span<const std::size_t> which,
-                                        std::span<const double> volumes) {
-        announce(result.pilots == 0 ? "pilot runs for the liquid contents" : "second pilot runs");
-        std::vector<dem::RunParameters> pilots;
-        for (std::size_t i = 0; i < which.size(); ++i) {
-            pilots.push_back(pilot_at(plan, conditions[which[i]], volumes[i]));
-        }
-        result.pilots += pilots.size();
-        std::vector<double> found;
-        for (const auto& run : runs.simulate_all(pilots, failed_or_crystallised)) {
-            found.push_back(run[dem::Observable::liquid_content].value);
-        }
-        return found;
-    });
+    return bridge_volumes(
+        contents, [&](std::span<const std::size_t> which, std::span<const double> volumes) {
+            announce(result.pilots == 0 ? "simulations that seek the bridge volumes"
+                                        : "second simulations that seek the bridge volumes");
+            std::vector<dem::RunParameters> pilots;
+            for (std::size_t i = 0; i < which.size(); ++i) {
+                pilots.push_back(pilot_at(plan, conditions[which[i]], volumes[i]));
+            }
+            result.pilots += pilots.size();
+            std::vector<double> found;
+            for (const auto& run : runs.simulate_all(pilots, failed_or_crystallised)) {
+                found.push_back(run[dem::Observable::liquid_content].value);
+            }
+            return found;
+        });
 }
 
 /// Adds a note where the standard errors of the runs exceed the scatter planned for the recordings.

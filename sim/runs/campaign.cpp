@@ -142,7 +142,7 @@ std::vector<Point> grid_points(const StudyTable& table) {
         std::vector<Point> more;
         if (points.size() * numbers.size() > most_runs) {
             table.refuse(parameter->name,
-                         fmt::format("makes more than {} runs of this grid", most_runs));
+                         fmt::format("makes more than {} simulations of this grid", most_runs));
         }
         for (const Point& point : points) {
             for (const double number : numbers) {
@@ -263,13 +263,13 @@ class Reader {
         } catch (const std::invalid_argument& error) {
             throw InputError(
                 table.position(),
-                fmt::format("requests a run that cannot be simulated: {}", error.what()));
+                fmt::format("requests a simulation that is not possible: {}", error.what()));
         }
         if (there_.insert(run_description(run)).second) {
             runs_.push_back(run);
         }
         if (runs_.size() > most_runs) {
-            throw InputError(table.position(), fmt::format("more than {} runs", most_runs));
+            throw InputError(table.position(), fmt::format("more than {} simulations", most_runs));
         }
     }
 
@@ -295,9 +295,9 @@ std::vector<dem::RunParameters> read_campaign(const std::filesystem::path& file)
     }
     auto runs = std::move(reader).runs();
     if (runs.empty()) {
-        throw InputError(
-            root.position(),
-            "requests no run; add [[grid]], [[list]] or [[sobol]] ('pendular campaign --help')");
+        throw InputError(root.position(),
+                         "requests no simulation; add [[grid]], [[list]] or [[sobol]] ('pendular "
+                         "campaign --help')");
     }
     return runs;
 }

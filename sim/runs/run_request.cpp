@@ -20,8 +20,8 @@ namespace {
 /// @throws std::invalid_argument where it cannot
 void check_effect(const Effect& effect, const std::vector<double>& values, bool wet) {
     if (!effect.of_grains()) {
-        throw std::invalid_argument(
-            fmt::format("{} is no effect on grains: a single run cannot have it", effect.name));
+        throw std::invalid_argument(fmt::format(
+            "{} is no effect on grains: a single simulation cannot have it", effect.name));
     }
     if (effect.touches == Touches::wet && !wet) {
         throw std::invalid_argument(fmt::format(

@@ -49,15 +49,15 @@ RunScale RunScale::of(const dem::RunParameters& run) const {
 
 std::string why_no_run_has(const Effect& effect) {
     if (effect.of_instrument()) {
-        return "it acts on what an instrument shows, and a single run has no instrument; "
+        return "it acts on what an instrument shows, and a single simulation has no instrument; "
                "'pendular virtual-lab' has one";
     }
     if (effect.of_closure()) {
         return "it acts on the closures of bases \"mohr-coulomb\" and \"rumpf\", which are no part "
-               "of a run";
+               "of a simulation";
     }
     if (std::holds_alternative<ChangeFlow>(effect.change)) {
-        return "it changes the result of a run by a formula and cannot be simulated";
+        return "it changes the result of a simulation by a formula and cannot be simulated itself";
     }
     return "";
 }

@@ -103,9 +103,12 @@ TEST_F(StudyChanges, AreRefusedBeforeAnyWork) {
                          "contact-angle acts on wet beads, but this study has no [liquid]");
     expect_refused_whole("drop " + path + " torque-gain", "does not list \"torque-gain\"");
     expect_refused_whole("drop " + path + " torque-ofset", "did you mean 'torque-offset'?");
-    expect_refused_whole("add " + path, "the effect is missing; usage: pendular add STUDY EFFECT");
-    expect_refused_whole("drop",
-                         "the name of the study, folder or file is missing; usage: pendular drop");
+    expect_refused_whole(
+        "add " + path,
+        "EFFECT, the name of an effect, is missing; usage: pendular add STUDY EFFECT");
+    expect_refused_whole(
+        "drop",
+        "STUDY, the folder of a study or its file study.toml, is missing; usage: pendular drop");
     expect_refused_whole("add " + path + " lid-slip torque-gain", "too many arguments");
     const std::string none = study(cell).string();
     expect_refused_whole("drop " + none + " torque-gain", "the study lists no effects");
@@ -119,7 +122,8 @@ TEST_F(StudyChanges, AreRefusedWhereTheLadderIsBroken) {
     const std::string path = study(cell).string();
     fs::create_directories(folder_.path() / "out");
     const auto ladder = folder_.write("out/ladder.json", "{\"rungs\": [{\"step\"");
-    expect_refused_whole("add " + path + " torque-gain", "ladder.json: not a complete ladder of a study");
+    expect_refused_whole("add " + path + " torque-gain",
+                         "ladder.json: not a complete ladder of a study");
     EXPECT_EQ(content_of(ladder), "{\"rungs\": [{\"step\"");
 }
 

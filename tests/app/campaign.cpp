@@ -165,7 +165,8 @@ TEST(CampaignCommand, RefusesBeforeItSimulates) {
                              const std::string& why) {
         expect_refused("campaign " + folder.write("runs.toml", text).string() + " " + words, why);
     };
-    refused("[[grid]]\nbeads = 12\n", "", "runs.toml:1:1: requests a run that cannot be simulated");
+    refused("[[grid]]\nbeads = 12\n", "",
+            "runs.toml:1:1: requests a simulation that is not possible");
     refused("[[gird]]\nbeads = 100\n", "", "did you mean 'grid'");
     refused(eight_runs, "--shard 3/2", "write i/n");
     refused(eight_runs, "--shard 2/3x", "write i/n");
@@ -204,10 +205,10 @@ TEST(RunsCommand, LooksAfterTheStore) {
     const auto refused = [&](const std::string& words, const std::string& why) {
         expect_refused("runs " + words + store, why);
     };
-    refused("", "needs an action");
+    refused("", "the action is missing");
     refused("lst", "did you mean 'list'");
     refused("show 99", "has no run 99");
-    refused("show x", "is no number of a run");
+    refused("show x", "is not the number of a stored simulation");
     refused("plot --y stres_ratio", "did you mean 'stress_ratio'");
     refused("list --where \"a b\"", "condition 'a b'");
     refused("prune", "name what to remove");
@@ -245,13 +246,13 @@ TEST(CampaignCommand, EstimatesItsDurationWithoutMakingAStore) {
     const Outcome fresh = run_pendular(words + store.string());
     ASSERT_EQ(fresh.code, 0) << fresh.errors;
     EXPECT_FALSE(fs::exists(store));
-    EXPECT_THAT(fresh.errors, HasSubstr("0 of 9 runs are in"));
-    EXPECT_THAT(fresh.errors, HasSubstr("Estimated duration of the 9 remaining runs"));
+    EXPECT_THAT(fresh.errors, HasSubstr("0 of 9 simulations are in"));
+    EXPECT_THAT(fresh.errors, HasSubstr("Estimated duration of the 9 remaining simulations"));
     EXPECT_THAT(fresh.errors, HasSubstr("another machine"));
     EXPECT_GT(json::parse(fresh.output)["estimated_seconds"], 0);
     const Outcome rest = run_pendular(words + whole(folder).string());
-    EXPECT_THAT(rest.errors, HasSubstr("8 of 9 runs are in"));
-    EXPECT_THAT(rest.errors, HasSubstr("the speed of the 8 runs in the store"));
+    EXPECT_THAT(rest.errors, HasSubstr("8 of 9 simulations are in"));
+    EXPECT_THAT(rest.errors, HasSubstr("the speed of the 8 simulations in the store"));
 }
 
 TEST(Simulate, StartsFromARandomSampleWhereTheStoreHasNone) {
@@ -276,7 +277,7 @@ TEST(Simulate, KeepsItsRun) {
     const Outcome run = run_pendular(words + " --json -" + store);
     ASSERT_EQ(run.code, 0) << run.errors;
     const Outcome next = run_pendular(words + " --friction 0.1 --start nearest --json -" + store);
-    EXPECT_THAT(next.errors, HasSubstr("from the final state of run 1: friction 0.09"));
+    EXPECT_THAT(next.errors, HasSubstr("from the final state of stored run 1: friction 0.09"));
     EXPECT_TRUE(json::parse(next.output).contains("start"));
     expect_refused(words + " --start 7" + store, "has no run 7");
     expect_refused(words + " --start 1 --seed 2" + store, "no --seed");

@@ -66,8 +66,8 @@ TEST(Effects, ShowsOneEntryWhole) {
     EXPECT_EQ(run.code, 0) << run.errors;
     for (const char* part :
          {"T_shown = T + T_drag",
-          "torque [N m], -0.1 to 0.1, neutral at 0, smallest of interest 0.0001", "1/normal_stress",
-          "Schulze", "effects = [\"torque-offset\"]",
+          "torque [N m], -0.1 to 0.1; no effect at 0; a difference of 0.0001 from that matters",
+          "1/normal_stress", "Schulze", "effects = [\"torque-offset\"]",
           "pendular virtual-lab OUT --torque-offset.torque 0.0001", "all readings"})
         EXPECT_THAT(run.output, HasSubstr(part));
 }

@@ -172,7 +172,7 @@ TEST(ImportFile, ComparesTheHeaderWithTheStudyBesideTheFile) {
     const std::string study = (folder.path() / "begun").string();
     const Outcome alone = run_pendular("import " + file.string() + " --study " + study);
     EXPECT_EQ(alone.code, 0) << alone.errors;
-    EXPECT_THAT(alone.output, HasSubstr("Nothing was found."));
+    EXPECT_THAT(alone.output, HasSubstr("The checks found nothing wrong."));
     const std::string begun = content_of(study + "/study.toml");
     EXPECT_THAT(begun, AllOf(HasSubstr("inner_radius = \"20 mm\"           # from line 1"),
                              HasSubstr("outer_radius = \"45 mm\"           # from line 2")));

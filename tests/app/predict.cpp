@@ -276,7 +276,7 @@ TEST(Calibrate, NamesReadingsThatRunsDoNotSupport) {
                      "")
             .string());
     ASSERT_EQ(run.code, 0) << run.errors;
-    EXPECT_THAT(run.output, HasSubstr("do not support the predictions of 1 of 2 readings: "
+    EXPECT_THAT(run.output, HasSubstr("do not cover 1 of 2 readings: "
                                       "points.csv:3 (inertial number 0.3 is above 0.1)"));
     EXPECT_THAT(run.output, HasSubstr("without --no-confirm"));
 }

@@ -68,7 +68,8 @@ TEST(ReferencePages, OfEffectsHoldTheRegistry) {
         text += fmt::format("\n## {}\n\n{}.\n\n```\n{}\n```\n\n", effect.name, effect.summary,
                             effect.equation);
         text +=
-            "| parameter | unit | from | to | neutral | smallest of interest | meaning |\n"
+            "| parameter | unit | from | to | value without effect | smallest change that matters "
+            "| meaning |\n"
             "|---|---|---|---|---|---|---|\n";
         for (const EffectParameter& p : effect.parameters) {
             text +=
@@ -84,11 +85,11 @@ TEST(ReferencePages, OfEffectsHoldTheRegistry) {
 }
 
 /// Terms of statistics and of the method, which are no quantities.
-constexpr std::array<std::array<const char*, 2>, 22> other_terms = {{
+constexpr std::array<std::array<const char*, 2>, 23> other_terms = {{
     {"atlas", "the simulations that come with Pendular"},
     {"between-run scatter",
-     "difference between runs of equal parameters and different seeds beyond "
-     "their standard errors"},
+     "difference between simulations of equal parameters and different seeds beyond their standard "
+     "errors"},
     {"confidence set",
      "the effect sets that explain the residuals equally well at 95 % confidence"},
     {"contact history",
@@ -99,7 +100,8 @@ constexpr std::array<std::array<const char*, 2>, 22> other_terms = {{
      "empty cell"},
     {"effect", "a physical property of instrument, beads, liquid or grains that a model may lack"},
     {"effect set", "the effects that one model contains"},
-    {"emulator", "Gaussian processes that predict simulations, trained on runs"},
+    {"emulator", "Gaussian processes that predict simulations, trained on simulations"},
+    {"fidelity", "size and accuracy of the simulations: quick, standard or paper"},
     {"filling", "beads poured into the cell once; its steps share an error"},
     {"grain", "a sphere of the simulation; beads are what the experimenter pours"},
     {"hyperparameters", "amplitudes and lengths of the emulator's Gaussian processes"},
@@ -108,7 +110,7 @@ constexpr std::array<std::array<const char*, 2>, 22> other_terms = {{
     {"misfit",
      "difference between measured and predicted value over its standard error; chi2 is the "
      "sum of squares, with correlations"},
-    {"power", "probability that a test reveals the smallest effect of interest"},
+    {"power", "probability that the readings show an effect just large enough to matter"},
     {"reading", "shear stress and solid fraction of one step of steady shear"},
     {"reduction of chi2", "decrease of chi2 when an effect is added to the model"},
     {"replicates", "readings at the same conditions, to 2 %"},
@@ -116,7 +118,7 @@ constexpr std::array<std::array<const char*, 2>, 22> other_terms = {{
     {"share imitated by the calibrated parameters",
      "share of an effect's change of the readings that a change of friction can imitate"},
     {"smallest effect of interest", "smallest size of an effect that matters to the user"},
-    {"training runs", "simulations on which the emulator is trained"},
+    {"training simulations", "simulations on which the emulator is trained"},
 }};
 
 TEST(ReferencePages, OfTermsHoldTheTableOfQuantities) {

@@ -241,7 +241,7 @@ TEST(FitFile, NamesItsRunsWhichStandBesideIt) {
 
     std::filesystem::remove(runs);
     EXPECT_THAT(input_error([&] { read_calibration(file, study(), c.readings); }),
-                testing::AllOf(HasSubstr("runs that this fit rests on"),
+                testing::AllOf(HasSubstr("simulations that this fit rests on"),
                                HasSubstr("run 'pendular calibrate' again")));
     older["format"] = 7;
     folder.write("newer.json", older.dump());

@@ -47,8 +47,8 @@ TEST(RunEffects, AreOptionsOfSimulateWhereARunCanHaveThem) {
 
 TEST(RunEffects, AreToldInSIWithTheScaleWhereItMatters) {
     const Outcome text = run_pendular(small_run + "--rolling-resistance.coefficient \"20 %\"");
-    EXPECT_THAT(text.output, HasSubstr("with rolling-resistance (coefficient 0.2)\n"));
-    EXPECT_THAT(text.output, Not(HasSubstr("at a normal stress of")));
+    EXPECT_THAT(text.output, HasSubstr("With rolling-resistance (coefficient 0.2).\n"));
+    EXPECT_THAT(text.output, Not(HasSubstr("The normal stress is")));
     const json rolling = run_json("--rolling-resistance.coefficient 0.2");
     EXPECT_EQ(rolling["effects"], json({{"rolling-resistance.coefficient", 0.2}}));
     EXPECT_FALSE(rolling.contains("scale"));

@@ -241,7 +241,7 @@ TEST(VirtualLab, GivesUpOnAConditionThatOnlyCrystallises) {
         FAIL() << "no SimulationError";
     } catch (const dem::SimulationError& error) {
         EXPECT_THAT(error.what(), HasSubstr("crystallised"));
-        EXPECT_THAT(error.what(), HasSubstr("3 runs of other seeds"));
+        EXPECT_THAT(error.what(), HasSubstr("3 simulations with other seeds"));
     }
 }
 

@@ -188,7 +188,8 @@ TEST(Emulator, NamesAnEffectThatNoRunHas) {
         emulator.mean({{state, Observable::stress_ratio}});
         FAIL();
     } catch (const std::invalid_argument& error) {
-        EXPECT_NE(std::string(error.what()).find("no known run has the effect rolling-resistance"),
+        EXPECT_NE(std::string(error.what())
+                      .find("no simulation in atlas and store has the effect rolling-resistance"),
                   std::string::npos)
             << error.what();
     }

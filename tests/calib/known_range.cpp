@@ -75,7 +75,7 @@ TEST(KnownRange, IsConvexNotABox) {
     EXPECT_THAT(known.why_unsupported(corner), HasSubstr("convex hull"));
     EXPECT_EQ(known.why_unsupported({0.3, 0.025}), "");
     EXPECT_FALSE(known.knows_wet());
-    EXPECT_EQ(known.why_unsupported({0.3, 0.025, 1, 0.002}), "no known run has liquid bridges");
+    EXPECT_EQ(known.why_unsupported({0.3, 0.025, 1, 0.002}), "no simulation has liquid bridges");
 }
 
 TEST(KnownRange, RefusesWhereTheEmulatorIsUnsureBetweenRuns) {

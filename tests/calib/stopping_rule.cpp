@@ -77,7 +77,8 @@ TEST(StoppingRule, GivesWayToTheEndOfTheTime) {
     EXPECT_FALSE(unsettled.converged);
     EXPECT_EQ(endless.rounds, CalibrationOptions{}.most_rounds);
     // The noise has 100 times the variance of the readings: sqrt(101) - 1 = 9.05.
-    EXPECT_THAT(unsettled.message, testing::HasSubstr("the noise of the runs still enlarged"));
+    EXPECT_THAT(unsettled.message,
+                testing::HasSubstr("the noise of the simulations still enlarged"));
     EXPECT_THAT(unsettled.message, testing::HasSubstr("by 905 %"));
     EXPECT_TRUE(calibrate(short_time, measured, {}).converged);
     EXPECT_EQ(short_time.rounds, 1);

@@ -102,7 +102,7 @@ TEST(Campaign, PointsToWhatIsWrong) {
                         "[\"friction\"]\n"),
                 HasSubstr("no range of positive numbers"));
     EXPECT_THAT(refusal("[[sobol]]\nfriction = [0, 0.1]\n"), HasSubstr("points"));
-    EXPECT_THAT(refusal("seed = 3\n"), HasSubstr("requests no run"));
+    EXPECT_THAT(refusal("seed = 3\n"), HasSubstr("requests no simulation"));
     EXPECT_THAT(refusal("[[grid]]\nfriction = \n"), HasSubstr("correct the syntax"));
     EXPECT_THAT(refusal("[[grid]]\nrepeats = 1.5\n"), HasSubstr("whole number"));
 }

@@ -19,10 +19,12 @@ struct FileFinding {
 /// Adds a line to ranges of lines in rising order.
 void add_line(std::vector<std::pair<int, int>>& lines, int line);
 
-/// Lines of rows as ranges of neighbouring lines: "12-15, 20".
+/// Ranges of lines as a text: "12-15, 20". At most `most` ranges are named; the number of the
+/// others follows.
 std::string text_of_lines(const std::vector<std::pair<int, int>>& lines, std::size_t most = 8);
 
-/// A finding as a text: "Lines 12-15, 20: what. done.", with at most `most` ranges of lines.
+/// A finding as a text: its lines, what is wrong, and what is done about it, as in "Lines 12-15,
+/// 20: the time goes back. The rows are left out.". At most `most` ranges of lines are named.
 std::string text_of(const FileFinding& finding, std::size_t most = 8);
 
 }  // namespace pendular
