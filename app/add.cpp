@@ -42,9 +42,9 @@ Writes fit.json, ladder.json (the sequence of the study's models) and the figure
 results folder. study.toml is changed last; it remains unchanged if the fit does not converge or is
 interrupted.
 
-An emulator trained on the atlas and all stored simulations predicts the readings, at the fidelity of the
-study's earlier fit. No simulation is made unless --confirm is given. 'pendular effects' lists the
-known effects.)";
+An emulator trained on the atlas and all stored simulations predicts the readings, at the fidelity
+of the study's earlier fit. No simulation is made unless --confirm is given. 'pendular effects' lists
+the known effects.)";
 
 struct AddOptions {
     FitOptions fit;

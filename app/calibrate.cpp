@@ -105,8 +105,8 @@ int calibrate(const std::vector<std::string>& arguments) {
         "predicts the wet readings\n"
         "with it (fit_to = \"all\" in the study fits them too). An emulator that is "
         "trained on the atlas\n"
-        "and on all stored simulations gives a first answer; simulations at the optimum "
-        "confirm it, until both agree.\n"
+        "and on all stored simulations gives a first answer; simulations at the optimum confirm\n"
+        "it, until both agree. "
         "Writes fit.json to the results folder.",
         "  pendular calibrate examples/polystyrene --no-confirm\n"
         "  pendular calibrate examples/polystyrene --fidelity quick --confirm 5\n"

@@ -141,8 +141,9 @@ int campaign(const std::vector<std::string>& arguments) {
     Options options(
         "campaign FILE [options]",
         "Makes the simulations of a campaign file (grids, lists, Sobol sequences), the longest "
-        "first, and keeps\neach in the store as it ends. The same command resumes a stopped "
-        "campaign; simulations that are in\nthe store are not repeated.",
+        "first,\n"
+        "and keeps each in the store as it ends. The same command resumes a stopped campaign; "
+        "simulations\nthat are in the store are not repeated.",
         "  pendular campaign sim/atlas/campaign.toml\n"
         "  mpirun -n 9 pendular campaign my.toml        # one manages, eight work\n"
         "  pendular campaign my.toml --shard 2/8 --store part-2.sqlite   # one of eight machines\n"
