@@ -63,7 +63,7 @@ fs::path whole(const TemporaryFolder& folder) {
         run_pendular(fmt::format("campaign {} --quiet --threads 2 --store {}",
                                  folder.write("runs.toml", eight_runs).string(), file.string()));
     EXPECT_EQ(run.code, 0) << run.errors;
-    EXPECT_THAT(run.output, HasSubstr("8 of 8 runs"));
+    EXPECT_THAT(run.output, HasSubstr("8 of 8 simulations"));
     return file;
 }
 
@@ -143,7 +143,7 @@ TEST(CampaignCommand, IsTheSameInSharesAndUnderMpi) {
         "mpirun --oversubscribe -n 3 {} campaign {} --quiet --store {} >{} 2>&1",
         PENDULAR_PROGRAM, file, mpi.string(), (folder.path() / "said").string());
     EXPECT_EQ(WEXITSTATUS(std::system(started.c_str())), 0) << content_of(folder.path() / "said");
-    EXPECT_THAT(content_of(folder.path() / "said"), HasSubstr("8 of 8 runs"));
+    EXPECT_THAT(content_of(folder.path() / "said"), HasSubstr("8 of 8 simulations"));
     EXPECT_EQ(content_of_store(mpi), content_of_store(expected));
 }
 
