@@ -110,11 +110,12 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
                              after.ladder_step.chi2, after.ladder_step.dof));
     const auto all_fitted = [](const Calibration& c) { return c.fitted == c.readings.size(); };
     if (all_fitted(before.calibration) != all_fitted(after.calibration)) {
-        console.line(fmt::format(
-            "Before the change {}, after it {}.",
-            all_fitted(before.calibration) ? "all readings were fitted together"
-                                           : "the dry readings alone were fitted",
-            all_fitted(after.calibration) ? "all readings together" : "the dry readings alone"));
+        console.line(
+            all_fitted(after.calibration)
+                ? "Before the change the dry readings alone were fitted, after it all readings "
+                  "together: a model with this effect is always fitted to all readings."
+                : "Before the change all readings were fitted together, after it the dry readings "
+                  "alone, as fit_to = \"dry\" in study.toml says.");
     }
     if (change.change == Action::drop &&
         change.study.catalogue().is_written(change.study.catalogue().find(change.effect))) {

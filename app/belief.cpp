@@ -6,9 +6,9 @@
 
 namespace pendular::app {
 
-std::string verdict_on(const Belief& belief, const std::string& basis) {
+std::string verdict_on(const Belief& belief, const std::string& basis, const std::string& what) {
     if (belief.believable()) return "; " + basis + ".";
-    return fmt::format("; do not use this value{}: {}",
+    return fmt::format("; do not use {}{}: {}", what,
                        belief.meaningless ? ", it is meaningless" : "", belief.reasons.front());
 }
 

@@ -55,6 +55,9 @@ std::string source_of_wet(const Calibration& c) {
            " without any further parameter";
 }
 
+/// p value of chi2 [1] below which a misfit is pointed out although the fit can be used.
+constexpr double noticed_p = 0.05;
+
 void print_result(Console& console, const Calibration& c, const Comparison& comparison,
                   const Belief& belief, const std::string& basis) {
     const bool stated = c.model.discrepancy != std::array{0.0, 0.0};
@@ -73,7 +76,12 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
         console.line(fmt::format("The 68 % profile likelihood interval is {:.4g} to {:.4g}.",
                                  c.profile->first, c.profile->second));
     }
-    console.line(fmt::format("The fit has {}.", misfit_text(comparison.fitted)));
+    const double p = comparison.fitted.p();
+    console.line(fmt::format("The fit has {}{}.", misfit_text(comparison.fitted),
+                             p < noticed_p && p >= incredible_p
+                                 ? ": more than the errors explain; 'pendular diagnose' tests "
+                                   "what is missing"
+                                 : ""));
     console.line(basis_of(c));
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format("{} wet readings are predicted by {}: {}.",

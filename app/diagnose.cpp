@@ -1,12 +1,14 @@
 // `pendular diagnose`: which physical effect is missing from a study's model.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/diagnosis/explanation_search.h"
 #include "analysis/diagnosis/study_evidence.h"
 #include "analysis/misfit/compare.h"
 #include "app/belief.h"
@@ -23,6 +25,7 @@
 #include "reports/impact_report.h"
 #include "reports/proposal_figure.h"
 #include "reports/proposal_report.h"
+#include "reports/with_error.h"
 #include "workflow/confirm_diagnosis.h"
 #include "workflow/diagnosis_json.h"
 #include "workflow/impact_json.h"
@@ -56,6 +59,7 @@ Decisions on an effect:
   no sign of it         something is missing, and the residuals do not point to this effect
   absent                nothing is missing, and an effect large enough to matter would show
   cannot be excluded    an effect large enough to matter might not show in the readings
+  refit not converged   no fit with the effect was found: it is neither missing nor ruled out
   cannot be seen        the effect would not show even at the bounds of its parameter
 An emulator predicts the readings from the atlas and all stored simulations. No simulation is made
 unless --confirm is given. With --confirm, the command simulates the states that reduce the errors of
@@ -160,6 +164,22 @@ void print_impacts(Console& console, const ImpactTable& impacts, const Diagnosis
         console.line(line);
     }
     if (console.all()) console.table(impact_table(impacts), impacts.impacts.size());
+}
+
+/// Prints a note for each effect that study.toml defines, looks missing and is estimated at a bound
+/// of its parameter: its true size may lie beyond.
+void note_bounds(Console& console, const StudyDiagnosis& d, const Study& study) {
+    for (const Finding& finding : d.diagnosis.scan) {
+        const Candidate& candidate = d.models->candidates()[finding.candidate];
+        const bool of_study =
+            std::ranges::find(study.written_effects, candidate.name, &WrittenEffect::name) !=
+            study.written_effects.end();
+        if (!of_study || !looks_missing(finding) || finding.standard_error > 0) continue;
+        console.note(fmt::format(
+            "The estimate of the effect {} is at a bound of its parameter, {}: if the effect may "
+            "be larger, widen 'lower' or 'upper' of its table [[effect]] in study.toml.",
+            candidate.name, with_unit(finding.value, candidate.parameters.front().unit)));
+    }
 }
 
 /// Prints notes on the import and on the limits of the models. `study`: name as the user gave it.
@@ -296,6 +316,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     if (impacts) print_impacts(console, *impacts, diagnosis);
     print_evidence(console, d, checks, *session.operator->());
     print_notes(console, d, measurements, common->study_word());
+    note_bounds(console, d, session->study());
     const auto figures = common->out_folder() / "figures";
     std::vector<Figure> drawn = {diagnosis_figure(diagnosis, models)};
     if (!d.proposals.empty()) {

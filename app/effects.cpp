@@ -71,11 +71,13 @@ EffectEntry entry_of(const Effect& effect, const EffectCatalogue& catalogue,
     return entry;
 }
 
-const Effect& named(const EffectCatalogue& catalogue, const std::string& name) {
+const Effect& named(const EffectCatalogue& catalogue, const std::string& name, bool of_study) {
     try {
         return catalogue.find(name);
     } catch (const std::invalid_argument& error) {
-        throw InputError(error.what());
+        throw InputError(error.what() + std::string(of_study ? ""
+                                                             : "; --study STUDY also shows the "
+                                                               "effects that a study defines"));
     }
 }
 
@@ -196,7 +198,8 @@ int effects(const std::vector<std::string>& arguments) {
     }
     const EffectCatalogue catalogue = study ? EffectCatalogue(*study) : EffectCatalogue();
     if (!words.empty()) {
-        show_one(console, entry_of(named(catalogue, words[0]), catalogue, study));
+        show_one(console,
+                 entry_of(named(catalogue, words[0], study.has_value()), catalogue, study));
         return done;
     }
     std::vector<EffectEntry> entries;

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 /// Dry readings as of friction 0.09, shear stresses short by a constant that a tare could be.
 class DiagnoseCommand : public testing::Test {
   protected:
-    std::string study(const std::string& points) {
+    std::string study(const std::string& points, double upper = 200) {
         std::ofstream(folder_.path() / "points.csv")
             << "normal_stress [Pa],shear_stress [Pa],shear_stress_sd [Pa],solid_fraction "
                "[1],solid_fraction_sd [1],inertial_number [1]\n"
@@ -27,7 +27,9 @@ class DiagnoseCommand : public testing::Test {
             << "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n"
                "[[readings]]\nfile = \"points.csv\"\nliquid_content = 0.0\n"
                "[[effect]]\nname = \"lost-stress\"\nparameter = \"stress\"\nunit = \"Pa\"\n"
-               "lower = -200.0\nupper = 200.0\nneutral = 0.0\nmatters = 10.0\n"
+               "lower = -200.0\nupper = "
+            << upper
+            << "\nneutral = 0.0\nmatters = 10.0\n"
                "stress_ratio = \"stress_ratio - stress/normal_stress\"\n";
         return folder_.path().string();
     }
@@ -62,6 +64,22 @@ TEST_F(DiagnoseCommand, NamesAnEffectThatTheStudyWrites) {
             EXPECT_TRUE(row.contains(key)) << key;
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "diagnosis.json"));
     EXPECT_THAT(run.errors, HasSubstr("lost-stress"));
+}
+
+TEST_F(DiagnoseCommand, SaysWhereTheBoundOfAWrittenEffectStopsIt) {
+    const std::string path = study(
+        "300,56.91,0.77,0.6189,0.0012,0.003\n"
+        "1000,233.82,2.56,0.6198,0.0012,0.003\n"
+        "3000,750.66,7.67,0.6203,0.0012,0.003\n"
+        "300,64.98,0.85,0.6138,0.0012,0.03\n"
+        "1000,266.67,2.84,0.6127,0.0012,0.03\n"
+        "3000,831.46,8.53,0.6141,0.0012,0.03\n",
+        0.02);
+    const Outcome run = run_pendular("diagnose " + path + " --quiet");
+    ASSERT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output + run.errors,
+                AllOf(HasSubstr("The estimate of the effect lost-stress is at a bound"),
+                      HasSubstr("widen 'lower' or 'upper'")));
 }
 
 /// Readings as emulated at friction 0.09, and points of failure with 1.2 times the shear stress.
