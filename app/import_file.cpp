@@ -20,6 +20,7 @@
 #include "reports/recording_figures.h"
 #include "workflow/begin_study.h"
 #include "workflow/file_json.h"
+#include "workflow/study_input.h"
 #include "workflow/tidy_table.h"
 
 namespace pendular::app {
@@ -74,16 +75,6 @@ std::map<std::string, std::string> files_of_study(const std::filesystem::path& f
 }
 
 }  // namespace
-
-std::optional<AnnularCell> cell_beside(const std::filesystem::path& file) {
-    const std::filesystem::path study = file.parent_path() / "study.toml";
-    if (!std::filesystem::is_regular_file(study)) return std::nullopt;
-    try {
-        return read_study(study).cell;
-    } catch (const InputError&) {
-        return std::nullopt;  // 'pendular import STUDY' says what is wrong with it
-    }
-}
 
 void ImportFileOptions::declare(Options& options) {
     options.begin_section("Options for a single file");

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/console.h"
 #include "app/options.h"
-#include "data/annular_cell.h"
 #include "reports/figure.h"
 
 namespace pendular::app {
@@ -29,9 +27,6 @@ struct ImportFileOptions {
 /// Draws figures and names them on the console.
 void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& folder,
               Console& console);
-
-/// Cell of the study in the folder of a file; empty if there is no study, or none that can be read.
-std::optional<AnnularCell> cell_beside(const std::filesystem::path& file);
 
 /// Whether a path names a file of measurements rather than a study: a file that is no study.toml.
 bool is_bare_file(const std::filesystem::path& path);

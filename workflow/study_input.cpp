@@ -144,4 +144,14 @@ std::filesystem::path study_folder(const std::filesystem::path& study) {
     return study.has_parent_path() ? study.parent_path() : std::filesystem::path(".");
 }
 
+std::optional<AnnularCell> cell_beside(const std::filesystem::path& file) {
+    const std::filesystem::path study = file.parent_path() / "study.toml";
+    if (!std::filesystem::is_regular_file(study)) return std::nullopt;
+    try {
+        return read_study(study).cell;
+    } catch (const InputError&) {
+        return std::nullopt;  // 'pendular import STUDY' says what is wrong with it
+    }
+}
+
 }  // namespace pendular

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "data/annular_cell.h"
 #include "data/recordings/measurements.h"
 #include "sim/catalogue/resolved_study.h"
 
@@ -48,5 +49,8 @@ void protect_inputs(const Study& study, const OutputPlaces& outputs);
 /// @throws InputError where a file of the study or an effect that it lists is wrong, and where an
 ///         output would replace an input or be read as one
 StudyInput read_input(const std::filesystem::path& file, const OutputPlaces& outputs);
+
+/// Cell of the study in the folder of a file; empty if there is no study, or none that can be read.
+std::optional<AnnularCell> cell_beside(const std::filesystem::path& file);
 
 }  // namespace pendular

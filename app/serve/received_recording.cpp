@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "app/import_file.h"
 #include "data/files/file_bytes.h"
 #include "data/files/printable.h"
 #include "data/files/write_whole.h"
