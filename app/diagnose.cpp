@@ -190,6 +190,12 @@ void print_notes(Console& console, const StudyDiagnosis& d, const Measurements& 
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
+    if (d.readings.size() < d.measured) {
+        console.note(
+            fmt::format("The tests use the means of {} bins of neighbouring conditions in "
+                        "place of the {} readings.",
+                        d.readings.size(), d.measured));
+    }
     for (const LeftAside& aside : models.left_aside()) {
         if (aside.without_runs) {
             console.note(fmt::format("The effect {} was not tested: {}", aside.effect, aside.why));
@@ -291,6 +297,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     auto json = to_json(diagnosis, models, d.evidence, checks);
     json["line"] = verdict_line(diagnosis, models, checks);
     const std::vector<RecordingEvidence> recordings = recording_evidence(d, measurements.findings);
+    json["readings"] = {{"measured", d.measured}, {"tested", d.readings.size()}};
     json["recordings"] = to_json(recordings);
     json["model_effects"] = names_of(session->study().model.effects);
     json["rivals"] = to_json(d.rivals);

@@ -17,6 +17,7 @@
 #include "calib/fit/calibration.h"
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
+#include "data/recordings/binned_readings.h"
 #include "data/recordings/replicate_groups.h"
 #include "workflow/known_runs.h"
 
@@ -143,8 +144,9 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
 
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session, KnownRuns known) {
-    StudyDiagnosis result{.readings = dry_first(measurements)};
-    check_readings(result.readings, study, session.fidelity);
+    const std::vector<Reading> all = dry_first(measurements);
+    check_readings(all, study, session.fidelity);
+    StudyDiagnosis result{.readings = binned_readings(all, most_tested), .measured = all.size()};
     result.models = std::make_unique<StudyModels>(study, conditions_of(result.readings),
                                                   session.fidelity, std::move(known));
     result.evidence = evidence_of(result.readings, measurements.scatter, result.models->direct());

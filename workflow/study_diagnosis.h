@@ -39,9 +39,16 @@ struct Confirmation {
     std::string open = {};  ///< reason why the verdict is not firm; empty where it is
 };
 
+/// Number of readings up to which a diagnosis tests the readings themselves. Of more readings, it
+/// tests the means of this many bins (`binned_readings`), as the time of the tests grows with the
+/// third power of their number.
+inline constexpr std::size_t most_tested = 200;
+
 /// Diagnosis of a study, with the readings, models and errors on which it is based.
 struct StudyDiagnosis {
-    std::vector<Reading> readings;  ///< readings of the study, dry readings first
+    /// Readings that are tested, dry readings first: those of the study, or their means.
+    std::vector<Reading> readings;
+    std::size_t measured = 0;  ///< number of readings of the study
     /// The study's model with any set of candidate effects added.
     std::unique_ptr<StudyModels> models;
     Evidence evidence;    ///< readings and direct measurements with their errors

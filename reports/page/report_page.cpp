@@ -207,12 +207,19 @@ std::vector<std::string> used_effects(const PageContent& content) {
     return {names.begin(), names.end()};
 }
 
+/// Number of the readings behind a page, and of the means that it shows in their place.
+std::string readings_text(const StudyDiagnosis& d) {
+    if (d.readings.size() == d.measured) return fmt::format("{} readings", d.measured);
+    return fmt::format("the means of {} bins of neighbouring conditions, of {} readings,",
+                       d.readings.size(), d.measured);
+}
+
 PageSection provenance_section(const PageContent& content) {
     PageSection section{.id = "provenance", .title = "Provenance"};
     section.lines = {
-        fmt::format("Made by Pendular {} from {} readings and {} earlier simulations, fidelity {}, "
-                    "seed {}.",
-                    content.version, content.diagnosis.readings.size(), content.runs,
+        fmt::format("Made by Pendular {} from {} and {} earlier simulations, fidelity "
+                    "{}, seed {}.",
+                    content.version, readings_text(content.diagnosis), content.runs,
                     content.options.fidelity.name, content.options.seed),
         "No simulation was made for the fits of this page: the emulator predicts what simulations "
         "would give, with its error. 'pendular calibrate' confirms the fit of the study's model by "

@@ -78,9 +78,11 @@ expect "errors are closed" 0 "" bash -c "'$program' import s 2>&-"
 expect "input is closed" 0 "" bash -c "'$program' import s <&-"
 expect "the reader has gone" "0|1|141" "" bash -c "'$program' effects | head -1; exit \${PIPESTATUS[0]}"
 
-# Signals: the store is whole and the study unchanged.
+# Signals: the store is whole and the study unchanged. A shell without job control lets its background
+# commands ignore SIGINT, which a program keeps until it installs a handler of its own.
+heeding=(env --default-signal=INT,TERM,HUP)
 for signal in INT TERM HUP; do
-  "$program" simulate --beads 4000 --strain 50 --quiet >/dev/null 2>sig.log &
+  "${heeding[@]}" "$program" simulate --beads 4000 --strain 50 --quiet >/dev/null 2>sig.log &
   pid=$!
   sleep 1
   kill -$signal $pid
@@ -89,7 +91,7 @@ for signal in INT TERM HUP; do
 done
 for command in "diagnose s" "next s" "calibrate s" "calibrate s --cold" "compare s" "effects --manual m"; do
   # shellcheck disable=SC2086
-  setsid "$program" $command --quiet >/dev/null 2>sig.log &
+  setsid "${heeding[@]}" "$program" $command --quiet >/dev/null 2>sig.log &
   pid=$!
   sleep 0.3
   begin=$SECONDS
