@@ -93,8 +93,10 @@ std::string read_bytes(const fs::path& path, std::uintmax_t largest) {
 bool read_in_parts(const fs::path& path, std::uintmax_t largest,
                    const std::function<bool(std::string_view)>& read) {
     const OpenFile file(path);
-    if (file.size() > largest) return false;
-    std::string part(4 << 20, '\0');
+    const std::uintmax_t size = file.size();
+    if (size > largest) return false;
+    constexpr std::uintmax_t largest_part = 4 << 20;
+    std::string part(static_cast<std::size_t>(std::min(size + 1, largest_part)), '\0');
     while (const std::size_t got = file.read_into(part.data(), part.size()))
         if (!read({part.data(), got})) return false;
     return true;

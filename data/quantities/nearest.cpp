@@ -41,6 +41,10 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
     std::optional<std::string> best;
     int fewest = std::max(1, static_cast<int>(word.size()) / 3) + 1;
     for (const std::string& name : known) {
+        // Each difference in length is an edit.
+        const std::size_t longer = std::max(word.size(), name.size());
+        if (longer - std::min(word.size(), name.size()) >= static_cast<std::size_t>(fewest))
+            continue;
         const int distance = edit_distance(word, name);
         if (distance < fewest) {
             fewest = distance;

@@ -305,6 +305,15 @@ TEST(RunStore, RefusesWhatIsNoStore) {
     EXPECT_THROW(store.select("frction = 1"), InputError);
 }
 
+TEST(RunStore, RefusesAConditionThatFailsOnlyOnRuns) {
+    RunStore store(RunStore::in_memory);
+    store.add(invented(1));
+    // Found by the fuzz target `condition`: both are SQL without an error.
+    for (const char* condition : {"load_extension(1)", "abs(-9223372036854775807 - 1)"})
+        EXPECT_THROW(store.select(condition), InputError) << condition;
+    EXPECT_EQ(store.size(), 1u);
+}
+
 TEST(RunStore, LearnsColumnsItDoesNotHaveYet) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "runs.sqlite";

@@ -38,6 +38,20 @@ auto explained(const std::filesystem::path& file, const Work& work) {
     }
 }
 
+/// Refuses a condition on runs that SQLite cannot carry out: some errors, such as an overflow, come
+/// only with the runs that it is applied to. Does nothing about other errors.
+/// @throws InputError where the error is one of the condition or, without one, of the store
+void refuse_condition(const std::filesystem::path& file, const std::string& condition,
+                      const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_ERROR && error.getErrorCode() != SQLITE_AUTH) return;
+    if (condition.empty())
+        throw InputError(
+            fmt::format("store {}: {}; name another file", file.string(), error.what()));
+    throw InputError(
+        fmt::format("condition '{}': {}; the header of 'pendular runs export' names the columns",
+                    condition, error.what()));
+}
+
 std::string column_list() {
     std::vector<std::string> names;
     for (const RunColumn& column : run_columns()) {
@@ -268,26 +282,15 @@ void RunStore::query(const std::string& columns, const std::string& condition,
         const std::string where = condition.empty() ? "" : " WHERE (" + condition + "\n)";
         const std::string command = columns + " FROM runs" + where + " ORDER BY id";
         const SizeLimit limit(*database_, most_in_condition);
-        SQLite::Statement query = [&] {
-            try {
-                refuse_more_commands(*database_, command, condition);
-                return SQLite::Statement(*database_, command);
-            } catch (const SQLite::Exception& error) {
-                if (error.getErrorCode() != SQLITE_ERROR && error.getErrorCode() != SQLITE_AUTH) {
-                    throw;
-                }
-                if (condition.empty()) {
-                    throw InputError(fmt::format("store {}: {}; name another file", file_.string(),
-                                                 error.what()));
-                }
-                throw InputError(
-                    fmt::format("condition '{}': {}; the header of "
-                                "'pendular runs export' names the columns",
-                                condition, error.what()));
+        try {
+            refuse_more_commands(*database_, command, condition);
+            SQLite::Statement query(*database_, command);
+            while (query.executeStep()) {
+                take(query);
             }
-        }();
-        while (query.executeStep()) {
-            take(query);
+        } catch (const SQLite::Exception& error) {
+            refuse_condition(file_, condition, error);
+            throw;
         }
     });
 }

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Runs clang-tidy with the checks of .clang-tidy.
+#   scripts/tidy.sh            source files that the last commit or the working copy changed
+#   scripts/tidy.sh --all      all source files of the program; takes long
+#   scripts/tidy.sh FILE...    these files
+# Exit code 1 if a check finds something.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+folders=(data sim calib analysis workflow reports app)
+case ${1:-} in
+  --all) mapfile -t files < <(git ls-files -- "${folders[@]/%//*.cpp}") ;;
+  "") mapfile -t files < <(git diff --name-only --diff-filter=d HEAD~1 -- "${folders[@]/%//*.cpp}") ;;
+  -*) echo "usage: scripts/tidy.sh [--all | FILE...]" >&2; exit 2 ;;
+  *) files=("$@") ;;
+esac
+[ ${#files[@]} -gt 0 ] || { echo "No source file to check."; exit 0; }
+# The preset dev compiles each file by itself; only its list of commands is needed.
+[ -f build/dev/compile_commands.json ] || cmake --preset dev >/dev/null
+printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy -p build/dev --quiet 2>/dev/null
