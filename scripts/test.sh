@@ -31,7 +31,7 @@ if [ "${1:-}" = --all ]; then
   part "configure with sanitizers" cmake --preset asan
   part "build with sanitizers" cmake --build --preset asan --parallel "$jobs" --target \
     data_tests sim_tests calib_tests analysis_tests workflow_tests reports_tests app_tests laws_tests \
-    properties_tests pendular
+    properties_tests fuzz_corpus pendular
   part "tests under sanitizers" ctest --preset asan --parallel "$jobs"
 fi
 printf '\nAll passed. What took how long:\n%s%6d s  in all\n' "$times" "$SECONDS"

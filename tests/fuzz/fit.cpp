@@ -32,9 +32,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text = fuzz::text_of(data, size);
     const ResolvedStudy& study = input().study;
     const Measurements& measurements = input().measurements;
-    fuzz::refuse_or(
-        [&] { read_calibration(fuzz::file_of("fit.json", text), study, dry_first(measurements)); });
-    fuzz::refuse_or([&] { read_ladder(fuzz::file_of("ladder.json", text)); });
-    fuzz::refuse_or([&] { read_proposed(fuzz::file_of("proposed.toml", text)); });
+    // Each reader gets texts that begin as its files do.
+    fuzz::refuse_or([&] {
+        if (!text.starts_with('{'))
+            read_proposed(fuzz::file_of("proposed.toml", text));
+        else if (text.find("rungs") != std::string_view::npos)
+            read_ladder(fuzz::file_of("ladder.json", text));
+        else
+            read_calibration(fuzz::file_of("fit.json", text), study, dry_first(measurements));
+    });
     return 0;
 }

@@ -29,10 +29,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < 3) return -1;
     const FileFormat format = format_of(data[0], data[1]);
     const auto file = fuzz::file_of("measured.txt", fuzz::text_of(data + 2, size - 2));
+    // One of the two readers for each input: libFuzzer finds inputs for both.
     fuzz::refuse_or([&] {
+        if (data[1] >= 128) {
+            read_recording(file, format);
+            return;
+        }
         const FileView view = view_of_file(file, format);
         fuzz::demand(view.roles.size() == view.file.blocks.size());
     });
-    fuzz::refuse_or([&] { read_recording(file, format); });
     return 0;
 }
