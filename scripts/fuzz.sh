@@ -63,7 +63,7 @@ one() {
     -max_len="$longest" -entropic=0 -print_funcs=0 -print_final_stats=1 -artifact_prefix="build/fuzz/artifacts/$target/" "${options[@]}" \
     "$new" "$kept" >"$log" 2>&1 || code=$?
   executions=$(awk '/number_of_executed_units/ {n = $2} END {print n + 0}' "$log")
-  processor=$(awk '/^processor seconds/ {print int($3 + 0.5)}' "$log")
+  processor=$(awk '/^processor seconds/ {print $3}' "$log")
   [ -z "$4" ] || add_to_tally "$4" "$target" "$executions" "${processor:-0}" $((code != 0))
   printf '%-16s %12s executions, exit code %d%s\n' "$target" "$executions" "$code" \
     "$([ "$code" -eq 0 ] || printf ': see %s' "$log")"

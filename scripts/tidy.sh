@@ -3,7 +3,7 @@
 #   scripts/tidy.sh            source files that the last commit or the working copy changed
 #   scripts/tidy.sh --all      all source files of the program; takes long
 #   scripts/tidy.sh FILE...    these files
-# Exit code 1 if a check finds something.
+# Exit code 1 if a check finds an error (WarningsAsErrors there).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -32,7 +32,7 @@ double duration_of(const std::vector<Reading>& readings) {
     return last.condition.time - first.condition.time;
 }
 
-/// What readings must have in common to be averaged.
+/// Properties that readings must have in common to be averaged.
 using Kind = std::tuple<std::string, double, bool, double, double, bool, std::size_t, double,
                         double, bool, bool>;
 
