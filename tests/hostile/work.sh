@@ -25,3 +25,6 @@ E
 attack "work: reader of the output gone" "0|1|141" "" <<'E'
 study s; "$program" effects 2>../err | head -1 >../out; echo ${PIPESTATUS[0]} >../code
 E
+attack "work: a condition that fails only on runs" 2 "condition 'load_extension" <<'E'
+store; run runs list --where 'load_extension(1)'
+E
