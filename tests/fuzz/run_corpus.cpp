@@ -1,4 +1,4 @@
-// Runs fuzz targets without a fuzzer, in any build: every input of a target's corpus, then inputs
+// Runs fuzz targets without a fuzzer: every input of a target's corpus, then inputs
 // that are made from these by random changes, the same in every run.
 //   fuzz_corpus TARGET CORPUS [EXECUTIONS [DICTIONARY]]
 // Ends with exit code 1 where an input takes more than 10 s of the processor; what else is wrong
