@@ -90,7 +90,7 @@ void set_routes(httplib::Server& server, const ServerAddress& address, ServedStu
         set_answer(response, {refusal->status, refusal->reason});
         return httplib::Server::HandlerResponse::Handled;
     });
-    server.set_exception_handler([](const auto&, auto& response, std::exception_ptr) {
+    server.set_exception_handler([](const auto&, auto& response, const auto&) {
         set_answer(response, {500, "Pendular failed to answer."});
     });
     server.Get(".*", [route_of, served](const auto& request, auto& response) {

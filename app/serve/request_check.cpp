@@ -24,7 +24,7 @@ bool is_plain(std::string_view path) {
 
 std::variant<Route, Refusal> route_of(const RequestHead& request, std::string_view rest) {
     const bool posts = request.method == "POST";
-    if (rest == "" && !posts) return Route::page;
+    if (rest.empty() && !posts) return Route::page;
     if (rest == "state" && !posts) return Route::state;
     if (rest == "recording" && posts) return Route::recording;
     if (rest == "change" && posts) return Route::change;
@@ -74,7 +74,7 @@ std::variant<Route, Refusal> check_request(const RequestHead& request,
     if (!equal_in_constant_time(path.substr(1, end - 1), address.token))
         return Refusal{403, "Open the address that 'pendular serve' printed: it ends in a token."};
     if (end == path.size()) return Refusal{404, "The address ends in '/'."};
-    const auto route = route_of(request, path.substr(end + 1));
+    auto route = route_of(request, path.substr(end + 1));
     if (request.method == "POST" && !equal_in_constant_time(request.token, address.token))
         return Refusal{403, "A change needs the token in the header X-Pendular-Token."};
     return route;
