@@ -74,11 +74,14 @@ Eigen::VectorXd start_from(const Calibration& fewer, const std::vector<Parameter
 }
 
 /// Fits the first `count` readings of a calibration.
+/// @param fewer fit of the same readings with fewer effects; null: none
 Fit fit_first(std::size_t count, const SwitchedModel& model, const ResolvedStudy& study,
-              const Eigen::VectorXd& start) {
+              const Eigen::VectorXd& start, const Calibration* fewer = nullptr) {
     const auto readings = part(model.calibration.readings, 0, count);
-    return nearby_fit(ModelOfReadings(model.predictor, conditions_of(readings), study.direct()),
-                      stack(readings, study.direct()), start);
+    return nearby_fit(
+        ModelOfReadings(model.predictor, conditions_of(readings), study.direct()),
+        stack(readings, study.direct()), start,
+        fewer && fewer->fitted == count ? &fewer->fit.prediction.covariance : nullptr);
 }
 
 /// Fits the model of a calibration as `calibrate_study` does without new simulations: a joint fit
@@ -91,7 +94,7 @@ Fit fit_as_added(const SwitchedModel& model, const ResolvedStudy& study, const C
     if (c.fitted > dry && dry > 0 && c.parameters.size() == 1) {
         start = fit_first(dry, model, study, start).parameters;
     }
-    return fit_first(c.fitted, model, study, start);
+    return fit_first(c.fitted, model, study, start, fewer);
 }
 
 /// Rows of a response.
@@ -168,7 +171,9 @@ SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
     c.seed = session.seed;
     c.parameters = result.predictor->parameters();
     c.fit = fit_as_added(result, with, fewer);
-    c.prediction = predict_readings(*result.predictor, c);
+    c.prediction = c.fitted == c.readings.size() && c.direct.empty()
+                       ? c.fit.prediction
+                       : predict_readings(*result.predictor, c);
     result.comparison = compare(c);
     expand(result, with, along);
     return result;

@@ -1,5 +1,6 @@
 #include "calib/emulator/effect_response.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,11 +13,25 @@ constexpr double length = 1.5;
 /// response [1].
 constexpr double sizes[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.3, 1, 3, 10};
 
+BellSums::Place inverse_square_lengths() {
+    BellSums::Place result;
+    result.fill(1 / (length * length));
+    return result;
+}
+
+BellSums::Place place_of_bells(const ResponsePlace& place) {
+    BellSums::Place result;
+    std::copy(place.begin(), place.end(), result.begin());
+    return result;
+}
+
 }  // namespace
 
 EffectResponse::EffectResponse(std::vector<ResponsePlace> places, Eigen::VectorXd amplitudes,
                                const Eigen::VectorXd& changes, const Eigen::MatrixXd& covariance)
-    : places_(std::move(places)), amplitudes_(std::move(amplitudes)) {
+    : places_(std::move(places)),
+      amplitudes_(std::move(amplitudes)),
+      bells_(BellSums::most_coordinates, inverse_square_lengths()) {
     const double seen = std::max(1e-12, changes.squaredNorm() / amplitudes_.squaredNorm());
     double best = -std::numeric_limits<double>::infinity();
     double best_plane = seen, best_curved = seen;
@@ -38,7 +53,13 @@ EffectResponse::EffectResponse(std::vector<ResponsePlace> places, Eigen::VectorX
     }
     plane_ = best_plane, curved_ = best_curved;
     factor_.compute(kernels(places_, amplitudes_, places_, amplitudes_) + covariance);
-    solved_changes_ = factor_.solve(changes);
+    const Eigen::VectorXd weights = amplitudes_.cwiseProduct(factor_.solve(changes));
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+        const double weight = weights(static_cast<Eigen::Index>(k));
+        plane_constant_ += weight;
+        plane_slopes_ += weight * places_[k];
+        bells_.add(place_of_bells(places_[k]), weight);
+    }
 }
 
 double EffectResponse::kernel(const ResponsePlace& a, const ResponsePlace& b) const {
@@ -62,7 +83,13 @@ Eigen::MatrixXd EffectResponse::kernels(const std::vector<ResponsePlace>& a,
 
 Eigen::VectorXd EffectResponse::mean(const std::vector<ResponsePlace>& at,
                                      const Eigen::VectorXd& b) const {
-    return kernels(at, b, places_, amplitudes_) * solved_changes_;
+    Eigen::VectorXd result(b.size());
+    for (Eigen::Index k = 0; k < b.size(); ++k) {
+        const ResponsePlace& place = at[static_cast<std::size_t>(k)];
+        result(k) = b(k) * (plane_ * (plane_constant_ + place.dot(plane_slopes_)) +
+                            curved_ * bells_.at(place_of_bells(place))[0]);
+    }
+    return result;
 }
 
 Eigen::MatrixXd EffectResponse::weights(const std::vector<ResponsePlace>& at,

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "calib/emulator/bell_sums.h"
+
 namespace pendular {
 
 /// Coordinates at which the response (change of an observable) to an effect on grains is evaluated:
@@ -50,7 +52,11 @@ class EffectResponse {
     Eigen::VectorXd amplitudes_;
     double plane_ = 1, curved_ = 1;  ///< prior variances of the plane and of the other process
     Eigen::LLT<Eigen::MatrixXd> factor_;
-    Eigen::VectorXd solved_changes_;  ///< (K + Sigma)^-1 times the training changes
+    /// Weights s = b (K + Sigma)^-1 x training changes, with the amplitudes b, at the training
+    /// places z: of the plane, sum s and sum s z, and of the process.
+    double plane_constant_ = 0;
+    ResponsePlace plane_slopes_ = ResponsePlace::Zero();
+    BellSums bells_;
 };
 
 }  // namespace pendular

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "calib/emulator/emulated_observables.h"
@@ -18,6 +17,10 @@ using dem::Observable;
 using namespace emulated;
 
 namespace {
+
+Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
+    return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
 
 /// Usual range of an effect's amplitude in studies, in the units of a run (grain diameter, grain
 /// mass and normal stress are 1) at 1 kPa.
@@ -161,11 +164,24 @@ bool Emulator::trains(const dem::RunResult& run, const std::string& name, Observ
 
 /// Evaluations of the response of one observable to one cause that queries need.
 struct Emulator::Affected {
+    std::string cause;
+    Observable which;
     const LearnedResponse* learned;
-    std::vector<ResponsePlace> places;
-    Eigen::VectorXd amplitudes;
-    /// Changes of the answers to all queries (rows) per evaluated response (columns).
-    Eigen::SparseMatrix<double> map;
+    std::vector<Eigen::Index> queries = {};  ///< query that needs each evaluation
+    std::vector<double> factors = {};        ///< change of its answer per response
+    std::vector<ResponsePlace> places = {};  ///< coordinates of each evaluation
+    std::vector<double> amplitudes = {};     ///< amplitude of the cause there
+
+    /// Linear map from the responses to the changes of the answers to `count` queries.
+    Eigen::SparseMatrix<double> map(std::size_t count) const {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (std::size_t k = 0; k < queries.size(); ++k) {
+            entries.emplace_back(queries[k], k, factors[k]);
+        }
+        Eigen::SparseMatrix<double> result(static_cast<Eigen::Index>(count), std::ssize(queries));
+        result.setFromTriplets(entries.begin(), entries.end());
+        return result;
+    }
 };
 
 std::unique_ptr<const Emulator::LearnedResponse> Emulator::learned(const std::string& name,
@@ -194,11 +210,7 @@ std::unique_ptr<const Emulator::LearnedResponse> Emulator::learned(const std::st
             "program has such simulations: name it in $PENDULAR_ATLAS, or make a campaign with {}",
             name, name));
     }
-    const auto vector = [](const std::vector<double>& v) {
-        return Eigen::VectorXd(
-            Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())));
-    };
-    const Eigen::VectorXd size = vector(sizes);
+    const Eigen::VectorXd size = as_vector(sizes);
     // Runs with an effect differ from predictions without it at their own stiffness number.
     const auto error_at = [&](const Eigen::MatrixXd& covariance) {
         return Eigen::MatrixXd(size.cwiseInverse().asDiagonal() * covariance *
@@ -207,11 +219,11 @@ std::unique_ptr<const Emulator::LearnedResponse> Emulator::learned(const std::st
     PlainEmulator::PreparedQueries prepared = plain_.prepare(plain);
     const Eigen::MatrixXd plain_error = error_at(plain_.covariance(prepared));
     const Eigen::VectorXd changes =
-        vector(training_values) - mean(of_own_stiffness).cwiseQuotient(size);
+        as_vector(training_values) - mean(of_own_stiffness).cwiseQuotient(size);
     Eigen::MatrixXd training_error = error_at(covariance(of_own_stiffness));
-    training_error.diagonal() += vector(variances);
+    training_error.diagonal() += as_vector(variances);
     return std::make_unique<LearnedResponse>(
-        LearnedResponse{{std::move(places), vector(sizes_of_cause), changes, training_error},
+        LearnedResponse{{std::move(places), as_vector(sizes_of_cause), changes, training_error},
                         std::move(prepared),
                         size,
                         plain_error});
@@ -229,47 +241,47 @@ const Emulator::LearnedResponse& Emulator::response_to(const std::string& name,
 }
 
 std::vector<Emulator::Affected> Emulator::affected(const std::vector<Query>& queries) const {
-    struct Evaluation {
-        Eigen::Index query;
-        Cause cause;
-        double factor;  ///< change of the answer per response
+    std::vector<Affected> result;
+    const auto response = [&](const std::string& cause, Observable which) -> Affected& {
+        const auto known = std::ranges::find_if(
+            result, [&](const Affected& one) { return one.which == which && one.cause == cause; });
+        if (known != result.end()) return *known;
+        return result.emplace_back(Affected{cause, which, &response_to(cause, which)});
     };
-    std::map<std::pair<std::string, Observable>, std::vector<Evaluation>> by_response;
     for (std::size_t k = 0; k < queries.size(); ++k) {
         const Query& query = queries[k];
+        if (!changes(query.state)) continue;
         for (const auto& [state, weight] : states_of(query)) {
-            for (Cause& cause : causes_at(state, query.which)) {
+            for (const Cause& cause : causes_at(state, query.which)) {
                 if (query.by && cause.name != stiffness_name) continue;
-                const double size = unit_at(query.which, state).size;
-                by_response[{cause.name, query.which}].push_back(
-                    {static_cast<Eigen::Index>(k), std::move(cause), weight * size});
+                Affected& one = response(cause.name, query.which);
+                one.queries.push_back(static_cast<Eigen::Index>(k));
+                one.factors.push_back(weight * unit_at(query.which, state).size);
+                one.places.push_back(cause.place);
+                one.amplitudes.push_back(cause.size);
             }
         }
-    }
-    std::vector<Affected> result;
-    for (const auto& [key, evaluations] : by_response) {
-        const auto count = static_cast<Eigen::Index>(evaluations.size());
-        Affected one{.learned = &response_to(key.first, key.second),
-                     .places = {},
-                     .amplitudes = Eigen::VectorXd(count),
-                     .map = Eigen::SparseMatrix<double>(std::ssize(queries), count)};
-        std::vector<Eigen::Triplet<double>> factors;
-        for (Eigen::Index k = 0; k < count; ++k) {
-            const Evaluation& evaluation = evaluations[static_cast<std::size_t>(k)];
-            one.places.push_back(evaluation.cause.place);
-            one.amplitudes(k) = evaluation.cause.size;
-            factors.emplace_back(evaluation.query, k, evaluation.factor);
-        }
-        one.map.setFromTriplets(factors.begin(), factors.end());
-        result.push_back(std::move(one));
     }
     return result;
 }
 
+bool Emulator::changes(const FlowState& state) const {
+    return !state.effects.empty() || (knows_stiffness_ && state.stiffness_number > 0 &&
+                                      state.stiffness_number != plain_.stiffness_number());
+}
+
 Eigen::VectorXd Emulator::mean(const std::vector<Query>& queries) const {
-    Eigen::VectorXd result = plain_.mean(queries);
+    return plain_.mean(queries) + changes_by_causes(queries);
+}
+
+Eigen::VectorXd Emulator::changes_by_causes(const std::vector<Query>& queries) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(std::ssize(queries));
     for (const Affected& one : affected(queries)) {
-        result += one.map * one.learned->response.mean(one.places, one.amplitudes);
+        const Eigen::VectorXd responses =
+            one.learned->response.mean(one.places, as_vector(one.amplitudes));
+        for (std::size_t k = 0; k < one.queries.size(); ++k) {
+            result(one.queries[k]) += one.factors[k] * responses(static_cast<Eigen::Index>(k));
+        }
     }
     return result;
 }
@@ -284,13 +296,14 @@ Eigen::MatrixXd Emulator::covariance(const std::vector<Query>& queries) const {
     std::vector<Eigen::MatrixXd> weights_of_training;
     for (const Affected& one : all) {
         const LearnedResponse& learned = *one.learned;
-        const Eigen::MatrixXd weights = learned.response.weights(one.places, one.amplitudes);
-        result += one.map *
-                  (learned.response.covariance(one.places, one.amplitudes) -
+        const Eigen::VectorXd amplitudes = as_vector(one.amplitudes);
+        const Eigen::MatrixXd weights = learned.response.weights(one.places, amplitudes);
+        const Eigen::SparseMatrix<double> map = one.map(queries.size());
+        result += map *
+                  (learned.response.covariance(one.places, amplitudes) -
                    weights * learned.plain_error * weights.transpose()) *
-                  one.map.transpose();
-        weights_of_training.push_back(
-            -(one.map * weights * learned.sizes.cwiseInverse().asDiagonal()));
+                  map.transpose();
+        weights_of_training.push_back(-(map * weights * learned.sizes.cwiseInverse().asDiagonal()));
         const Eigen::MatrixXd through_training =
             weights_of_training.back() * plain_.covariance(learned.plain, asked);
         result += through_training + through_training.transpose();

@@ -45,6 +45,12 @@ class Emulator {
     /// @throws std::invalid_argument for an observable of which no training run has a value, for an
     ///         observable of bridges at a dry state, and for an effect that no run has alone
     Eigen::VectorXd mean(const std::vector<Query>& queries) const;
+    /// Part of the answers that `mean` returns from effects on grains and from a stiffness number
+    /// other than that of the `PlainEmulator`, in the unit of each answer.
+    /// @throws std::invalid_argument for an effect that no run has alone
+    Eigen::VectorXd changes_by_causes(const std::vector<Query>& queries) const;
+    /// Whether effects on grains or stiffness change predictions at a flow state.
+    bool changes(const FlowState& state) const;
     /// Covariance of the errors of the predictions that `mean` returns, a row and a column for each
     /// query. A prediction with an effect is the sum of the prediction f without it and of the
     /// response, which is trained on differences d = run - f at the states X of the runs with the

@@ -79,8 +79,8 @@ Eigen::VectorXd GaussianProcess::mean(const std::vector<Requested>& requested) c
         std::array<double, 1 + coordinate_count> sums;
     };
     std::vector<Place> places;
-    const bool derivatives = std::ranges::any_of(requested, [](const Requested& one) {
-        return one.functional.derivative != Functional::value;
+    const bool by_pressure = std::ranges::any_of(requested, [](const Requested& one) {
+        return one.functional.derivative == pressure_coordinate;
     });
     Eigen::VectorXd result(static_cast<Eigen::Index>(requested.size()));
     for (std::size_t c = 0; c < requested.size(); ++c) {
@@ -93,7 +93,7 @@ Eigen::VectorXd GaussianProcess::mean(const std::vector<Requested>& requested) c
         if (place == places.end()) {
             place = places.insert(place,
                                   {requested[c].quantity, requested[c].functional.at,
-                                   kernels_[quantity].sums(sums_over_[quantity], at, derivatives)});
+                                   kernels_[quantity].sums(sums_over_[quantity], at, by_pressure)});
         }
         // The polynomial is evaluated by its coefficients: a sum over the runs would lose digits.
         result(static_cast<Eigen::Index>(c)) =

@@ -6,8 +6,6 @@
 namespace pendular {
 namespace {
 
-constexpr int pressure = 2;  // index of u among the coordinates
-
 /// Prior standard deviation of the polynomial's coefficients, in units of the quantity's typical
 /// size [1].
 constexpr double coefficient_scale = 5;
@@ -18,6 +16,12 @@ constexpr double weak_capillarity = 0.1;
 
 double inverse_square(double length) {
     return 1 / (length * length);
+}
+
+BellSums::Place bell_place(const std::array<double, coordinate_count>& coordinates) {
+    BellSums::Place place{};
+    std::ranges::copy(coordinates, place.begin());
+    return place;
 }
 
 }  // namespace
@@ -109,7 +113,8 @@ double Kernel::of_part(const Part& part, const Prepared& a, const Prepared& b) {
     }
     // Derivative of the product amplitude(a) amplitude(b) exp(-exponent/2).
     const bool linear = part.amplitude == Amplitude::linear;
-    const double growth_a = linear && da == pressure, growth_b = linear && db == pressure;
+    const double growth_a = linear && da == pressure_coordinate,
+                 growth_b = linear && db == pressure_coordinate;
     const auto ka = static_cast<std::size_t>(std::max(da, 0)),
                kb = static_cast<std::size_t>(std::max(db, 0));
     const double slope_a = -a.stretch[ka] * pull[ka], slope_b = b.stretch[kb] * pull[kb];
@@ -136,51 +141,35 @@ double Kernel::of_processes(const Prepared& a, const Prepared& b) const {
 
 Kernel::Known Kernel::known(const std::vector<Prepared>& values,
                             const Eigen::VectorXd& weights) const {
-    const auto n = static_cast<Eigen::Index>(values.size());
-    Known known{.place = {}, .weights = {n, static_cast<Eigen::Index>(parts_.size())}};
-    known.place.fill(Eigen::ArrayXd(n));
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const Prepared& at = values[static_cast<std::size_t>(i)];
-        for (std::size_t k = 0; k < coordinate_count; ++k) {
-            known.place[k](i) = at.place[k];
-        }
-        for (std::size_t p = 0; p < parts_.size(); ++p) {
-            known.weights(i, static_cast<Eigen::Index>(p)) =
-                weights(i) * parts_[p].variance * amplitude(parts_[p], at);
+    Known known;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        BellSums& sums = known.emplace_back(is_dry_[p] ? 2 : coordinate_count,
+                                            bell_place(parts_[p].inverse_squares));
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            sums.add(bell_place(values[i].place), weights(static_cast<Eigen::Index>(i)) *
+                                                      parts_[p].variance *
+                                                      amplitude(parts_[p], values[i]));
         }
     }
     return known;
 }
 
 std::array<double, 1 + coordinate_count> Kernel::sums(const Known& known, const Prepared& at,
-                                                      bool with_derivatives) const {
+                                                      bool with_pressure) const {
     std::array<double, 1 + coordinate_count> result{};
-    std::array<Eigen::ArrayXd, coordinate_count> apart;
-    for (std::size_t k = 0; k < coordinate_count; ++k) {
-        apart[k] = known.place[k] - at.place[k];
-    }
     for (std::size_t p = 0; p < parts_.size(); ++p) {
         const Part& part = parts_[p];
         const double amplitude_there = amplitude(part, at);
         const bool linear = part.amplitude == Amplitude::linear;
-        if (amplitude_there == 0 && !linear) {
+        if (amplitude_there == 0 && !(linear && with_pressure)) {
             continue;
         }
-        Eigen::ArrayXd term = Eigen::ArrayXd::Zero(known.weights.rows());
+        const auto sums = known[p].at(bell_place(at.place));
+        result[0] += amplitude_there * sums[0];
+        result[1 + pressure_coordinate] += linear ? sums[0] : 0;
         for (std::size_t k = 0; k < coordinate_count; ++k) {
-            if (part.inverse_squares[k] > 0) {
-                term += -0.5 * part.inverse_squares[k] * apart[k].square();
-            }
-        }
-        term = term.exp() * known.weights.col(static_cast<Eigen::Index>(p));
-        const double sum = term.sum();
-        result[0] += amplitude_there * sum;
-        result[1 + pressure] += linear ? sum : 0;
-        for (std::size_t k = 0; with_derivatives && k < coordinate_count; ++k) {
-            if (part.inverse_squares[k] > 0) {
-                result[1 + k] += amplitude_there * at.stretch[k] * part.inverse_squares[k] *
-                                 (term * apart[k]).sum();
-            }
+            result[1 + k] +=
+                amplitude_there * at.stretch[k] * part.inverse_squares[k] * sums[1 + k];
         }
     }
     return result;

@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "calib/emulator/basis.h"
+#include "calib/emulator/bell_sums.h"
 
 namespace pendular {
 
 /// Number of coordinates of a flow state: x, q, u and v of `Coordinates`.
 constexpr int coordinate_count = 4;
+/// Index of u, the inverse reduced pressure, among the coordinates.
+constexpr int pressure_coordinate = 2;
 
 /// Value of a function of the coordinates at a place, or its derivative there by one coordinate.
 struct Functional {
@@ -99,22 +102,17 @@ class Kernel {
     /// Prior variance of each coefficient of the polynomials, in the square of the quantity's unit;
     /// the coefficients are uncorrelated.
     double coefficient_variance() const { return coefficient_variance_; }
-    /// Places of observations with a weight for each, stored as arrays for fast sums over the
-    /// places.
-    struct Known {
-        /// Coordinates of the places, an array for each entry of `Prepared::place`.
-        std::array<Eigen::ArrayXd, coordinate_count> place;
-        /// Weight of each place x variance of a process x its factor b(u) there, a column for each
-        /// process.
-        Eigen::ArrayXXd weights;
-    };
+    /// Places of observations, stored for fast sums over them: for each process the places with
+    /// weight x variance of the process x its factor b(u) there.
+    using Known = std::vector<BellSums>;
     /// Prepares `sums` over the places of `values` with one weight for each.
     Known known(const std::vector<Prepared>& values, const Eigen::VectorXd& weights) const;
     /// Returns the sum over the places `known` of weight x prior covariance by the Gaussian
     /// processes with the value at `at`, then the derivatives of this sum by the coordinates x, q,
-    /// u and v of `at`, which are meaningless without `with_derivatives`.
+    /// u and v of `at`. Without `with_pressure`, the derivative by u may lack the part of a process
+    /// that vanishes at `at`.
     std::array<double, 1 + coordinate_count> sums(const Known& known, const Prepared& at,
-                                                  bool with_derivatives) const;
+                                                  bool with_pressure) const;
 
     /// Prior covariance matrix of these values or derivatives of f.
     Eigen::MatrixXd matrix(const std::vector<Prepared>& of) const;

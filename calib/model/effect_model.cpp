@@ -153,46 +153,61 @@ void EffectModel::add_slopes(const Eigen::VectorXd& parameters,
                              const Eigen::VectorXd& predicted, Prediction& result) const {
     const auto inside = static_cast<Eigen::Index>(inside_->parameters().size());
     const Eigen::VectorXd own = inside_parameters(parameters);
-    const auto values_at = [&](const Eigen::VectorXd& at) {
+    std::unique_ptr<const FlowNeighbourhood> nearby;
+    // Truths where the parameters of effects on the instrument are those of `truths`.
+    const auto with_same_instrument = [&](const Eigen::VectorXd& at) {
+        Truths there = truths;
+        there.effects = effects_at(at);
+        for (std::size_t k = 0; k < conditions.size(); ++k) {
+            const Condition imposed =
+                true_condition(conditions[k], truths.states[k], truths.maps[k]);
+            there.imposed[k] = changed_condition(imposed, there.effects, study_.liquid);
+        }
+        return there;
+    };
+    const auto values_at = [&](const Eigen::VectorXd& at, bool of_instrument) {
         // The inner model predicts again only at conditions that changed.
-        const Truths there = truths_at(at, conditions);
+        const Truths there = of_instrument ? truths_at(at, conditions) : with_same_instrument(at);
         const Eigen::VectorXd own_there = inside_parameters(at);
         std::vector<EffectiveCondition> changed;
-        std::vector<Eigen::Index> places;
+        std::vector<std::size_t> places;
         for (std::size_t k = 0; k < conditions.size(); ++k) {
             if (own_there != own || !(there.imposed[k] == truths.imposed[k])) {
                 changed.push_back(there.imposed[k]);
-                places.push_back(2 * static_cast<Eigen::Index>(k));
+                places.push_back(k);
             }
         }
         Eigen::VectorXd values = predicted;
         if (!changed.empty()) {
-            const Eigen::VectorXd anew =
-                inside_->predict_flow(own_there, changed, PredictionPart::values).value;
+            if (!nearby) nearby = inside_->neighbourhood(own, truths.imposed);
+            const Eigen::VectorXd anew = nearby->values(own_there, changed, places);
             for (std::size_t k = 0; k < places.size(); ++k) {
-                values.segment<2>(places[k]) = anew.segment<2>(2 * static_cast<Eigen::Index>(k));
+                values.segment<2>(2 * static_cast<Eigen::Index>(places[k])) =
+                    anew.segment<2>(2 * static_cast<Eigen::Index>(k));
             }
         }
         return shown(there, values);
     };
-    const auto quotient = [&](Eigen::Index k, double step) {
+    const auto quotient = [&](Eigen::Index k, double step, bool of_instrument) {
         const Parameter& p = parameters_[static_cast<std::size_t>(k)];
         Eigen::VectorXd above = parameters, below = parameters;
         above(k) = std::min(parameters(k) + step, p.upper);
         below(k) = std::max(parameters(k) - step, p.lower);
-        return Eigen::VectorXd((values_at(above) - values_at(below)) / (above(k) - below(k)));
+        return Eigen::VectorXd((values_at(above, of_instrument) - values_at(below, of_instrument)) /
+                               (above(k) - below(k)));
     };
     // The inner model returns the slopes by its own parameters. They do not contain how the
     // response to effects on grains depends on these parameters, which needs difference quotients.
     const bool grains = std::ranges::any_of(effects_, &Effect::of_grains);
     for (Eigen::Index k = 0; grains && k < inside; ++k) {
-        result.jacobian.col(k) = quotient(k, step_share * std::max(0.1, parameters(k)));
+        result.jacobian.col(k) = quotient(k, step_share * std::max(0.1, parameters(k)), false);
     }
     Eigen::Index next = inside;
     for (const Effect* effect : effects_) {
         for (const EffectParameter& p : effect->parameters) {
             if (!p.is_switch()) {
-                result.jacobian.col(next) = quotient(next, step_share * p.smallest_of_interest);
+                result.jacobian.col(next) =
+                    quotient(next, step_share * p.smallest_of_interest, effect->of_instrument());
                 ++next;
             }
         }

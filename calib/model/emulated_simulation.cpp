@@ -8,6 +8,7 @@
 
 #include "calib/emulator/emulated_observables.h"
 #include "calib/emulator/emulated_structure.h"
+#include "calib/model/emulated_neighbourhood.h"
 #include "calib/model/study_state.h"
 #include "sim/catalogue/effect.h"
 #include "sim/closures/capillary_stress.h"
@@ -73,8 +74,8 @@ FlowState EmulatedSimulation::filled(const FlowState& state, double liquid_conte
     return result;
 }
 
-FlowState EmulatedSimulation::flow_state_at(double friction,
-                                            const EffectiveCondition& condition) const {
+FlowState EmulatedSimulation::unfilled_state_at(double friction,
+                                                const EffectiveCondition& condition) const {
     FlowState state{allowed(friction + condition.friction_difference), condition.inertial_number};
     state.stiffness_number = stiffness_number_of(condition, study_.grains, fidelity_);
     for (const EffectValues& effect : condition.grain_effects) {
@@ -82,9 +83,25 @@ FlowState EmulatedSimulation::flow_state_at(double friction,
     }
     if (!condition.dry()) {
         state.inverse_pressure = inverse_pressure_of(condition, study_);
-        state = filled(state, condition.liquid_content);
     }
     return state;
+}
+
+FlowState EmulatedSimulation::flow_state_at(double friction,
+                                            const EffectiveCondition& condition) const {
+    const FlowState state = unfilled_state_at(friction, condition);
+    return state.dry() ? state : filled(state, condition.liquid_content);
+}
+
+Eigen::Vector2d EmulatedSimulation::reading_of(const Eigen::Vector3d& flow,
+                                               const EffectiveCondition& condition) const {
+    return {condition.normal_stress * flow(0),
+            flow(1) + (1 - stiffness_left(condition)) * dem::rigidity_shift(flow(1), flow(2))};
+}
+
+std::unique_ptr<const FlowNeighbourhood> EmulatedSimulation::neighbourhood(
+    const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const {
+    return std::make_unique<EmulatedNeighbourhood>(*this, parameters(0), conditions);
 }
 
 StructureResponse EmulatedSimulation::at_constant_content(StructureResponse response,
@@ -247,11 +264,8 @@ Eigen::VectorXd EmulatedSimulation::predict_values(
     const auto n = static_cast<Eigen::Index>(conditions.size());
     Eigen::VectorXd values(2 * n);
     for (Eigen::Index k = 0; k < n; ++k) {
-        const EffectiveCondition& condition = conditions[static_cast<std::size_t>(k)];
-        const Eigen::Vector3d value = said.segment<3>(3 * k);
-        const double shift = dem::rigidity_shift(value(1), value(2));
-        values.segment<2>(2 * k) << condition.normal_stress * value(0),
-            value(1) + (1 - stiffness_left(condition)) * shift;
+        values.segment<2>(2 * k) =
+            reading_of(said.segment<3>(3 * k), conditions[static_cast<std::size_t>(k)]);
     }
     return values;
 }

@@ -28,11 +28,20 @@ class EmulatedSimulation : public FlowPredictor {
                             const std::vector<EffectiveCondition>& conditions,
                             PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override;
+    std::unique_ptr<const FlowNeighbourhood> neighbourhood(
+        const Eigen::VectorXd& parameters,
+        const std::vector<EffectiveCondition>& conditions) const override;
 
     /// Flow state of a condition where the study's grains have the friction coefficient `friction`,
     /// to which the condition's friction difference is added [1]. A wet state has the bridge volume
     /// that gives the condition's liquid content.
     FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
+    /// Flow state as `flow_state_at` gives it, but without the bridge volume of a wet state.
+    FlowState unfilled_state_at(double friction, const EffectiveCondition& condition) const;
+    /// Shear stress [Pa] and solid fraction [1] at a condition where the emulator predicts `flow`:
+    /// stress ratio and solid fraction of rigid grains, and overlap over grain diameter [1].
+    Eigen::Vector2d reading_of(const Eigen::Vector3d& flow,
+                               const EffectiveCondition& condition) const;
     /// Returns the wet flow state `state` with its bridge volume replaced by the one that gives the
     /// liquid content Phi_L/Phi_S [1].
     FlowState filled(const FlowState& state, double liquid_content) const;

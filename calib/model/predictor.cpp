@@ -1,6 +1,23 @@
 #include "calib/model/predictor.h"
 
 namespace pendular {
+namespace {
+
+/// Neighbourhood in which everything is predicted anew.
+class PredictedAnew : public FlowNeighbourhood {
+  public:
+    explicit PredictedAnew(const FlowPredictor& predictor) : predictor_(predictor) {}
+    Eigen::VectorXd values(const Eigen::VectorXd& parameters,
+                           const std::vector<EffectiveCondition>& conditions,
+                           const std::vector<std::size_t>&) const override {
+        return predictor_.predict_flow(parameters, conditions, PredictionPart::values).value;
+    }
+
+  private:
+    const FlowPredictor& predictor_;
+};
+
+}  // namespace
 
 Predictor::Point Predictor::predict_at(const Eigen::VectorXd& parameters,
                                        const Condition& condition) const {
@@ -14,6 +31,11 @@ Prediction FlowPredictor::predict(const Eigen::VectorXd& parameters,
                                   const std::vector<Condition>& conditions,
                                   PredictionPart what) const {
     return predict_flow(parameters, without_effects(conditions), what);
+}
+
+std::unique_ptr<const FlowNeighbourhood> FlowPredictor::neighbourhood(
+    const Eigen::VectorXd&, const std::vector<EffectiveCondition>&) const {
+    return std::make_unique<PredictedAnew>(*this);
 }
 
 Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,

@@ -40,6 +40,20 @@ class Predictor {
     Point predict_at(const Eigen::VectorXd& parameters, const Condition& condition) const;
 };
 
+/// Predictions of a `FlowPredictor` near given conditions, for difference quotients over short
+/// steps.
+class FlowNeighbourhood {
+  public:
+    virtual ~FlowNeighbourhood() = default;
+    /// Predicts true shear stress [Pa] and solid fraction [1], stacked as `Prediction` describes,
+    /// at `parameters` and each of the conditions, both a short step away from those at which the
+    /// neighbourhood was made.
+    /// @param places index of each condition among those at which the neighbourhood was made
+    virtual Eigen::VectorXd values(const Eigen::VectorXd& parameters,
+                                   const std::vector<EffectiveCondition>& conditions,
+                                   const std::vector<std::size_t>& places) const = 0;
+};
+
 /// Predictor of the true shear stress and solid fraction in the cell, before an instrument shows
 /// them.
 class FlowPredictor : public Predictor {
@@ -51,6 +65,10 @@ class FlowPredictor : public Predictor {
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
                                     PredictionPart what = PredictionPart::covariance) const = 0;
+    /// Prepares predictions near `parameters` and `conditions`; by default, they are predicted by
+    /// `predict_flow`. The predictor must outlive the result.
+    virtual std::unique_ptr<const FlowNeighbourhood> neighbourhood(
+        const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const;
 };
 
 /// Returns the prediction `readings` extended by an entry for each direct measurement, predicted at

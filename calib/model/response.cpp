@@ -10,8 +10,12 @@ namespace {
 
 /// Corners of a box that are tried where there are too many to try all.
 constexpr std::size_t most_corners = 8;
-/// Factor between the sizes of boxes that are tried, and the largest and smallest size in steps.
-constexpr double shrink = 0.5, largest_box = 40, smallest_box = 0.1;
+/// Factor between the sizes of boxes that are tried, the largest size in steps, and the number of
+/// sizes.
+constexpr double shrink = 0.5, largest_box = 40;
+constexpr std::size_t sizes_of_boxes = 9;
+/// Smallest share of the ends of single parameters that is tried for all together [1].
+constexpr double smallest_share = 0.1;
 
 /// Largest difference between the expansion and the model over the tolerance [1]; infinite where
 /// the readings are impossible at these parameters.
@@ -57,18 +61,28 @@ bool holds_at_corners(const Model& model, const Response& response,
 /// other parameters stay.
 double trusted_end(const Model& model, const Response& response, const Eigen::VectorXd& tolerance,
                    Eigen::Index k, double step, double end) {
+    const auto reached = [&](std::size_t halvings) {
+        const double wanted =
+            response.at(k) + largest_box * std::pow(shrink, static_cast<double>(halvings)) * step;
+        return step > 0 ? std::min(wanted, end) : std::max(wanted, end);
+    };
     Eigen::VectorXd change = Eigen::VectorXd::Zero(response.at.size());
-    double tried = NAN;
-    for (double size = largest_box; size >= smallest_box; size *= shrink) {
-        const double wanted = response.at(k) + size * step;
-        const double reached = step > 0 ? std::min(wanted, end) : std::max(wanted, end);
-        if (reached == tried) continue;  // the end of the range, beyond which steps led
-        tried = reached;
-        change(k) = reached - response.at(k);
-        if (change(k) * step <= 0) return response.at(k);
-        if (excess(model, response, tolerance, change) <= 1) return reached;
+    const auto holds = [&](std::size_t halvings) {
+        change(k) = reached(halvings) - response.at(k);
+        return change(k) * step > 0 && excess(model, response, tolerance, change) <= 1;
+    };
+    // The difference from the model grows with the distance, so that halving finds the largest
+    // size that holds.
+    std::size_t holding = sizes_of_boxes, first = 0;
+    while (first < holding) {
+        const std::size_t middle = (first + holding) / 2;
+        if (holds(middle)) {
+            holding = middle;
+        } else {
+            first = middle + 1;
+        }
     }
-    return response.at(k);
+    return holding < sizes_of_boxes ? reached(holding) : response.at(k);
 }
 
 }  // namespace
@@ -134,7 +148,7 @@ ParameterBounds trusted_box(const Model& model, const Response& response,
         alone.upper(k) = trusted_end(model, response, tolerance, k, steps(k),
                                      std::max(range.upper(k), response.at(k)));
     }
-    for (double share = 1; share > smallest_box; share *= shrink) {
+    for (double share = 1; share > smallest_share; share *= shrink) {
         const ParameterBounds box{response.at + share * (alone.lower - response.at),
                                   response.at + share * (alone.upper - response.at)};
         if (holds_at_corners(model, response, tolerance, box)) return box;

@@ -93,8 +93,10 @@ double size_of(const Vector& residual) {
 /// prevents further progress.
 Vector solve(const Equations& equations) {
     constexpr int most_steps = 50, most_halvings = 12;
+    // Residuals of a few roundings: a further step finds nothing closer, or by luck only.
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     Vector x = equations.first_guess(), residual = equations.residual(x);
-    for (int step = 0; step < most_steps && size_of(residual) > 0; ++step) {
+    for (int step = 0; step < most_steps && size_of(residual) > rounding; ++step) {
         Vector change = -equations.slopes(x).fullPivLu().solve(residual);
         bool closer = false;
         for (int halving = 0; halving <= most_halvings && !closer; ++halving, change /= 2) {
