@@ -57,7 +57,11 @@ int compare(const std::vector<std::string>& arguments) {
         "fit, trends\n"
         "with the varied quantities, measurements that deviate. Draws figures as SVG, PNG and PDF "
         "with\n"
-        "their numbers as CSV. Run 'pendular calibrate' first. No simulation is made.",
+        "their numbers as CSV: readings and model, residuals and their normal quantiles (qq), "
+        "parts "
+        "of chi2\n"
+        "(chi2_ledger), profile likelihood (profile) and confidence regions of the parameters "
+        "(corner). Run 'pendular calibrate' first. No simulation is made.",
         "  pendular compare examples/polystyrene\n"
         "  pendular compare my-study --out results --json -\n",
         true);

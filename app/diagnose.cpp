@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@
 #include "reports/impact_report.h"
 #include "reports/proposal_figure.h"
 #include "reports/proposal_report.h"
+#include "reports/scan_figures.h"
 #include "reports/with_error.h"
 #include "workflow/confirm_diagnosis.h"
 #include "workflow/diagnosis_json.h"
@@ -326,6 +328,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     note_bounds(console, d, session->study());
     const auto figures = common->out_folder() / "figures";
     std::vector<Figure> drawn = {diagnosis_figure(diagnosis, models)};
+    std::ranges::move(scan_figures(diagnosis, models), std::back_inserter(drawn));
     if (!d.proposals.empty()) {
         drawn.push_back(proposal_figure(d.proposals.front(), d.readings, diagnosis.fit.prediction));
     }

@@ -6,6 +6,8 @@
 
 #include "reports/dry_figures.h"
 #include "reports/figure_style.h"
+#include "reports/misfit_figures.h"
+#include "reports/parameter_figures.h"
 #include "reports/residual_figures.h"
 #include "reports/wet_figures.h"
 
@@ -45,6 +47,8 @@ std::vector<Figure> comparison_figures(const StudyModel& study_model,
                       std::back_inserter(figures));
     figures.push_back(parity_figure(comparison));
     std::ranges::move(residual_figures(comparison), std::back_inserter(figures));
+    std::ranges::move(misfit_figures(comparison), std::back_inserter(figures));
+    std::ranges::move(parameter_figures(study_model, calibration), std::back_inserter(figures));
     return figures;
 }
 

@@ -28,8 +28,9 @@ std::string block_name(std::size_t panel, std::size_t curve) {
 }
 
 bool has_line(const Curve& curve) {
-    return curve.style != Curve::Style::points && curve.style != Curve::Style::bars &&
-           curve.style != Curve::Style::bars_across && !curve.x.empty();
+    using Style = Curve::Style;
+    return curve.style != Style::points && curve.style != Style::bars &&
+           curve.style != Style::bars_across && curve.style != Style::cells && !curve.x.empty();
 }
 
 /// Gnuplot commands that define the data of lines and bands as named blocks, once for all file
@@ -101,23 +102,29 @@ std::vector<double> even_tics(AxisRange range) {
     return tics;
 }
 
-/// List of tics for a logarithmic axis: 1, 2 and 5 times powers of ten, or powers of ten alone for
-/// more than three decades. Where fewer than two lie in the range: round numbers at even distances.
-std::string tics_of_logarithm(AxisRange range) {
+/// Multiples of powers of ten in a range by these digits.
+std::vector<double> multiples(AxisRange range, const std::vector<double>& digits) {
     std::vector<double> tics;
     const int first = static_cast<int>(std::floor(std::log10(range.first)));
     const int last = static_cast<int>(std::ceil(std::log10(range.second)));
-    const bool wide = last - first > 3;
     for (int decade = first; decade <= last; ++decade) {
-        for (const double digit : {1.0, 2.0, 5.0}) {
-            if (!wide || digit == 1.0) {
-                tics.push_back(digit * std::pow(10.0, decade));
-            }
+        for (const double digit : digits) {
+            const double tic = digit * std::pow(10.0, decade);
+            if (tic >= range.first && tic <= range.second) tics.push_back(tic);
         }
     }
-    const auto seen = std::ranges::count_if(
-        tics, [&](double tic) { return tic >= range.first && tic <= range.second; });
-    if (seen < 2) tics = even_tics(range);
+    return tics;
+}
+
+/// List of tics for a logarithmic axis, at least four: powers of ten, or 1, 2 and 5, or 1, 2, 3, 4
+/// and 6 times powers of ten. Where none of these are enough: round numbers at even distances.
+std::string tics_of_logarithm(AxisRange range) {
+    constexpr std::size_t enough = 4;
+    std::vector<double> tics;
+    for (const std::vector<double>& digits : {std::vector<double>{1}, {1, 2, 5}, {1, 2, 3, 4, 6}}) {
+        if (tics.size() < enough) tics = multiples(range, digits);
+    }
+    if (tics.size() < enough) tics = even_tics(range);
     std::vector<std::string> texts;
     for (const double tic : tics)
         texts.push_back(fmt::format("{:g}", tic));

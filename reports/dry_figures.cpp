@@ -138,6 +138,17 @@ Shown corrected_mean(const DryStudy& study, const std::vector<std::size_t>& plac
     return mean_of(all);
 }
 
+/// Upper corner of a panel that a vertical line at `x` does not cross.
+Key key_beside(double x, const Panel& panel) {
+    double least = x, greatest = x;
+    for (const Curve& curve : panel.curves) {
+        for (const double each : curve.x) {
+            least = std::min(least, each), greatest = std::max(greatest, each);
+        }
+    }
+    return x < 0.5 * (least + greatest) ? Key::top_right : Key::top_left;
+}
+
 Figure calibration_figure(const DryStudy& study) {
     const Calibration& c = study.calibration;
     const std::vector<std::size_t> used = slowest_of(study);
@@ -167,7 +178,10 @@ Figure calibration_figure(const DryStudy& study) {
                                               inertial_text(condition.inertial_number));
         curve.draw_in(panel, o, {.label = label, .colour = model_colour},
                       label + ", ± 1 standard error");
-        panel.key = o == 0 ? Key::bottom_right : Key::none;
+        if (o == 0) {
+            panel.key = key_beside(study.friction(), panel);
+            panel.headroom = 0.34;
+        }
         figure.panels.push_back(panel);
     }
     return figure;

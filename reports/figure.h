@@ -12,13 +12,18 @@ namespace pendular {
 /// One series of data in a panel (pair of axes) of a figure: points, line, band or bars. A curve
 /// without data only adds an entry to the key.
 struct Curve {
-    /// Bars stand on the x axis; bars across are horizontal and begin at x = 0.
-    enum class Style { points, line, dotted_line, dashed_line, band, bars, bars_across };
+    /// Bars stand on the x axis, or at `from`; bars across are horizontal and begin at x = 0. Cells
+    /// are squares of side 1 whose colour is as strong as `shade` says.
+    enum class Style { points, line, dotted_line, dashed_line, band, bars, bars_across, cells };
     std::string label;
     Style style = Style::points;
     std::vector<double> x, y;
     std::vector<double> y_error;  ///< standard errors of y: error bars, half-width of a band
-    std::vector<std::string> names = {};  ///< texts above the bars of a bar chart
+    /// Texts above the bars of a bar chart, beside bars across that end beyond the axis, or in
+    /// cells.
+    std::vector<std::string> names = {};
+    std::vector<double> from = {};   ///< y where each bar begins; empty: at the x axis
+    std::vector<double> shade = {};  ///< strength of the colour of each cell, 0 to 1
     std::string colour = "#000000";
     Symbol symbol = {};
     double weight = 1;     ///< factor on the usual width of a line [1]

@@ -29,13 +29,29 @@ const Names& names_along(const Panel& panel, const Figure& figure) {
     return other == figure.panels.end() ? panel.x_names : other->x_names;
 }
 
+/// Whether rows of a figure have names, which a column of the table states.
+bool has_rows(const Figure& figure) {
+    return std::ranges::any_of(figure.panels,
+                               [](const Panel& panel) { return !panel.y_names.empty(); });
+}
+
+/// Whether a figure has cells, whose values a column of the table states.
+bool has_cells(const Figure& figure) {
+    return std::ranges::any_of(figure.panels, [](const Panel& panel) {
+        return std::ranges::any_of(
+            panel.curves, [](const Curve& curve) { return curve.style == Curve::Style::cells; });
+    });
+}
+
 /// Writes the CSV rows of one panel.
 class PanelRows {
   public:
     PanelRows(const Figure& figure, const Panel& panel)
         : panel_(panel),
           names_(names_along(panel, figure)),
-          number_(static_cast<std::size_t>(&panel - figure.panels.data()) + 1) {}
+          number_(static_cast<std::size_t>(&panel - figure.panels.data()) + 1),
+          rows_(has_rows(figure)),
+          cells_(has_cells(figure)) {}
 
     std::string text() {
         for (const Reference& r : panel_.references) {
@@ -47,7 +63,8 @@ class PanelRows {
             for (std::size_t k = 0; k < curve.x.size() && curve.in_table; ++k) {
                 add(curve.label, fmt::format("{}", curve.x[k]), fmt::format("{}", curve.y[k]),
                     curve.y_error.empty() ? "" : fmt::format("{}", curve.y_error[k]),
-                    name_at(curve.x[k]));
+                    name_at(curve.x[k]), row_at(curve.y[k]),
+                    curve.style == Curve::Style::cells ? fmt::format("{}", curve.shade[k]) : "");
             }
         }
         for (std::size_t k = 0; k < names_.size(); ++k) {
@@ -59,6 +76,12 @@ class PanelRows {
     }
 
   private:
+    /// Name of the row at the whole number nearest to `y`; empty where there is none.
+    std::string row_at(double y) const {
+        if (!(y >= 0.5)) return "";
+        const auto row = static_cast<std::size_t>(std::round(y)) - 1;
+        return row < panel_.y_names.size() ? unescaped(panel_.y_names[row]) : "";
+    }
     std::string name(std::size_t k) const {
         return unescaped(fmt::format("{}", fmt::join(names_[k], "")));
     }
@@ -72,15 +95,19 @@ class PanelRows {
         return name(static_cast<std::size_t>(nearest));
     }
     void add(const std::string& curve, const std::string& x, const std::string& y,
-             const std::string& error, const std::string& x_name) {
+             const std::string& error, const std::string& x_name, const std::string& y_name = "",
+             const std::string& value = "") {
         text_ += fmt::format("{},{},{},{},{},{},{},{}\n", number_, csv_cell(unescaped(curve)), x, y,
                              error, csv_cell(x_name), csv_cell(unescaped(panel_.x_label)),
                              csv_cell(unescaped(panel_.y_label)));
+        if (rows_) text_.insert(text_.size() - 1, "," + csv_cell(y_name));
+        if (cells_) text_.insert(text_.size() - 1, "," + value);
     }
 
     const Panel& panel_;
     const Names& names_;
     std::size_t number_;
+    bool rows_, cells_;
     std::set<std::size_t> named_;  ///< indices of the names with a point
     std::string text_;
 };
@@ -88,7 +115,10 @@ class PanelRows {
 }  // namespace
 
 std::string numbers_table(const Figure& figure) {
-    std::string text = "panel,curve,x,y,y_error,x_name,x_label,y_label\n";
+    std::string text = "panel,curve,x,y,y_error,x_name,x_label,y_label";
+    if (has_rows(figure)) text += ",y_name";
+    if (has_cells(figure)) text += ",value";
+    text += '\n';
     for (const Panel& panel : figure.panels) {
         text += PanelRows(figure, panel).text();
     }

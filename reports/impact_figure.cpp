@@ -1,5 +1,7 @@
 #include "reports/impact_figure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -30,6 +32,18 @@ std::vector<const Impact*> rows_of(const ImpactTable& table) {
 /// Factor on shifts in the figure: those of a friction are drawn in thousandths [1].
 constexpr double in_thousandths = 1e3;
 
+/// Reach of the axis: the longest bar, but not bars that are more than three times as long as all
+/// others and would leave these unreadable; such bars end at the axis, with their length as text.
+double reach_of(std::vector<double> lengths) {
+    constexpr double far_longer = 3;
+    std::ranges::sort(lengths);
+    while (lengths.size() > 2 && lengths.back() > far_longer * lengths[lengths.size() - 2]) {
+        lengths.pop_back();
+        lengths.back() *= 1.15;  // so that a bar that is cut differs from one that ends
+    }
+    return lengths.back();
+}
+
 Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& rows) {
     const std::string& parameter = table.parameters.front().name;
     Panel panel{.x_label = "10^3 × shift of " + plain_text(parameter), .y_label = ""};
@@ -43,7 +57,7 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
                  .colour = measured_colour,
                  .symbol = {Shape::diamond, Filling::hollow}};
     const double error = in_thousandths * table.errors(0);
-    double reach = error;
+    std::vector<double> reaches = {error};
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const double row = static_cast<double>(k) + 1;
         for (const auto& [curve, shift] :
@@ -51,10 +65,15 @@ Panel shift_panel(const ImpactTable& table, const std::vector<const Impact*>& ro
               std::pair(&interest, rows[k]->at_interest.best()(0))}) {
             curve->x.push_back(in_thousandths * shift);
             curve->y.push_back(row);
-            if (curve != &interest) reach = std::max(reach, std::abs(curve->x.back()));
+            if (curve != &interest) {
+                curve->names.push_back(fmt::format("{:.3g}", curve->x.back()));
+            }
         }
+        reaches.push_back(in_thousandths *
+                          std::max(std::abs(rows[k]->up()(0)), std::abs(rows[k]->down()(0))));
         panel.y_names.push_back(plain_text(impact_name(*rows[k])));
     }
+    const double reach = reach_of(reaches);
     // Shifts far beyond the bars, of effects just large enough to matter, would shrink them: left
     // out.
     for (std::size_t k = interest.x.size(); k-- > 0;) {

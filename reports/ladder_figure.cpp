@@ -40,7 +40,8 @@ std::string number(double value) {
 Panel chi2_panel(const Ladder& ladder) {
     Panel panel{.x_label = "", .y_label = "χ^2 per degree of freedom"};
     Curve starts{.label = "start", .style = Curve::Style::bars, .colour = "#7d7d7d"},
-        changes{.label = "after the change", .style = Curve::Style::bars, .colour = model_colour};
+        falls{.label = "fall", .style = Curve::Style::bars, .colour = model_colour},
+        rises{.label = "rise", .style = Curve::Style::bars, .colour = calibrated_colour};
     panel.x_names.resize(ladder.size());
     std::vector<double> values = {1};
     for (std::size_t k = 0; k < ladder.size(); ++k) {
@@ -48,7 +49,13 @@ Panel chi2_panel(const Ladder& ladder) {
         if (!std::isfinite(value)) {
             continue;
         }
-        Curve& curve = ladder[k].change == "start" ? starts : changes;
+        // A waterfall: each change hangs between the values before and after it.
+        const double before =
+            k > 0 && ladder[k].change != "start" ? ladder[k - 1].chi2_per_dof() : value;
+        Curve& curve = ladder[k].change == "start" || !std::isfinite(before) ? starts
+                       : value <= before                                     ? falls
+                                                                             : rises;
+        if (&curve != &starts) curve.from.push_back(before);
         curve.x.push_back(static_cast<double>(k) + 1);
         curve.y.push_back(value);
         curve.names.push_back(number(value));
@@ -56,7 +63,7 @@ Panel chi2_panel(const Ladder& ladder) {
     }
     panel.references = new_starts(ladder);
     panel.references.push_back({"expected for a correct model", 1, 0, false, calibrated_colour});
-    panel.curves = {starts, changes};
+    panel.curves = {starts, falls, rises};
     panel.log_y = spans_decade(values);
     panel.headroom = 0.06;
     return panel;

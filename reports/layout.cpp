@@ -47,6 +47,7 @@ Extent extent(const Panel& panel, bool along_x) {
         for (std::size_t k = 0; k < curve.x.size(); ++k) {
             along_x ? extent.include(curve.x[k])
                     : extent.include(curve.y[k], curve.y_error.empty() ? 0 : curve.y_error[k]);
+            if (!along_x && !curve.from.empty()) extent.include(curve.from[k]);
         }
     }
     if (!along_x && !panel.log_y && (panel.y_from_zero || has_bars(panel))) {
@@ -210,7 +211,7 @@ Page page_of(const Figure& figure) {
         if (!panel.y_names.empty()) {
             const Size rows = with_rows(panel);
             margin = rows.width;
-            cell.height = rows.height;
+            cell.height = rows.height + bottom_of(panel) - bottom_margin;
         }
         cell.width -= left_margin - margin;
         const double whole = cell.width + (panel.key == Key::outside ? outside_key_width : 0);

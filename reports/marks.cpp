@@ -1,5 +1,6 @@
 #include "reports/marks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pendular {
@@ -53,25 +54,55 @@ double above_bar(const PanelPlace& place, const Panel& panel, double top) {
 /// Draws the bars of a curve from the x axis up, with a text above each bar.
 void draw_bars(Ink& ink, const PanelPlace& place, const Panel& panel, const Curve& curve) {
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
-        const PaperPoint low = place.at(curve.x[k] - bar_width / 2, place.y.first),
-                         high = place.at(curve.x[k] + bar_width / 2, curve.y[k]);
+        const double begin = curve.from.empty() ? place.y.first : curve.from[k];
+        const PaperPoint low = place.at(curve.x[k] - bar_width / 2, std::min(begin, curve.y[k])),
+                         high = place.at(curve.x[k] + bar_width / 2, std::max(begin, curve.y[k]));
         const Outline edge{low, {high.x, low.y}, high, {low.x, high.y}, low};
         ink.area(edge, curve.colour, bar_opacity);
         ink.line(edge, {curve.colour, 1.2});
         if (k < curve.names.size()) {
-            ink.centred(curve.names[k], {(low.x + high.x) / 2, above_bar(place, panel, high.y)});
+            // The text stands at the end of the bar, which is below where the bar hangs.
+            constexpr double half_line = 0.11;
+            const bool hangs = begin > curve.y[k];
+            ink.centred(curve.names[k],
+                        {(low.x + high.x) / 2,
+                         hangs ? low.y - half_line : above_bar(place, panel, high.y)});
         }
     }
 }
 
-/// Draws horizontal bars of a curve from x = 0 on, one in each row.
+/// Draws horizontal bars of a curve from x = 0 on, one in each row. A bar that would leave the axes
+/// ends there without an edge, with its name inside the end.
 void draw_bars_across(Ink& ink, const PanelPlace& place, const Curve& curve) {
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
+        const double end = std::clamp(curve.x[k], place.x.first, place.x.second);
+        const bool cut = end != curve.x[k];
         const PaperPoint low = place.at(0, curve.y[k] - bar_width / 2),
-                         high = place.at(curve.x[k], curve.y[k] + bar_width / 2);
+                         high = place.at(end, curve.y[k] + bar_width / 2);
         const Outline edge{low, {high.x, low.y}, high, {low.x, high.y}, low};
         ink.area(edge, curve.colour, bar_opacity);
-        ink.line(edge, {curve.colour, 1});
+        ink.line(cut ? Outline{{high.x, low.y}, low, {low.x, high.y}, high} : edge,
+                 {curve.colour, 1});
+        if (cut && k < curve.names.size()) {
+            constexpr double inset = 0.06;
+            ink.text(curve.names[k], {high.x + (end > 0 ? -inset : inset), (low.y + high.y) / 2},
+                     end > 0);
+        }
+    }
+}
+
+/// Draws the squares of a curve about its points, with a text in each.
+void draw_cells(Ink& ink, const PanelPlace& place, const Curve& curve) {
+    constexpr double strongest = 0.6;  // so that a black text stays readable
+    for (std::size_t k = 0; k < curve.x.size(); ++k) {
+        const PaperPoint low = place.at(curve.x[k] - 0.5, curve.y[k] - 0.5),
+                         high = place.at(curve.x[k] + 0.5, curve.y[k] + 0.5);
+        const Outline edge{low, {high.x, low.y}, high, {low.x, high.y}, low};
+        ink.area(edge, curve.colour, strongest * curve.shade[k]);
+        ink.line(edge, {"#ffffff", 1});
+        if (k < curve.names.size()) {
+            ink.centred(curve.names[k], {(low.x + high.x) / 2, (low.y + high.y) / 2});
+        }
     }
 }
 
@@ -134,6 +165,7 @@ void draw_sample(Ink& ink, const Entry& entry, PaperPoint middle) {
         case Curve::Style::band:
         case Curve::Style::bars:
         case Curve::Style::bars_across:
+        case Curve::Style::cells:
             ink.area({{middle.x - reach, y - half_band},
                       {middle.x + reach, y - half_band},
                       {middle.x + reach, y + half_band},
@@ -189,6 +221,8 @@ Ink marks_of(const Figure& figure, const Page& page) {
                 draw_bars(ink, page.panels[p], panel, curve);
             } else if (curve.style == Curve::Style::bars_across) {
                 draw_bars_across(ink, page.panels[p], curve);
+            } else if (curve.style == Curve::Style::cells) {
+                draw_cells(ink, page.panels[p], curve);
             }
         }
         draw_names(ink, page.panels[p], panel);

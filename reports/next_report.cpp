@@ -174,6 +174,15 @@ std::string next_paragraph(const std::vector<std::string>& lines) {
     return text;
 }
 
+namespace {
+
+constexpr Curve::Style rival_lines[] = {Curve::Style::line, Curve::Style::dashed_line,
+                                        Curve::Style::dotted_line};
+constexpr Shape rival_shapes[] = {Shape::circle, Shape::square, Shape::triangle, Shape::diamond,
+                                  Shape::star};
+
+}  // namespace
+
 Figure next_figure(const NextMeasurement& next) {
     Figure figure{.name = "next",
                   .title = "Predictions of the models that fit, and suggested readings",
@@ -220,7 +229,7 @@ Figure next_figure(const NextMeasurement& next) {
                     .y_label = o == 0 ? stress_ratio_label : solid_fraction_label,
                     .log_x = true};
         for (const double stress : stresses) {
-            panel.references.push_back({"to be measured", stress, 0, true, measured_colour});
+            panel.references.push_back({"measure here", stress, 0, true, measured_colour});
         }
         for (std::size_t k = 0; k < std::min(next.rivals.size(), colours.size()); ++k) {
             Curve band{.label = "± 1 standard error",
@@ -237,11 +246,25 @@ Figure next_figure(const NextMeasurement& next) {
             }
             Curve line = band;
             line.label = plain_text(next.rivals[k].name);
-            line.style = Curve::Style::line;
+            // Curves that coincide are told apart by their lines and by symbols at places of their
+            // own.
+            line.style = rival_lines[k % std::size(rival_lines)];
             line.y_error.clear();
             line.in_key = true;
+            Curve marks = line;
+            marks.style = Curve::Style::points;
+            marks.symbol = {rival_shapes[k], Filling::hollow};
+            marks.in_table = false;
+            marks.x.clear(), marks.y.clear();
+            const std::size_t shown = std::min(next.rivals.size(), colours.size());
+            for (std::size_t n = k; n < line.x.size(); n += shown) {
+                marks.x.push_back(line.x[n]);
+                marks.y.push_back(line.y[n]);
+            }
+            line.in_key = false;
             panel.curves.push_back(band);
             panel.curves.push_back(line);
+            panel.curves.push_back(marks);
         }
         panel.key = o == 0 ? Key::top_right : Key::none;
         panel.headroom = o == 0 ? 0.3 : 0;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "data/files/printable.h"
+#include "data/study/allows_outside.h"
 #include "data/study/files.h"
 #include "workflow/study_input.h"
 
@@ -85,8 +86,9 @@ StudyStamps StudyWatch::look() {
 void StudyWatch::read_patterns_anew() {
     try {
         std::vector<std::string> patterns;
+        const bool outside = allows_outside(file_);
         for (const FilePattern& each : read_patterns(file_))
-            if (!leads_outside(each.pattern)) patterns.push_back(each.pattern);
+            if (outside || !leads_outside(each.pattern)) patterns.push_back(each.pattern);
         patterns_ = std::move(patterns);
     } catch (const std::exception&) {
         return;  // the diagnosis of the study says what is wrong with study.toml

@@ -33,7 +33,7 @@ struct StudyStamps {
 std::vector<std::string> changes_between(const StudyStamps& before, const StudyStamps& after);
 
 /// Looks for changes of the files on which the page of a study rests: study.toml, the measurements
-/// that its patterns match within the study's folder, and two files of the results folder.
+/// that its patterns match (within the study's folder, unless the study allows others), and two files of the results folder.
 /// Any thread may look.
 class StudyWatch {
   public:

@@ -8,6 +8,7 @@
 
 #include "data/files/file_bytes.h"
 #include "data/files/text_file.h"
+#include "data/study/allows_outside.h"
 #include "data/study/file_format_table.h"
 #include "data/study/files.h"
 #include "data/study/study_table.h"
@@ -316,6 +317,10 @@ Study read_study(const std::filesystem::path& path) {
     study.import = read_import(root);
     study.scatter = read_scatter(root);
     return study;
+}
+
+bool allows_outside(const std::filesystem::path& study) {
+    return StudyTable::read(study_file(study), top_keys).flag("allow_outside").value_or(false);
 }
 
 std::vector<FilePattern> read_patterns(const std::filesystem::path& study) {

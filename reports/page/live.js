@@ -36,6 +36,15 @@ class Model {
     this.coefficients = Array.from({length: p + p * (p + 1) / 2}, () => [reader.scaled(this.count), reader.scaled(this.count)]);
     const errors = new Reader(this.errors);
     this.sigma = [errors.floats(this.readings.length), errors.floats(this.readings.length)];
+    const terms = 1 + this.coefficients.length;
+    this.chi2Form = new Reader(this.form).floats(terms * (terms + 1) / 2);
+    const without = new Reader(this.without);
+    this.withoutReadings = Array.from({length: this.fitted}, () => without.floats(1 + p));
+  }
+  // Fall of chi2 and shifts of the parameters where a fitted reading is left out of the fit.
+  withoutReading(id) {
+    this.unpack();
+    return this.withoutReadings[id];
   }
   terms(d) {
     const terms = [...d];
@@ -50,9 +59,10 @@ class Model {
     return result;
   }
   chi2At(d) {
+    this.unpack();
     const t = [1, ...this.terms(d)];
     let sum = 0, at = 0;
-    for (let i = 0; i < t.length; ++i) for (let j = i; j < t.length; ++j) sum += (i === j ? 1 : 2) * this.form[at++] * t[i] * t[j];
+    for (let i = 0; i < t.length; ++i) for (let j = i; j < t.length; ++j) sum += (i === j ? 1 : 2) * this.chi2Form[at++] * t[i] * t[j];
     return sum;
   }
   // RMS of predicted/measured - 1 over all readings [%].
@@ -109,7 +119,7 @@ class Page {
 
   makeSwitches() {
     const field = document.getElementById("switches");
-    if (this.data.always.length > 0) html("p", {class: "gain"}, field, "Always on: " + this.data.always.join(", "));
+    if (this.data.always.length > 0) html("p", {class: "gain", id: "always"}, field, "Always on: " + this.data.always.join(", "));
     this.boxes = this.data.switches.map((s, k) => {
       const label = html("label", {title: s.summary}, field);
       const box = html("input", {type: "checkbox", "data-effect": s.name}, label);
@@ -251,7 +261,7 @@ class Page {
     html("p", {}, box, moved ? "Parameters were moved away from the fit." : `p ${model.p < 1e-6 ? "< 1e-6" : "= " + model.p.toPrecision(2)}${model.converged ? "" : "; the fit did not converge"}`);
     if (model.fitted < this.data.readings.length) html("p", {}, box, `${model.fitted} readings were fitted, ${this.data.readings.length - model.fitted} predicted.`);
     if (this.out >= 0) {
-      const [fall, ...shifts] = model.without[this.out];
+      const [fall, ...shifts] = model.withoutReading(this.out);
       html("p", {"data-without": fall}, box, `Without reading ${this.out + 1}: chi2 falls by ${three(fall)}; ` +
         model.parameters.map((p, k) => `${p.name} ${shifts[k] < 0 ? "falls" : "rises"} by ${three(Math.abs(shifts[k]))}${unitText(p.unit)} (${(Math.abs(shifts[k]) / p.error).toFixed(1)} errors)`).join(", ") + ".");
     }
@@ -282,7 +292,7 @@ class Page {
       ratio.textContent = predicted[0][id].toFixed(4);
       fraction.textContent = predicted[1][id].toFixed(4);
       residuals.textContent = `${off[0][id].toFixed(1)}, ${off[1][id].toFixed(1)}`;
-      button.disabled = id >= this.model.without.length;
+      button.disabled = id >= this.model.fitted;
       button.textContent = this.out === id ? "take in" : "leave out";
       row.classList.toggle("out", this.out === id);
       row.classList.toggle("marked", this.marked.has(id));

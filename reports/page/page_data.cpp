@@ -97,17 +97,17 @@ std::string errors_of(const SwitchedModel& model) {
 }
 
 /// Upper triangle of chi2 as a form of the parameters in units of their standard errors.
-Json form_of(const SwitchedModel& model) {
+std::string form_of(const SwitchedModel& model) {
     const Eigen::VectorXd errors = model.calibration.fit.standard_errors();
     Eigen::VectorXd scale(model.chi2_form.rows());
     scale << 1, errors, products(errors);
-    Json array = Json::array();
+    Bytes bytes;
     for (Eigen::Index i = 0; i < scale.size(); ++i) {
         for (Eigen::Index j = i; j < scale.size(); ++j) {
-            array.push_back(shortened(model.chi2_form(i, j) * scale(i) * scale(j)));
+            bytes.add(static_cast<float>(model.chi2_form(i, j) * scale(i) * scale(j)));
         }
     }
-    return array;
+    return bytes.base64();
 }
 
 Json parameters_of(const SwitchedModel& model) {
@@ -146,12 +146,13 @@ Json correlations_of(const Fit& fit) {
     return rows;
 }
 
-Json without_of(const SwitchedModel& model) {
-    Json rows = Json::array();
+/// Fall of chi2 and shifts of the parameters without each fitted reading, reading by reading.
+std::string without_of(const SwitchedModel& model) {
+    Bytes bytes;
     for (Eigen::Index k = 0; k < model.without_each.rows(); ++k) {
-        rows.push_back(all_shortened(Eigen::VectorXd(model.without_each.row(k))));
+        bytes.add_floats(model.without_each.row(k));
     }
-    return rows;
+    return bytes.base64();
 }
 
 Json model_json(const SwitchedModel& model, const std::vector<Condition>& points) {

@@ -4,7 +4,8 @@
 const SVG = "http://www.w3.org/2000/svg";
 const WIDTH = 460, HEIGHT = 320, LEFT = 66, RIGHT = 12, TOP = 12, BOTTOM = 48, GAP = 12;
 // Okabe and Ito's colours, which stay apart for colour-blind readers, with a shape for each.
-const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b58900", "#56b4e9", "#8a8a8a", "#7a5195"];
+// The style sheet has them for light and for dark pages.
+const COLOURS = Array.from({length: 8}, (_, k) => `var(--mark${k})`);
 const SHAPES = ["circle", "square", "triangle", "diamond", "down", "plus", "cross", "ring"];
 
 function node(name, attributes, parent, text) {
@@ -293,6 +294,6 @@ class Plot {
       if (icon) line.append(icon.cloneNode(true));
       node("text", {x: 22, y: 10, fill: "var(--ink)", "font-size": "12.5", "font-family": "system-ui, sans-serif"}, line, entry.textContent.trim());
     });
-    return copy.outerHTML.replace(/var\((--[a-z]+)\)/g, (_, name) => style.getPropertyValue(name).trim());
+    return copy.outerHTML.replace(/var\((--[a-z0-9]+)\)/g, (_, name) => style.getPropertyValue(name).trim());
   }
 }

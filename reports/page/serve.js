@@ -83,12 +83,20 @@ class Served {
     const {page} = window;
     if (!page) return;
     page.boxes.forEach(({box}, k) => {
-      const {name} = page.data.switches[k], listed = (page.data.current >> k & 1) === 1, text = listed ? "Remove from the study" : "Add to the study";
-      const button = html("button", {type: "button", "data-change": name, "aria-label": `${text}: ${name}`}, null, text);
-      button.disabled = this.changing;
-      button.addEventListener("click", () => this.change(listed ? "drop" : "add", name));
-      box.parentElement.after(button);
+      const {name} = page.data.switches[k];
+      this.offer(name, (page.data.current >> k & 1) === 1, box.parentElement);
     });
+    // Effects of the study beyond the number of switches.
+    const always = document.getElementById("always");
+    for (const name of [...page.data.always].reverse()) this.offer(name, true, always, ": " + name);
+  }
+  // Puts a button after `place` that adds an effect to the study or removes a listed one.
+  offer(name, listed, place, more = "") {
+    const text = listed ? "Remove from the study" : "Add to the study";
+    const button = html("button", {type: "button", "data-change": name, "aria-label": `${text}: ${name}`}, null, text + more);
+    button.disabled = this.changing;
+    button.addEventListener("click", () => this.change(listed ? "drop" : "add", name));
+    place.after(button);
   }
   async change(action, effect) {
     await this.post(`change?action=${action}&effect=${encodeURIComponent(effect)}`, "");

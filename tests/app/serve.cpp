@@ -240,6 +240,18 @@ TEST(StudyWatch, LooksAtNoFileOutsideOfTheStudy) {
     EXPECT_EQ(StudyWatch(folder.path() / "study", folder.path()).look().inputs.size(), 1u);
 }
 
+TEST(StudyWatch, LooksAtFilesOutsideThatTheStudyAllows) {
+    TemporaryFolder folder;
+    fs::create_directory(folder.path() / "study");
+    folder.write("a.csv", "1");
+    folder.write("study/study.toml", "allow_outside = true\n[[recording]]\nfile = \"../*.csv\"\n");
+    StudyWatch watch(folder.path() / "study", folder.path() / "out");
+    const StudyStamps before = watch.look();
+    EXPECT_EQ(before.inputs.size(), 2u);
+    folder.write("b.csv", "1");
+    EXPECT_THAT(changes_between(before, watch.look()), ElementsAre("b.csv is new"));
+}
+
 /// Study whose work is done by functions of the test, served in a thread.
 class LiveStudyTest : public testing::Test {
   protected:

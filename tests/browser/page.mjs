@@ -211,6 +211,20 @@ torque = "torque*(1 + gain)"
     assert.equal(windows["dry_1.csv"].filter(label => label !== "averaged").length, 0);
     assert.match(await page.locator("#recordings figure").nth(1).innerText(), /averaged, no plateau/);
   });
+  await check("draws marks in colours that stand out from the page, light and dark", async () => {
+    for (const scheme of ["light", "dark"]) {
+      await page.emulateMedia({colorScheme: scheme});
+      const contrasts = await page.evaluate(() => {
+        const style = getComputedStyle(document.documentElement);
+        const luminance = name => [1, 3, 5].map(k => parseInt(style.getPropertyValue(name).trim().slice(k, k + 2), 16) / 255)
+          .map(c => c <= .04045 ? c / 12.92 : ((c + .055) / 1.055) ** 2.4).reduce((sum, c, k) => sum + c * [.2126, .7152, .0722][k], 0);
+        const ground = luminance("--ground");
+        return Array.from({length: 8}, (_, k) => luminance(`--mark${k}`)).map(mark => (Math.max(mark, ground) + .05) / (Math.min(mark, ground) + .05));
+      });
+      assert.ok(Math.min(...contrasts) >= 3, `${scheme}: ${contrasts.map(c => c.toFixed(2))}`);
+    }
+    await page.emulateMedia({colorScheme: "light"});
+  });
   await check("sends no request and logs no error", async () => {
     assert.deepEqual(requests, []);
     assert.deepEqual(errors, []);

@@ -1,0 +1,158 @@
+#include "reports/parameter_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "calib/fit/profile_rise.h"
+#include "reports/figure_style.h"
+#include "reports/figure_text.h"
+
+namespace pendular {
+namespace {
+
+/// Largest number of parameters with a panel each, and of those with a panel for each pair.
+constexpr std::size_t most_profiles = 8, most_in_pairs = 5;
+/// Rise of chi2 at the ends of the intervals that hold 68 and 95 % of one parameter, and of the
+/// regions that hold 68 and 95 % of two parameters [1].
+constexpr double rise_68 = 1, rise_95 = 3.84, rise_68_of_two = 2.30, rise_95_of_two = 5.99;
+/// Distance from the fit that a profile reaches, in standard errors [1], and number of its points.
+constexpr double profile_reach = 3;
+constexpr int points_of_profile = 13;
+
+/// Indices of the parameters whose standard error is smaller than their range.
+std::vector<Eigen::Index> determined(const Calibration& c) {
+    std::vector<Eigen::Index> result;
+    for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        const double error = c.fit.standard_error(i), variance = c.fit.covariance(i, i);
+        if (variance > 0 && error < c.parameters[k].upper - c.parameters[k].lower) {
+            result.push_back(i);
+        }
+    }
+    return result;
+}
+
+std::string label_of(const Parameter& parameter) {
+    return plain_text(fmt::format("{} [{}]", parameter.name, parameter.unit));
+}
+
+Panel profile_panel(const Model& model, const Measured& measured, const Fit& best,
+                    const Calibration& c, Eigen::Index k) {
+    const Parameter& parameter = c.parameters[static_cast<std::size_t>(k)];
+    const double fitted = c.fit.parameters(k), error = std::sqrt(c.fit.covariance(k, k));
+    Panel panel{.x_label = label_of(parameter), .y_label = "rise of χ^2"};
+    Curve profile{.label = "others refitted", .style = Curve::Style::line, .colour = model_colour},
+        parabola{.label = "by the standard error",
+                 .style = Curve::Style::dashed_line,
+                 .colour = calibrated_colour};
+    Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(
+        points_of_profile, std::max(parameter.lower, fitted - profile_reach * error),
+        std::min(parameter.upper, fitted + profile_reach * error));
+    const Eigen::VectorXd rises = profile_rise(model, measured, best, k, values);
+    for (Eigen::Index n = 0; n < values.size(); ++n) {
+        if (!std::isfinite(rises(n))) continue;
+        profile.x.push_back(values(n));
+        profile.y.push_back(rises(n));
+        parabola.x.push_back(values(n));
+        parabola.y.push_back(std::pow((values(n) - fitted) / error, 2));
+    }
+    panel.curves = {profile, parabola};
+    panel.references = {{"68 %", rise_68, 0, false, "#888888"},
+                        {"95 %", rise_95, 0, false, "#444444"}};
+    panel.x_range = {values(0), values(values.size() - 1)};
+    panel.y_range = {0, profile_reach * profile_reach};
+    return panel;
+}
+
+Figure profile_figure(const StudyModel& study_model, const Calibration& c) {
+    Figure figure{.name = "profile",
+                  .title = "Profile likelihood of the fitted parameters",
+                  .panels = {},
+                  .columns = 2,
+                  .small = true};
+    const std::vector<Reading> fitted(c.readings.begin(),
+                                      c.readings.begin() + static_cast<std::ptrdiff_t>(c.fitted));
+    const ModelOfReadings model = study_model.at(fitted);
+    const Measured measured = stack(fitted, study_model.direct());
+    Fit best = c.fit;
+    best.prediction = model.predict(best.parameters);  // a fit that was read from a file has none
+    for (const Eigen::Index k : determined(c)) {
+        if (figure.panels.size() == most_profiles) break;
+        figure.panels.push_back(profile_panel(model, measured, best, c, k));
+    }
+    if (figure.panels.empty()) return figure;
+    figure.panels.front().key = Key::top_left;
+    for (Panel& panel : figure.panels) {
+        panel.headroom = 0.34;
+    }
+    return figure;
+}
+
+/// Points of the ellipse at which chi2 of two parameters, as a parabola, rises by `rise` where all
+/// other parameters are refitted.
+Curve ellipse(const Calibration& c, Eigen::Index a, Eigen::Index b, double rise) {
+    constexpr int points = 73;
+    Curve curve{.style = Curve::Style::line, .colour = model_colour};
+    const double sa = std::sqrt(c.fit.covariance(a, a)), sb = std::sqrt(c.fit.covariance(b, b)),
+                 correlation = std::clamp(c.fit.covariance(a, b) / (sa * sb), -1.0, 1.0);
+    for (int n = 0; n < points; ++n) {
+        const double angle = 2 * std::numbers::pi * n / (points - 1), r = std::sqrt(rise);
+        curve.x.push_back(c.fit.parameters(a) + r * sa * std::cos(angle));
+        curve.y.push_back(c.fit.parameters(b) +
+                          r * sb *
+                              (correlation * std::cos(angle) +
+                               std::sqrt(1 - correlation * correlation) * std::sin(angle)));
+    }
+    return curve;
+}
+
+Panel pair_panel(const Calibration& c, Eigen::Index a, Eigen::Index b) {
+    Panel panel{.x_label = label_of(c.parameters[static_cast<std::size_t>(a)]),
+                .y_label = label_of(c.parameters[static_cast<std::size_t>(b)])};
+    Curve inner = ellipse(c, a, b, rise_68_of_two), outer = ellipse(c, a, b, rise_95_of_two);
+    inner.label = "68 % of both together";
+    outer.label = "95 %";
+    outer.style = Curve::Style::dashed_line;
+    Curve best{.label = "fit, ± 1 standard error",
+               .x = {c.fit.parameters(a)},
+               .y = {c.fit.parameters(b)},
+               .y_error = {std::sqrt(c.fit.covariance(b, b))},
+               .colour = calibrated_colour};
+    panel.curves = {inner, outer, best};
+    return panel;
+}
+
+Figure corner_figure(const Calibration& c) {
+    Figure figure{.name = "corner",
+                  .title = "Fitted parameters, two by two",
+                  .panels = {},
+                  .columns = 2,
+                  .small = true};
+    std::vector<Eigen::Index> shown = determined(c);
+    shown.resize(std::min(shown.size(), most_in_pairs));
+    for (std::size_t j = 1; j < shown.size(); ++j) {
+        for (std::size_t i = 0; i < j; ++i) {
+            figure.panels.push_back(pair_panel(c, shown[i], shown[j]));
+        }
+    }
+    if (figure.panels.empty()) return figure;
+    figure.panels.front().key = Key::top_left;
+    figure.panels.front().headroom = 0.28;
+    return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> parameter_figures(const StudyModel& model, const Calibration& calibration) {
+    Calibration c = calibration;
+    c.parameters = model.model().parameters();  // a calibration read from a file lacks the ranges
+    std::vector<Figure> figures = {profile_figure(model, c), corner_figure(c)};
+    std::erase_if(figures, [](const Figure& figure) { return figure.panels.empty(); });
+    return figures;
+}
+
+}  // namespace pendular

@@ -1,0 +1,112 @@
+#include "reports/scan_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "reports/figure_style.h"
+#include "reports/figure_text.h"
+
+namespace pendular {
+namespace {
+
+constexpr std::size_t most_effects = 20, most_cosines = 10;
+
+/// Findings on effects that the readings tell something about, at most `most`, the largest
+/// reduction of chi2 first.
+std::vector<const Finding*> telling_findings(const Diagnosis& diagnosis, std::size_t most) {
+    std::vector<const Finding*> findings;
+    for (const Finding& finding : diagnosis.scan) {
+        if (finding.test.seen() && findings.size() < most) findings.push_back(&finding);
+    }
+    std::ranges::stable_sort(findings, std::greater(), [](const Finding* finding) {
+        return finding->test.predicted_reduction;
+    });
+    return findings;
+}
+
+std::string name_of(const Finding& finding, const ModelSpace& space) {
+    return plain_text(space.candidates()[finding.candidate].name);
+}
+
+Figure scan_figure(const Diagnosis& diagnosis, const ModelSpace& space) {
+    Figure figure{.name = "scan",
+                  .title = "Reduction of χ^2 by each effect, predicted and refitted",
+                  .panels = {}};
+    const auto findings = telling_findings(diagnosis, most_effects);
+    if (findings.empty()) return figure;
+    Panel panel{.x_label = "reduction of χ^2", .y_label = ""};
+    Curve predicted{.label = "predicted from the residuals",
+                    .style = Curve::Style::bars_across,
+                    .colour = model_colour},
+        refitted{.label = "found by a refit",
+                 .colour = calibrated_colour,
+                 .symbol = {Shape::diamond, Filling::filled}};
+    double reach = diagnosis.chi2;
+    for (auto finding = findings.rbegin(); finding != findings.rend(); ++finding) {
+        panel.y_names.push_back(name_of(**finding, space));
+        const double row = static_cast<double>(panel.y_names.size());
+        predicted.x.push_back(std::max(0.0, (*finding)->test.predicted_reduction));
+        predicted.y.push_back(row);
+        if ((*finding)->refitted_reduction) {
+            refitted.x.push_back(std::max(0.0, *(*finding)->refitted_reduction));
+            refitted.y.push_back(row);
+            reach = std::max(reach, refitted.x.back());
+        }
+    }
+    panel.curves = {predicted};
+    if (!refitted.x.empty()) panel.curves.push_back(refitted);
+    panel.references = {{fmt::format("χ^2 of the model, {} degrees of freedom", diagnosis.dof),
+                         diagnosis.chi2, 0, true, "#888888"}};
+    panel.x_range = {0, 1.08 * reach};
+    panel.key = Key::top_right;
+    panel.headroom = 0.2;
+    figure.panels = {panel};
+    return figure;
+}
+
+/// Similarity of the changes of the readings by two effects: the absolute cosine of the whitened
+/// changes, minus what the calibrated parameters imitate [1].
+double cosine(const Finding& a, const Finding& b) {
+    return std::abs(a.test.basis.col(0).dot(b.test.basis.col(0)));
+}
+
+Figure cosine_figure(const Diagnosis& diagnosis, const ModelSpace& space) {
+    Figure figure{.name = "cosines",
+                  .title = "Similarity of the effects' changes of the readings (cosine)",
+                  .panels = {}};
+    const auto findings = telling_findings(diagnosis, most_cosines);
+    if (findings.size() < 2) return figure;
+    const std::size_t count = findings.size();
+    Panel panel{.x_label = "", .y_label = ""};
+    Curve cells{.label = "absolute cosine; 1: the readings cannot tell them apart",
+                .style = Curve::Style::cells,
+                .colour = model_colour};
+    for (std::size_t row = 0; row < count; ++row) {
+        // The first effect is in the first column and in the highest row.
+        const Finding& of_row = *findings[count - 1 - row];
+        panel.y_names.push_back(name_of(of_row, space));
+        for (std::size_t column = 0; column < count - row; ++column) {
+            const double value = cosine(of_row, *findings[column]);
+            cells.x.push_back(static_cast<double>(column) + 1);
+            cells.y.push_back(static_cast<double>(row) + 1);
+            cells.shade.push_back(std::min(1.0, value));
+            cells.names.push_back(fmt::format("{:.2f}", value));
+        }
+        panel.x_names.push_back(broken_name(space.candidates()[findings[row]->candidate].name));
+    }
+    panel.curves = {cells};
+    figure.panels = {panel};
+    return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> scan_figures(const Diagnosis& diagnosis, const ModelSpace& space) {
+    return {scan_figure(diagnosis, space), cosine_figure(diagnosis, space)};
+}
+
+}  // namespace pendular

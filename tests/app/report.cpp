@@ -1,0 +1,73 @@
+// `pendular report` on studies that lack something says so plainly.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/support/app_support.h"
+
+namespace pendular::app_report_test {
+
+using testing::HasSubstr;
+using testing::Not;
+
+namespace fs = std::filesystem;
+
+class ReportTest : public testing::Test {
+  protected:
+    TemporaryFolder folder;
+    std::string study = copied_example("dry-recordings", folder).string();
+
+    Outcome report(const std::string& more = "") const {
+        return run_pendular("report " + study + " --quiet --switches 0" + more);
+    }
+    std::string page() const { return content_of(fs::path(study) / "out/report.html"); }
+};
+
+TEST_F(ReportTest, OfAStudyThatWasNeverCalibratedSaysSo) {
+    EXPECT_EQ(report().code, 0);
+    EXPECT_THAT(page(), HasSubstr("This study has not been calibrated yet: give"));
+}
+
+TEST_F(ReportTest, OfAStudyWithoutWetReadingsShowsDryReadingsOnly) {
+    EXPECT_EQ(report().code, 0);
+    EXPECT_THAT(page(), HasSubstr("Dry readings"));
+    EXPECT_THAT(page(), Not(HasSubstr("Wet readings")));
+}
+
+TEST_F(ReportTest, OfASingleReadingSaysWhatIsNeeded) {
+    folder.write("one.csv",
+                 "normal_stress [Pa],stress_ratio [1],solid_fraction [1],inertial_number [1]\n"
+                 "1000,0.28,0.61,0.01\n");
+    folder.write("study.toml",
+                 "[grains]\ndiameter = \"500 um\"\ndensity = \"1050 kg/m^3\"\n\n"
+                 "[[readings]]\nfile = \"one.csv\"\nliquid_content = 0\n");
+    study = folder.path().string();
+    const Outcome outcome = report();
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("measure at two or more normal stresses"));
+    EXPECT_FALSE(fs::exists(folder.path() / "out/report.html"));
+}
+
+TEST_F(ReportTest, NeedsNoGnuplot) {
+    const Outcome outcome = [&] {
+        const std::string path = std::getenv("PATH");
+        setenv("PATH", folder.path().c_str(), 1);
+        const Outcome result = report();
+        setenv("PATH", path.c_str(), 1);
+        return result;
+    }();
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(page(), HasSubstr("Dry readings"));
+}
+
+TEST_F(ReportTest, SaysThatTheFolderCannotBeWritten) {
+    folder.write("a-file", "");
+    const std::string file = (folder.path() / "a-file").string();
+    expect_refused("report " + study + " --out " + file + "/results",
+                   "cannot be written: " + file + " is no folder");
+    EXPECT_FALSE(fs::exists(fs::path(study) / "out"));
+}
+
+}  // namespace pendular::app_report_test
