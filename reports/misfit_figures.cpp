@@ -95,7 +95,7 @@ std::vector<LedgerRow> largest(std::vector<LedgerRow> parts, std::size_t most) {
 }
 
 std::string name_of(const Condition& c) {
-    return fmt::format("{:.3g} Pa, {}, {}", c.normal_stress, inertial_text(c.inertial_number),
+    return fmt::format("{:.0f} Pa, {}, {}", c.normal_stress, inertial_text(c.inertial_number),
                        c.dry() ? "dry" : fmt::format("content {:.3g}", c.liquid_content));
 }
 

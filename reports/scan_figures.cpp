@@ -62,8 +62,7 @@ Figure scan_figure(const Diagnosis& diagnosis, const ModelSpace& space) {
     panel.references = {{fmt::format("χ^2 of the model, {} degrees of freedom", diagnosis.dof),
                          diagnosis.chi2, 0, true, "#888888"}};
     panel.x_range = {0, 1.08 * reach};
-    panel.key = Key::top_right;
-    panel.headroom = 0.2;
+    panel.key = Key::bottom_right;  // beside the shortest bars
     figure.panels = {panel};
     return figure;
 }
