@@ -61,7 +61,8 @@ int compare(const std::vector<std::string>& arguments) {
         "parts "
         "of chi2\n"
         "(chi2_ledger), profile likelihood (profile) and confidence regions of the parameters "
-        "(corner). Run 'pendular calibrate' first. No simulation is made.",
+        "(corner).\n"
+        "Run 'pendular calibrate' first. No simulation is made.",
         "  pendular compare examples/polystyrene\n"
         "  pendular compare my-study --out results --json -\n",
         true);
