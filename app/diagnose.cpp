@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/diagnosis/explanation_search.h"
 #include "analysis/diagnosis/study_evidence.h"
 #include "analysis/misfit/compare.h"
 #include "app/belief.h"
@@ -168,19 +167,25 @@ void print_impacts(Console& console, const ImpactTable& impacts, const Diagnosis
     if (console.all()) console.table(impact_table(impacts), impacts.impacts.size());
 }
 
-/// Prints a note for each effect that study.toml defines, looks missing and is estimated at a bound
-/// of its parameter: its true size may lie beyond.
+/// Prints a note for each effect that study.toml defines and that is estimated at a bound of its
+/// parameter, where something is missing: its true size may lie beyond.
 void note_bounds(Console& console, const StudyDiagnosis& d, const Study& study) {
+    const Verdict verdict = d.diagnosis.verdict;
+    if (verdict == Verdict::nothing_missing || verdict == Verdict::inconclusive) return;
     for (const Finding& finding : d.diagnosis.scan) {
         const Candidate& candidate = d.models->candidates()[finding.candidate];
         const bool of_study =
             std::ranges::find(study.written_effects, candidate.name, &WrittenEffect::name) !=
             study.written_effects.end();
-        if (!of_study || !looks_missing(finding) || finding.standard_error > 0) continue;
-        console.note(fmt::format(
-            "The estimate of the effect {} is at a bound of its parameter, {}: if the effect may "
-            "be larger, widen 'lower' or 'upper' of its table [[effect]] in study.toml.",
-            candidate.name, with_unit(finding.value, candidate.parameters.front().unit)));
+        if (!of_study || candidate.is_switch()) continue;
+        const EffectParameter& p = candidate.parameters.front();
+        for (const double bound : {p.lower, p.upper}) {
+            if (bound == p.neutral || finding.value != bound) continue;
+            console.note(fmt::format(
+                "The estimate of the effect {} is at a bound of its parameter, {}: if the effect "
+                "may be larger, widen 'lower' or 'upper' of its table [[effect]] in study.toml.",
+                candidate.name, with_unit(bound, p.unit)));
+        }
     }
 }
 

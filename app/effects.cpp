@@ -75,9 +75,10 @@ const Effect& named(const EffectCatalogue& catalogue, const std::string& name, b
     try {
         return catalogue.find(name);
     } catch (const std::invalid_argument& error) {
-        throw InputError(error.what() + std::string(of_study ? ""
-                                                             : "; --study STUDY also shows the "
-                                                               "effects that a study defines"));
+        throw InputError(error.what() +
+                         std::string(of_study ? ""
+                                              : "\n  For an effect that a study defines, add "
+                                                "--study STUDY."));
     }
 }
 

@@ -89,12 +89,30 @@ std::string plot_term(const Curve& curve, const std::string& block) {
                        pen.width, pen.dash, pen.colour);
 }
 
-/// Positive round numbers at even distances in a range, about four.
-std::vector<double> even_tics(AxisRange range) {
-    const double rough = (range.second - range.first) / 4;
+/// Round number near `rough`: 1, 2 or 5 times a power of ten.
+double round_step(double rough) {
     const double decade = std::pow(10.0, std::floor(std::log10(rough)));
     const double digit = rough / decade;
-    const double step = decade * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+    return decade * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+}
+
+/// Distance of the tics of a linear axis of this width [in], so that their numbers do not touch.
+double step_of_tics(AxisRange range, double width) {
+    constexpr double most = 7, of_character = 0.1, between_numbers = 0.2;
+    const double span = range.second - range.first;
+    double step = round_step(span / most);
+    // Numbers have the most digits where they are no multiples of the next larger step.
+    const double middle = step * std::round((range.first + span / 2) / step) + step;
+    const auto characters = static_cast<double>(fmt::format("{:.6g}", middle).size());
+    while (span / step * (of_character * characters + between_numbers) > width) {
+        step = round_step(2.2 * step);
+    }
+    return step;
+}
+
+/// Positive round numbers at even distances in a range, about four.
+std::vector<double> even_tics(AxisRange range) {
+    const double step = round_step((range.second - range.first) / 4);
     std::vector<double> tics;
     for (double k = std::ceil(range.first / step); k * step <= range.second; ++k) {
         if (k > 0) tics.push_back(k * step);
@@ -148,7 +166,8 @@ std::string axes_script(const Panel& panel, const PanelPlace& place, const Page&
     } else if (panel.log_x) {
         text += "set logscale x\nset xtics nomirror (" + tics_of_logarithm(place.x) + ")\n";
     } else {
-        text += "set xtics nomirror autofreq\n";
+        text += fmt::format("set xtics nomirror {:.6g}\n",
+                            step_of_tics(place.x, place.right - place.left));
     }
     text += fmt::format("set xlabel {}\nset ylabel {}\n", gnuplot_string(panel.x_label),
                         gnuplot_string(panel.y_label));

@@ -21,7 +21,7 @@ constexpr std::size_t most_profiles = 8, most_in_pairs = 5;
 constexpr double rise_68 = 1, rise_95 = 3.84, rise_68_of_two = 2.30, rise_95_of_two = 5.99;
 /// Distance from the fit that a profile reaches, in standard errors [1], and number of its points.
 constexpr double profile_reach = 3;
-constexpr int points_of_profile = 13;
+constexpr int points_of_profile = 25;
 
 /// Indices of the parameters whose standard error is smaller than their range.
 std::vector<Eigen::Index> determined(const Calibration& c) {

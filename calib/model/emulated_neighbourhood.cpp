@@ -176,4 +176,10 @@ Eigen::VectorXd EmulatedNeighbourhood::values(const Eigen::VectorXd& parameters,
     return result;
 }
 
+// Defined here, so that the simulation does not depend on its neighbourhoods.
+std::unique_ptr<const FlowNeighbourhood> EmulatedSimulation::neighbourhood(
+    const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const {
+    return std::make_unique<EmulatedNeighbourhood>(*this, parameters(0), conditions);
+}
+
 }  // namespace pendular

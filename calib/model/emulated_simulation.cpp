@@ -8,7 +8,6 @@
 
 #include "calib/emulator/emulated_observables.h"
 #include "calib/emulator/emulated_structure.h"
-#include "calib/model/emulated_neighbourhood.h"
 #include "calib/model/study_state.h"
 #include "sim/catalogue/effect.h"
 #include "sim/closures/capillary_stress.h"
@@ -97,11 +96,6 @@ Eigen::Vector2d EmulatedSimulation::reading_of(const Eigen::Vector3d& flow,
                                                const EffectiveCondition& condition) const {
     return {condition.normal_stress * flow(0),
             flow(1) + (1 - stiffness_left(condition)) * dem::rigidity_shift(flow(1), flow(2))};
-}
-
-std::unique_ptr<const FlowNeighbourhood> EmulatedSimulation::neighbourhood(
-    const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const {
-    return std::make_unique<EmulatedNeighbourhood>(*this, parameters(0), conditions);
 }
 
 StructureResponse EmulatedSimulation::at_constant_content(StructureResponse response,

@@ -67,8 +67,8 @@ RunPlanner::RunPlanner(const Study& study, const std::vector<Condition>& conditi
       slowest_(slowest(conditions)),
       inertial_numbers_(inertial_numbers_for(conditions, fidelity.lowest_inertial_number)),
       wet_settings_(wet_settings_for(conditions, study, fidelity.lowest_inertial_number)) {
-    // Runs of one stiffness number train the emulator: that of the atlas or, without known runs, that
-    // of the planner's own runs.
+    // Runs of one stiffness number train the emulator: that of the atlas or, without known runs,
+    // that of the planner's own runs.
     double trained_stiffness = emulated::reference_stiffness;
     if (known.runs.empty() && orders_more_) {
         if (extrapolated(conditions, fidelity.lowest_inertial_number)) {

@@ -155,8 +155,9 @@ TEST(DirectMeasurement, CountsInAComparison) {
     Calibration c{.readings = {reading(30, 1), reading(31, 1)}, .fitted = 2, .direct = two};
     c.parameters = line->parameters();
     c.fit.parameters = Eigen::VectorXd::Constant(1, 0.3);
-    c.prediction = line->predict(
-        c.fit.parameters, {c.readings[0].condition, c.readings[1].condition}, PredictionPart::covariance);
+    c.prediction =
+        line->predict(c.fit.parameters, {c.readings[0].condition, c.readings[1].condition},
+                      PredictionPart::covariance);
     const Comparison comparison = compare(c);
     // 31 for 30, 0.34(2) for 0.3, 2.3(1) for 2.
     EXPECT_NEAR(comparison.total.chi2, 1 + 4 + 9, 1e-9);

@@ -67,10 +67,11 @@ TEST(WetFigures, ExistWhereThereAreWetReadings) {
     const Planted wet;
     EXPECT_THAT(names(wet.figures()),
                 ElementsAre("stress_ratio_wet", "solid_fraction_wet", "reduced_cohesion"));
-    EXPECT_EQ(comparison_figures(wet.model, wet.calibration, compare(wet.calibration)).size(), 7u);
+    EXPECT_EQ(comparison_figures(wet.model, wet.calibration, compare(wet.calibration)).size(),
+              10u);  // with qq, chi2_ledger and profile
     const Planted dry(planted::readings({}));
     EXPECT_THAT(dry.figures(), IsEmpty());
-    EXPECT_EQ(comparison_figures(dry.model, dry.calibration, compare(dry.calibration)).size(), 4u);
+    EXPECT_EQ(comparison_figures(dry.model, dry.calibration, compare(dry.calibration)).size(), 7u);
 }
 
 TEST(ResidualMap, IsDrawnWhereReadingsDifferInInertialNumber) {

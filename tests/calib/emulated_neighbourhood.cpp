@@ -95,7 +95,7 @@ TEST_F(EmulatedNeighbourhoodTest, HasTheSlopesOfTheSimulation) {
 
 TEST_F(EmulatedNeighbourhoodTest, HasTheSlopesByEffectsOnGrains) {
     for (EffectiveCondition& each : conditions) {
-        each.grain_effects = {{"rolling-resistance", {0.1}}, {"dry-adhesion", {2e-6}}};
+        each.grain_effects = {{"rolling-resistance", {0.1}}, {"polydispersity", {0.1}}};
     }
     expect_same_slopes([](double step, double&, EffectiveCondition& c) {
         c.grain_effects[0].values[0] *= 1 + step;

@@ -42,15 +42,16 @@ TEST(MisfitFigures, OrderTheResidualsAlongTheNormalQuantiles) {
     EXPECT_NEAR(shear.x[4], 1.18, 0.005);  // Blom's median of the largest of five
 }
 
+// The largest part of each group is drawn at its top, as the last of its y values.
 TEST(MisfitFigures, LedgerHasEachPartPerMeasuredValue) {
     Comparison all = comparison_of(4);
     all.by_file = {{"x/a.csv", 3, 2.0}, {"x/b.csv", 1, 0.5}};
     const auto figures = misfit_figures(all);
     const Panel& panel = named(figures, "chi2_ledger").panels.at(0);
-    EXPECT_THAT(panel.y_names, ElementsAre("a.csv", "b.csv", "", "solid fraction", "shear stress"));
+    EXPECT_THAT(panel.y_names, ElementsAre("b.csv", "a.csv", "", "solid fraction", "shear stress"));
     EXPECT_THAT(panel.curves.at(0).y, ElementsAre(1, 2, 4, 5));
-    EXPECT_NEAR(panel.curves.at(0).x[0], 2.0 / 6, 1e-12);
-    EXPECT_NEAR(panel.curves.at(0).x[1], 0.5 / 2, 1e-12);
+    EXPECT_NEAR(panel.curves.at(0).x[0], 0.5 / 2, 1e-12);
+    EXPECT_NEAR(panel.curves.at(0).x[1], 2.0 / 6, 1e-12);
     EXPECT_NEAR(panel.curves.at(0).x[3], all.by_observable[0] / 4, 1e-12);
 }
 
