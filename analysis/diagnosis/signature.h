@@ -26,7 +26,8 @@ struct Signature {
     double taken_at = 1;  ///< amplitude at which the change was computed [1]
 };
 
-/// Predictions of a model with one further candidate, as a function of the candidate's amplitude.
+/// Predictions of a model to which one candidate effect is added, as a function of the amplitude of
+/// this effect.
 class Addition {
   public:
     /// Adds candidate `added` to the model with the candidates `chosen`, which predicts `values` at

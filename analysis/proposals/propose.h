@@ -9,7 +9,8 @@
 
 namespace pendular {
 
-/// Change of unknown cause, fitted to the readings.
+/// Change of the model's predictions by an unknown cause, of a shape that was fitted to the
+/// readings.
 struct FittedShape {
     ShapeOfChange shape;
     WrittenEffect effect;       ///< the change as an effect that study.toml can define

@@ -96,8 +96,8 @@ class Kernel {
     double operator()(const Prepared& a, const Prepared& b) const {
         return coefficient_variance_ * a.polynomial.dot(b.polynomial) + of_processes(a, b);
     }
-    /// Prior covariance of two values or derivatives of f from the Gaussian processes alone,
-    /// without the polynomials.
+    /// Prior covariance of two values or derivatives of the emulated function f from its Gaussian
+    /// processes alone, without that from its polynomials.
     double of_processes(const Prepared& a, const Prepared& b) const;
     /// Prior variance of each coefficient of the polynomials, in the square of the quantity's unit;
     /// the coefficients are uncorrelated.

@@ -9,8 +9,9 @@ namespace pendular {
 
 /// Range of flow states in which the known runs support predictions. A state is supported where
 /// - it lies in the convex hull of the runs' states in the emulator's coordinates x = ln(friction +
-///   0.02), q = sqrt(I), ln(1 + 10/P*) and ln(V0/a^3), with V0 the bridge volume, or outside by at
-///   most `margin` of the range that the runs cover,
+///   0.02), q = sqrt(I), ln(1 + 10/P*) and ln(V0/a^3), or outside by at most `margin` of the range
+///   that the runs cover (I: inertial number; P* = a^2 s22/F0: reduced pressure; V0: bridge volume;
+///   a: grain diameter; s22: normal stress; F0: pull-off force of a bridge),
 /// - the emulator's standard error is at most `largest_ratio_error` of the stress ratio and
 ///   `largest_fraction_error` of the solid fraction, and
 /// - both values are physical: stress ratio above 0, solid fraction of 0.4 to 0.74.

@@ -12,8 +12,8 @@ namespace pendular {
 
 /// Criteria for the end of a calibration, which alternates simulations and fits in rounds.
 struct CalibrationOptions {
-    /// Largest enlargement by the noise of the runs of the error of any parameter and of any
-    /// predicted reading [1] (`enlargement_by_runs`).
+    /// Limit of `enlargement_by_runs` [1]: the noise of the simulations may enlarge the standard
+    /// error of each parameter and of each predicted reading at most by this factor.
     double largest_enlargement = pendular::largest_enlargement;
     double settled = 0.5;   ///< largest change of a parameter in the last round [standard errors]
     int fewest_rounds = 3;  ///< smallest number of rounds of simulations and fits
