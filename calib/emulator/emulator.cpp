@@ -139,18 +139,21 @@ Emulator::Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparamet
     });
 }
 
-std::vector<Emulator::Cause> Emulator::causes_at(const FlowState& state, Observable which) const {
-    std::vector<Cause> causes;
+template <typename Use>
+void Emulator::each_cause(const FlowState& state, Observable which, const Use& use) const {
     for (const EffectValues& values : state.effects) {
-        causes.push_back({values.effect, response_size(values, state, which),
-                          response_place(state, response_degree(values, state.friction))});
+        use(values.effect, response_size(values, state, which),
+            response_place(state, response_degree(values, state.friction)));
     }
-    const double trained = plain_.stiffness_number();
-    if (knows_stiffness_ && state.stiffness_number > 0 && state.stiffness_number != trained) {
-        const double change = stiffness_change(trained, state.stiffness_number);
-        causes.push_back({stiffness_name, change, response_place(state, change)});
+    if (stiffened(state)) {
+        const double change = stiffness_change(plain_.stiffness_number(), state.stiffness_number);
+        use(stiffness_name, change, response_place(state, change));
     }
-    return causes;
+}
+
+bool Emulator::stiffened(const FlowState& state) const {
+    return knows_stiffness_ && state.stiffness_number > 0 &&
+           state.stiffness_number != plain_.stiffness_number();
 }
 
 bool Emulator::trains(const dem::RunResult& run, const std::string& name, Observable which) const {
@@ -192,9 +195,13 @@ std::unique_ptr<const Emulator::LearnedResponse> Emulator::learned(const std::st
     for (const auto& run : runs()) {
         if (!trains(run, name, which)) continue;
         FlowState state = flow_state_of(run.parameters);
-        const Cause cause = causes_at(state, which).front();
-        places.push_back(cause.place);
-        sizes_of_cause.push_back(cause.size);
+        // An effect at another stiffness number has two causes, of which the effect is the first.
+        if (name != stiffness_name) state.stiffness_number = 0;
+        each_cause(state, which, [&](const std::string&, double size, const ResponsePlace& place) {
+            places.push_back(place);
+            sizes_of_cause.push_back(size);
+        });
+        state.stiffness_number = run.parameters.stiffness_number;
         sizes.push_back(unit_at(which, state).size);
         training_values.push_back(training_value(run, which).value / sizes.back());
         variances.push_back(plain_.noise_variance(run, which) / (sizes.back() * sizes.back()));
@@ -250,15 +257,23 @@ std::vector<Emulator::Affected> Emulator::affected(const std::vector<Query>& que
     };
     for (std::size_t k = 0; k < queries.size(); ++k) {
         const Query& query = queries[k];
-        if (!changes(query.state)) continue;
-        for (const auto& [state, weight] : states_of(query)) {
-            for (const Cause& cause : causes_at(state, query.which)) {
-                if (query.by && cause.name != stiffness_name) continue;
-                Affected& one = response(cause.name, query.which);
-                one.queries.push_back(static_cast<Eigen::Index>(k));
-                one.factors.push_back(weight * unit_at(query.which, state).size);
-                one.places.push_back(cause.place);
-                one.amplitudes.push_back(cause.size);
+        const auto evaluate = [&](const FlowState& state, double weight) {
+            const double factor = weight * unit_at(query.which, state).size;
+            each_cause(state, query.which,
+                       [&](const std::string& name, double size, const ResponsePlace& place) {
+                           if (query.by && name != stiffness_name) return;
+                           Affected& one = response(name, query.which);
+                           one.queries.push_back(static_cast<Eigen::Index>(k));
+                           one.factors.push_back(factor);
+                           one.places.push_back(place);
+                           one.amplitudes.push_back(size);
+                       });
+        };
+        if (!query.by) {
+            evaluate(query.state, 1);
+        } else if (stiffened(query.state)) {
+            for (const auto& [state, weight] : states_of(query)) {
+                evaluate(state, weight);
             }
         }
     }
@@ -266,8 +281,7 @@ std::vector<Emulator::Affected> Emulator::affected(const std::vector<Query>& que
 }
 
 bool Emulator::changes(const FlowState& state) const {
-    return !state.effects.empty() || (knows_stiffness_ && state.stiffness_number > 0 &&
-                                      state.stiffness_number != plain_.stiffness_number());
+    return !state.effects.empty() || stiffened(state);
 }
 
 Eigen::VectorXd Emulator::mean(const std::vector<Query>& queries) const {

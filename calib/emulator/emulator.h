@@ -83,17 +83,15 @@ class Emulator {
     }
 
   private:
-    /// A cause of change from the predictions of the `PlainEmulator` at one flow state: an effect
-    /// on grains, or another stiffness number.
-    struct Cause {
-        std::string name;     ///< name of the effect, or `stiffness_name`
-        double size;          ///< factor to which the response is proportional
-        ResponsePlace place;  ///< coordinates at which the response is evaluated
-    };
-    static constexpr const char* stiffness_name = "stiffness number";
-    /// Causes that change the observable `which` at a flow state. Stiffness is a cause only if
-    /// `knows_stiffness`.
-    std::vector<Cause> causes_at(const FlowState& state, dem::Observable which) const;
+    static inline const std::string stiffness_name = "stiffness number";
+    /// Calls `use(name, size, place)` for each cause that changes the observable `which` at a flow
+    /// state from the prediction of the `PlainEmulator`: each effect on grains, then another
+    /// stiffness number. `name` is that of the effect or `stiffness_name`, `size` the factor to
+    /// which the response is proportional, `place` the coordinates at which it is evaluated.
+    template <typename Use>
+    void each_cause(const FlowState& state, dem::Observable which, const Use& use) const;
+    /// Whether stiffness changes predictions at a flow state: only if `knows_stiffness`.
+    bool stiffened(const FlowState& state) const;
     /// Whether a run trains the response of an observable to the cause `name`: another stiffness
     /// number without effects, or this effect alone, at any stiffness number.
     bool trains(const dem::RunResult& run, const std::string& name, dem::Observable which) const;
