@@ -98,7 +98,7 @@ double round_step(double rough) {
 
 /// Distance of the tics of a linear axis of this width [in], so that their numbers do not touch.
 double step_of_tics(AxisRange range, double width) {
-    constexpr double most = 7, of_character = 0.1, between_numbers = 0.2;
+    constexpr double most = 7, of_character = 0.09, between_numbers = 0.15;
     const double span = range.second - range.first;
     double step = round_step(span / most);
     // Numbers have the most digits where they are no multiples of the next larger step.

@@ -125,7 +125,8 @@ Figure ledger_figure(const Comparison& comparison) {
     if (comparison.readings.empty()) return figure;
     figure.title = fmt::format("Parts of χ^2 = {:.1f} of {} values", comparison.total.chi2,
                                2 * comparison.readings.size() + comparison.direct.size());
-    Panel panel{.x_label = "χ^2 per measured value", .y_label = ""};
+    Panel panel{.x_label = "χ^2 per measured value (dashed: expected for a correct model)",
+                .y_label = ""};
     Curve bars{.label = "part of the readings",
                .style = Curve::Style::bars_across,
                .colour = model_colour};
@@ -143,8 +144,7 @@ Figure ledger_figure(const Comparison& comparison) {
     panel.curves = {bars};
     panel.references = {{"expected for a correct model", 1, 0, true, calibrated_colour}};
     panel.x_range = {0, 1.08 * std::max(1.5, greatest)};
-    panel.key = Key::top_right;
-    panel.headroom = 0.16;
+    panel.key = Key::none;  // the line would cross it
     figure.panels = {panel};
     return figure;
 }

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "calib/fit/profile_rise.h"
+#include "calib/fit/fit.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 
@@ -19,9 +19,10 @@ constexpr std::size_t most_profiles = 8, most_in_pairs = 5;
 /// Rise of chi2 at the ends of the intervals that hold 68 and 95 % of one parameter, and of the
 /// regions that hold 68 and 95 % of two parameters [1].
 constexpr double rise_68 = 1, rise_95 = 3.84, rise_68_of_two = 2.30, rise_95_of_two = 5.99;
-/// Distance from the fit that a profile reaches, in standard errors [1], and number of its points.
+/// Distance from the fit that a profile reaches, in standard errors [1], number of values with a
+/// refit, and number of points drawn between each two of them.
 constexpr double profile_reach = 3;
-constexpr int points_of_profile = 25;
+constexpr int refits_of_profile = 9, drawn_between = 8;
 
 /// Indices of the parameters whose standard error is smaller than their range.
 std::vector<Eigen::Index> determined(const Calibration& c) {
@@ -49,16 +50,23 @@ Panel profile_panel(const Model& model, const Measured& measured, const Fit& bes
         parabola{.label = "by the standard error",
                  .style = Curve::Style::dashed_line,
                  .colour = calibrated_colour};
-    Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(
-        points_of_profile, std::max(parameter.lower, fitted - profile_reach * error),
+    const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(
+        refits_of_profile, std::max(parameter.lower, fitted - profile_reach * error),
         std::min(parameter.upper, fitted + profile_reach * error));
-    const Eigen::VectorXd rises = profile_rise(model, measured, best, k, values);
-    for (Eigen::Index n = 0; n < values.size(); ++n) {
-        if (!std::isfinite(rises(n))) continue;
-        profile.x.push_back(values(n));
-        profile.y.push_back(rises(n));
-        parabola.x.push_back(values(n));
-        parabola.y.push_back(std::pow((values(n) - fitted) / error, 2));
+    const auto parabola_at = [&](double value) { return std::pow((value - fitted) / error, 2); };
+    // The difference from the parabola is smooth and small: drawn as straight lines between refits.
+    const Eigen::VectorXd beyond =
+        profile_rise(model, measured, best, k, values) - values.unaryExpr(parabola_at);
+    for (Eigen::Index n = 0; n + 1 < values.size(); ++n) {
+        if (!std::isfinite(beyond(n)) || !std::isfinite(beyond(n + 1))) continue;
+        for (int m = 0; m <= drawn_between; ++m) {
+            const double part = static_cast<double>(m) / drawn_between;
+            const double value = std::lerp(values(n), values(n + 1), part);
+            profile.x.push_back(value);
+            profile.y.push_back(parabola_at(value) + std::lerp(beyond(n), beyond(n + 1), part));
+            parabola.x.push_back(value);
+            parabola.y.push_back(parabola_at(value));
+        }
     }
     panel.curves = {profile, parabola};
     panel.references = {{"68 %", rise_68, 0, false, "#888888"},

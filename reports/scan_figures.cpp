@@ -45,12 +45,13 @@ Figure scan_figure(const Diagnosis& diagnosis, const ModelSpace& space) {
         refitted{.label = "found by a refit",
                  .colour = calibrated_colour,
                  .symbol = {Shape::diamond, Filling::filled}};
-    double reach = diagnosis.chi2;
+    double reach = 0;
     for (auto finding = findings.rbegin(); finding != findings.rend(); ++finding) {
         panel.y_names.push_back(name_of(**finding, space));
         const double row = static_cast<double>(panel.y_names.size());
         predicted.x.push_back(std::max(0.0, (*finding)->test.predicted_reduction));
         predicted.y.push_back(row);
+        reach = std::max(reach, predicted.x.back());
         if ((*finding)->refitted_reduction) {
             refitted.x.push_back(std::max(0.0, *(*finding)->refitted_reduction));
             refitted.y.push_back(row);
@@ -59,9 +60,14 @@ Figure scan_figure(const Diagnosis& diagnosis, const ModelSpace& space) {
     }
     panel.curves = {predicted};
     if (!refitted.x.empty()) panel.curves.push_back(refitted);
-    panel.references = {{fmt::format("χ^2 of the model, {} degrees of freedom", diagnosis.dof),
-                         diagnosis.chi2, 0, true, "#888888"}};
-    panel.x_range = {0, 1.08 * reach};
+    // Where no effect takes a good part of chi2, a line at chi2 would squeeze the bars.
+    if (diagnosis.chi2 < 3 * reach) {
+        panel.references = {{fmt::format("χ^2 of the model, {} degrees of freedom", diagnosis.dof),
+                             diagnosis.chi2, 0, true, "#888888"}};
+        reach = std::max(reach, diagnosis.chi2);
+    }
+    constexpr double least_reach = 4;  // reduction that chance gives in one of 20 tests
+    panel.x_range = {0, 1.08 * std::max(reach, least_reach)};
     panel.key = Key::bottom_right;  // beside the shortest bars
     figure.panels = {panel};
     return figure;

@@ -16,8 +16,7 @@ class BellSums {
     using Place = std::array<double, most_coordinates>;
 
     /// @param coordinates number of coordinates that count, 2, 4 or 5; further entries of places
-    /// are
-    ///        ignored
+    ///        are ignored
     /// @param inverse_squares inverse squares c_k of the lengths
     BellSums(std::size_t coordinates, const Place& inverse_squares)
         : coordinates_(coordinates), inverse_squares_(inverse_squares) {}

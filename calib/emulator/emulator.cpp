@@ -324,15 +324,25 @@ Eigen::MatrixXd Emulator::covariance(const std::vector<Query>& queries) const {
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
+            const Eigen::MatrixXd& training = training_covariance(*all[i].learned, *all[j].learned);
+            if (training.size() == 0) continue;
             const Eigen::MatrixXd part =
-                weights_of_training[i] *
-                plain_.covariance(all[i].learned->plain, all[j].learned->plain) *
-                weights_of_training[j].transpose();
+                weights_of_training[i] * training * weights_of_training[j].transpose();
             result += part;
             if (j < i) result += part.transpose();
         }
     }
     return result;
+}
+
+const Eigen::MatrixXd& Emulator::training_covariance(const LearnedResponse& a,
+                                                     const LearnedResponse& b) const {
+    const std::scoped_lock lock(responses_->mutex);
+    const auto [known, added] = responses_->training_covariances.try_emplace({&a, &b});
+    const bool dependent = std::ranges::any_of(
+        a.plain.shares, [&](const auto& share) { return b.plain.shares.contains(share.first); });
+    if (added && dependent) known->second = plain_.covariance(a.plain, b.plain);
+    return known->second;
 }
 
 Emulator Emulator::with(const std::vector<dem::RunResult>& more) const {

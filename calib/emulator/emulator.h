@@ -112,6 +112,10 @@ class Emulator {
     /// @throws std::invalid_argument where no run does
     std::unique_ptr<const LearnedResponse> learned(const std::string& name,
                                                    dem::Observable which) const;
+    /// Covariance of the errors of the predictions without causes at the training states of two
+    /// responses, computed once; empty where these errors are independent.
+    const Eigen::MatrixXd& training_covariance(const LearnedResponse& a,
+                                               const LearnedResponse& b) const;
     struct Affected;
     /// Queries for values that a cause changes, grouped by the response (of one observable to one
     /// cause) that they need. A query for a derivative is left out.
@@ -124,8 +128,10 @@ class Emulator {
             std::once_flag once;
             std::unique_ptr<const LearnedResponse> learned;
         };
-        std::mutex mutex;  ///< guards the map `all`, whose entries keep their addresses
+        std::mutex mutex;  ///< guards both maps, whose entries keep their addresses
         std::map<std::pair<std::string, dem::Observable>, Response> all;
+        std::map<std::pair<const LearnedResponse*, const LearnedResponse*>, Eigen::MatrixXd>
+            training_covariances;
     };
     PlainEmulator plain_;
     bool knows_stiffness_ = false;

@@ -377,18 +377,63 @@ Eigen::VectorXd best_parameters(const Model& model, const Measured& measured,
     return minimum.parameters;
 }
 
+namespace {
+
+/// Minimum of chi2 over all parameters but one, with the covariance of a fit.
+class Profile {
+  public:
+    Profile(const Model& model, const Measured& measured, const Fit& best, Eigen::Index which)
+        : model_(model),
+          measured_(measured),
+          best_(best),
+          which_(which),
+          whitening_(measured.covariance + best.prediction.covariance),
+          range_(allowed(model)) {}
+
+    const ParameterBounds& range() const { return range_; }
+    /// chi2 where the parameter has this value; infinite where the readings are impossible.
+    double chi2_at(double value, const FitEffort& effort) const {
+        const Eigen::VectorXd start = start_at(value);
+        if (start.size() > 1) {
+            const Minimum minimum =
+                minimise(model_, measured_, whitening_, range_, start, effort, {}, which_);
+            return minimum.usable ? minimum.chi2 : INFINITY;
+        }
+        try {
+            const Eigen::VectorXd predicted = model_.predict(start, PredictionPart::values).value;
+            return whitening_.apply(measured_.value - predicted).squaredNorm();
+        } catch (const std::domain_error&) {
+            return INFINITY;
+        }
+    }
+
+  private:
+    /// Parameters that minimise chi2 where the model is linear.
+    Eigen::VectorXd start_at(double value) const {
+        Eigen::VectorXd start = best_.parameters;
+        if (best_.covariance.rows() == start.size() && best_.covariance(which_, which_) > 0) {
+            start += best_.covariance.col(which_) / best_.covariance(which_, which_) *
+                     (value - best_.parameters(which_));
+            start = start.cwiseMax(range_.lower).cwiseMin(range_.upper);
+        }
+        start(which_) = value;
+        return start;
+    }
+
+    const Model& model_;
+    const Measured& measured_;
+    const Fit& best_;
+    Eigen::Index which_;
+    Whitening whitening_;
+    ParameterBounds range_;
+};
+
+}  // namespace
+
 std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
                                            const Fit& best, Eigen::Index which, double rise) {
-    const Whitening whitening(measured.covariance + best.prediction.covariance);
-    const ParameterBounds range = allowed(model);
-    const auto chi2_at = [&](double value) {
-        Eigen::VectorXd parameters = best.parameters;
-        parameters(which) = value;
-        if (parameters.size() == 1) {
-            return whitening.apply(measured.value - model.predict(parameters).value).squaredNorm();
-        }
-        return minimise(model, measured, whitening, range, parameters, {}, {}, which).chi2;
-    };
+    const Profile profile(model, measured, best, which);
+    const auto chi2_at = [&](double value) { return profile.chi2_at(value, {}); };
     const double limit = chi2_at(best.parameters(which)) + rise;
     const auto end = [&](double inside, double outside) {
         if (chi2_at(outside) < limit) {
@@ -400,8 +445,16 @@ std::pair<double, double> profile_interval(const Model& model, const Measured& m
         }
         return 0.5 * (inside + outside);
     };
-    return {end(best.parameters(which), range.lower(which)),
-            end(best.parameters(which), range.upper(which))};
+    return {end(best.parameters(which), profile.range().lower(which)),
+            end(best.parameters(which), profile.range().upper(which))};
+}
+
+Eigen::VectorXd profile_rise(const Model& model, const Measured& measured, const Fit& best,
+                             Eigen::Index which, const Eigen::VectorXd& values) {
+    const FitEffort effort{.most_steps = 50, .tolerance = 1e-6, .elsewhere = false};
+    const Profile profile(model, measured, best, which);
+    const double least = profile.chi2_at(best.parameters(which), effort);
+    return values.unaryExpr([&](double value) { return profile.chi2_at(value, effort) - least; });
 }
 
 Eigen::VectorXd start_of(const Model& model) {

@@ -96,6 +96,12 @@ Eigen::VectorXd best_parameters(const Model& model, const Measured& measured,
 /// replaced by the end of that range.
 std::pair<double, double> profile_interval(const Model& model, const Measured& measured,
                                            const Fit& best, Eigen::Index which, double rise = 1);
+/// Profile likelihood of the parameter with index `which`: rise of chi2 above its minimum [1] where
+/// the parameter has each of `values` [its unit] and all other parameters minimise chi2 within
+/// their ranges; infinite where the readings are impossible. The covariance is that of the fit
+/// `best`, as in `profile_interval`.
+Eigen::VectorXd profile_rise(const Model& model, const Measured& measured, const Fit& best,
+                             Eigen::Index which, const Eigen::VectorXd& values);
 
 /// Values of a model's parameters where a fit starts (Parameter::start), in the order of
 /// parameters().

@@ -36,6 +36,15 @@ class DiagnoseCommand : public testing::Test {
     TemporaryFolder folder_;
 };
 
+/// Emulated at friction 0.09, less 20 Pa of shear stress, with errors of 1 % and 0.0012.
+const std::string short_by_20_pascals =
+    "300,56.91,0.77,0.6189,0.0012,0.003\n"
+    "1000,233.82,2.56,0.6198,0.0012,0.003\n"
+    "3000,750.66,7.67,0.6203,0.0012,0.003\n"
+    "300,64.98,0.85,0.6138,0.0012,0.03\n"
+    "1000,266.67,2.84,0.6127,0.0012,0.03\n"
+    "3000,831.46,8.53,0.6141,0.0012,0.03\n";
+
 TEST_F(DiagnoseCommand, IsDescribed) {
     EXPECT_THAT(run_pendular("--help").output, HasSubstr("diagnose"));
     EXPECT_THAT(run_pendular("diagnose --help").output,
@@ -44,14 +53,7 @@ TEST_F(DiagnoseCommand, IsDescribed) {
 }
 
 TEST_F(DiagnoseCommand, NamesAnEffectThatTheStudyWrites) {
-    // Emulated at friction 0.09, less 20 Pa of shear stress, with errors of 1 % and 0.0012.
-    const std::string path = study(
-        "300,56.91,0.77,0.6189,0.0012,0.003\n"
-        "1000,233.82,2.56,0.6198,0.0012,0.003\n"
-        "3000,750.66,7.67,0.6203,0.0012,0.003\n"
-        "300,64.98,0.85,0.6138,0.0012,0.03\n"
-        "1000,266.67,2.84,0.6127,0.0012,0.03\n"
-        "3000,831.46,8.53,0.6141,0.0012,0.03\n");
+    const std::string path = study(short_by_20_pascals);
     const Outcome run = run_pendular("diagnose " + path + " --quiet --json -");
     ASSERT_EQ(run.code, 0) << run.errors;
     const auto json = nlohmann::json::parse(run.output);
@@ -67,14 +69,7 @@ TEST_F(DiagnoseCommand, NamesAnEffectThatTheStudyWrites) {
 }
 
 TEST_F(DiagnoseCommand, SaysWhereTheBoundOfAWrittenEffectStopsIt) {
-    const std::string path = study(
-        "300,56.91,0.77,0.6189,0.0012,0.003\n"
-        "1000,233.82,2.56,0.6198,0.0012,0.003\n"
-        "3000,750.66,7.67,0.6203,0.0012,0.003\n"
-        "300,64.98,0.85,0.6138,0.0012,0.03\n"
-        "1000,266.67,2.84,0.6127,0.0012,0.03\n"
-        "3000,831.46,8.53,0.6141,0.0012,0.03\n",
-        0.02);
+    const std::string path = study(short_by_20_pascals, 0.02);
     const Outcome run = run_pendular("diagnose " + path + " --quiet");
     ASSERT_EQ(run.code, 0) << run.errors;
     EXPECT_THAT(run.output + run.errors,

@@ -9,14 +9,6 @@
 
 namespace pendular::calib_emulated_neighbourhood_test {
 
-Study wet_study() {
-    Study study;
-    study.grains = {
-        .diameter = 5e-4, .density = 1050, .youngs_modulus = 3.3e9, .poisson_ratio = 0.3};
-    study.liquid = Liquid{.surface_tension = 0.0206, .contact_angle = 0, .viscosity = 0.05};
-    return study;
-}
-
 EffectiveCondition condition(double stress, double inertial_number, double content) {
     return Condition{
         .normal_stress = stress, .inertial_number = inertial_number, .liquid_content = content};
@@ -28,7 +20,7 @@ Eigen::VectorXd at(double friction) {
 
 class EmulatedNeighbourhoodTest : public testing::Test {
   protected:
-    EmulatedSimulation model{wet_study(), fidelity_named("quick"),
+    EmulatedSimulation model{stiff_wet_study(), fidelity_named("quick"),
                              Emulator(all_shipped_runs(), shipped_hyperparameters())};
     std::vector<EffectiveCondition> conditions = {condition(1000, 0.01, 0), condition(300, 0, 0),
                                                   condition(300, 0.003, 0.03),

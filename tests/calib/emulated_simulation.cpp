@@ -19,14 +19,6 @@ using testing::HasSubstr;
 /// Soft, small and fast: behaviour, not numbers.
 const Fidelity tiny{"tiny", 150, 500, 0.03, 2};
 
-Study wet_study() {
-    Study study;
-    study.grains = {
-        .diameter = 5e-4, .density = 1050, .youngs_modulus = 3.3e9, .poisson_ratio = 0.3};
-    study.liquid = Liquid{.surface_tension = 0.0206, .contact_angle = 0, .viscosity = 0.05};
-    return study;
-}
-
 Condition dry_at(double stress, double inertial_number) {
     return {.normal_stress = stress, .inertial_number = inertial_number};
 }
@@ -81,7 +73,7 @@ EmulatedSimulation emulated_from(const Study& study, const Fidelity& fidelity,
 TEST(EmulatedSimulation, HasDerivativesOfItsOwnPredictions) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.003), dry_at(300, 0),
                                                wet_at(300, 0.003, 0.03), wet_at(600, 0.01, 0.007)};
-    const EmulatedSimulation model = emulated_from(wet_study(), fidelity_named("quick"),
+    const EmulatedSimulation model = emulated_from(stiff_wet_study(), fidelity_named("quick"),
                                                    shipped_runs(), shipped_hyperparameters());
     constexpr double step = 1e-4;
     for (const double friction : {0.05, 0.2}) {
@@ -110,7 +102,7 @@ TEST(EmulatedSimulation, SaysTheSameToManyThreads) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.003), wet_at(300, 0.003, 0.03),
                                                wet_at(600, 0.01, 0.007)};
     const auto model = [] {
-        return emulated_from(wet_study(), fidelity_named("quick"), shipped_runs(),
+        return emulated_from(stiff_wet_study(), fidelity_named("quick"), shipped_runs(),
                              shipped_hyperparameters());
     };
     const Prediction alone = model().predict(at(0.2), conditions);
@@ -134,7 +126,7 @@ TEST(EmulatedSimulation, SaysTheSameToManyThreads) {
 
 TEST(RunPlanner, OrdersNothingWhereItMayNot) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.003), wet_at(5, 0.003, 0.03)};
-    RunPlanner planner(wet_study(), conditions, tiny, 1, {},
+    RunPlanner planner(stiff_wet_study(), conditions, tiny, 1, {},
                        {shipped_runs(), shipped_hyperparameters(), false});
     const std::size_t before = planner.simulation()->emulator().runs().size();
     planner.improve(0.2, without_effects(conditions), 5),
@@ -147,13 +139,13 @@ TEST(RunPlanner, OrdersNothingWhereItMayNot) {
 TEST(EmulatedSimulation, SaysWhereItKnowsLessThanTheReadings) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.003), dry_at(300, 0.03)};
     const KnownRuns known{shipped_runs(), shipped_hyperparameters(), false};
-    const EmulatedSimulation model =
-        emulated_from(wet_study(), fidelity_named("quick"), known.runs, known.hyperparameters);
+    const EmulatedSimulation model = emulated_from(stiff_wet_study(), fidelity_named("quick"),
+                                                   known.runs, known.hyperparameters);
     Measurements measurements = measured_at(conditions, model, 0.2);
     CalibrationRequest request{.fidelity = fidelity_named("quick"), .known = known};
     request.options.fewest_rounds = request.options.most_rounds = 1;
     const auto notes = [&] {
-        return calibrate_study(wet_study(), measurements, request, {}).notes;
+        return calibrate_study(stiff_wet_study(), measurements, request, {}).notes;
     };
     const auto says_so = testing::Contains(HasSubstr("add --confirm"));
     EXPECT_THAT(notes(), testing::Not(says_so));
@@ -165,7 +157,8 @@ TEST(EmulatedSimulation, SaysWhereItKnowsLessThanTheReadings) {
 
 TEST(RunPlanner, OrdersWhatLiesBeyondItsRuns) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.3)};
-    RunPlanner planner(wet_study(), conditions, tiny, 1, {.threads = 2}, {tiny_runs(), {}, true});
+    RunPlanner planner(stiff_wet_study(), conditions, tiny, 1, {.threads = 2},
+                       {tiny_runs(), {}, true});
     const auto variance = [&] {
         return planner.simulation()->predict(at(0.2), conditions).covariance(0, 0);
     };
@@ -180,7 +173,8 @@ TEST(RunPlanner, OrdersWhatLiesBeyondItsRuns) {
 
 TEST(RunPlanner, IsConfirmedByRunsThatAgreeAndNotByOthers) {
     const std::vector<Condition> conditions = {dry_at(1000, 0.06)};
-    RunPlanner right(wet_study(), conditions, tiny, 1, {.threads = 2}, {tiny_runs(), {}, true});
+    RunPlanner right(stiff_wet_study(), conditions, tiny, 1, {.threads = 2},
+                     {tiny_runs(), {}, true});
     right.improve(0.2, without_effects(conditions), 1),
         right.improve(0.2, without_effects(conditions), 1);
     EXPECT_TRUE(right.confirmed());
@@ -189,7 +183,8 @@ TEST(RunPlanner, IsConfirmedByRunsThatAgreeAndNotByOthers) {
     for (auto& run : wrong_runs) {
         run.means[0].value *= 1.17;
     }
-    RunPlanner wrong(wet_study(), conditions, tiny, 1, {.threads = 2}, {wrong_runs, {}, true});
+    RunPlanner wrong(stiff_wet_study(), conditions, tiny, 1, {.threads = 2},
+                     {wrong_runs, {}, true});
     wrong.improve(0.2, without_effects(conditions), 1),
         wrong.improve(0.2, without_effects(conditions), 1);
     EXPECT_FALSE(wrong.confirmed());
@@ -204,8 +199,8 @@ TEST(KnownRuns, AreThoseThatCanServe) {
     runs[1].parameters.poisson_ratio = 0.05;
     runs[2].crystallised = true;
     const Fidelity quick = fidelity_named("quick");
-    EXPECT_EQ(runs_serving(wet_study(), quick, runs).size(), all - 3);
-    Study printed = wet_study();
+    EXPECT_EQ(runs_serving(stiff_wet_study(), quick, runs).size(), all - 3);
+    Study printed = stiff_wet_study();
     printed.model.bridge_force = FormulaVariant::as_printed;
     for (const auto& run : runs_serving(printed, quick, runs)) {
         EXPECT_FALSE(run.parameters.wetting);
@@ -213,7 +208,7 @@ TEST(KnownRuns, AreThoseThatCanServe) {
 }
 
 TEST(EmulatedCalibration, FindsAPlantedFrictionAtOnceAndCanBeReadBack) {
-    const Study study = wet_study();
+    const Study study = stiff_wet_study();
     const std::vector<Condition> conditions = {dry_at(300, 0.003), dry_at(1000, 0.003),
                                                dry_at(1000, 0.03), wet_at(300, 0.003, 0.03),
                                                wet_at(1000, 0.003, 0.03)};
@@ -235,7 +230,7 @@ TEST(EmulatedCalibration, FindsAPlantedFrictionAtOnceAndCanBeReadBack) {
 TEST(EmulatedCalibration, GoesOnWhereFreshRunsDisagree) {
     // An atlas that is wrong by a sixth gives a much lower friction. The runs that the calibration
     // orders move the friction towards the true one, and a note says that they disagreed.
-    const Study study = wet_study();
+    const Study study = stiff_wet_study();
     const std::vector<Condition> conditions = {dry_at(1000, 0.06)};
     const EmulatedSimulation truth = emulated_from(study, tiny, tiny_runs());
     const Measurements measured = measured_at(conditions, truth, 0.25);

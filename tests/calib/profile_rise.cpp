@@ -1,5 +1,5 @@
 // Profile likelihood of a model that is linear in its parameters: a parabola.
-#include "calib/fit/profile_rise.h"
+#include "calib/fit/fit.h"
 
 #include <gtest/gtest.h>
 

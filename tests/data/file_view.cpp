@@ -17,10 +17,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-std::filesystem::path look_alike(const std::string& name) {
-    return std::filesystem::path(PENDULAR_SOURCE_DIR) / "tests/data/formats" / name;
-}
-
 /// Files that were cut off or whose bytes were changed are read or refused with a message, and do
 /// not end the program.
 TEST(FileViewTest, SurvivesDamagedFiles) {

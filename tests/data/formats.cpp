@@ -16,10 +16,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-std::filesystem::path look_alike(const std::string& name) {
-    return std::filesystem::path(PENDULAR_SOURCE_DIR) / "tests/data/formats" / name;
-}
-
 /// Name and unit of each column that is read as a quantity: "torque [mN·m]".
 std::vector<std::string> used_columns(const Block& block) {
     std::vector<std::string> result;

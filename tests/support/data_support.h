@@ -30,6 +30,11 @@ inline std::optional<std::filesystem::path> published_sample(const std::string& 
     return file;
 }
 
+/// File of tests/data/formats, which looks like an export of an instrument.
+inline std::filesystem::path look_alike(const std::string& name) {
+    return std::filesystem::path(PENDULAR_SOURCE_DIR) / "tests/data/formats" / name;
+}
+
 /// New temporary folder, removed with all files at the end of the object's life.
 class TemporaryFolder {
   public:

@@ -9,6 +9,7 @@
 #include "calib/emulator/emulated_observables.h"
 #include "calib/emulator/emulator.h"
 #include "calib/emulator/emulator_hyperparameters.h"
+#include "data/study/study.h"
 #include "sim/runs/store/run_table.h"
 
 namespace pendular {
@@ -33,6 +34,15 @@ inline std::vector<dem::RunResult> shipped_runs() {
 inline EmulatorHyperparameters shipped_hyperparameters() {
     return read_hyperparameters(std::filesystem::path(PENDULAR_SOURCE_DIR "/sim/atlas") /
                                 hyperparameters_name);
+}
+
+/// Study with the grains and the liquid of Badetti et al. (2018), at their own stiffness.
+inline Study stiff_wet_study() {
+    Study study;
+    study.grains = {
+        .diameter = 5e-4, .density = 1050, .youngs_modulus = 3.3e9, .poisson_ratio = 0.3};
+    study.liquid = Liquid{.surface_tension = 0.0206, .contact_angle = 0, .viscosity = 0.05};
+    return study;
 }
 
 /// Invented flow law: stress ratio [1] and solid fraction [1] as smooth functions of the state.
