@@ -15,8 +15,10 @@
 #include "app/command.h"
 #include "app/effect_options.h"
 #include "app/open_session.h"
+#include "calib/fit/calibrate_study.h"
 #include "data/input_error.h"
 #include "reports/change_report.h"
+#include "reports/with_error.h"
 #include "workflow/json_parts.h"
 #include "workflow/proposed_effects.h"
 
@@ -101,29 +103,44 @@ std::optional<CommonOptions> parse(Action change, const std::vector<std::string>
     return common;
 }
 
-void print_evidence(Console& console, const StudyChange& change, const Fitted& before,
-                    const Fitted& after, const CommonOptions& common) {
+/// Sentence on the readings that the fits before and after a change use, where the study itself
+/// fits the dry readings alone before or after it; empty otherwise.
+/// @param earlier_dry whether the study before the change fits the dry readings alone
+std::string on_fitted_readings(const ChangedStudy& changed, bool earlier_dry) {
+    if (changed.after_to_all) {
+        const Calibration& c = changed.after.calibration;
+        return fmt::format(
+            "Both fits above use all readings. Without {}, the study fits the dry readings alone: "
+            "{} = {}.",
+            changed.change.effect, c.parameters[0].name,
+            with_error(c.fit.parameters(0), c.fit.standard_error(0), c.parameters[0].unit));
+    }
+    return earlier_dry ? fmt::format(
+                             "Both fits use all readings: a study with {} is always fitted to all "
+                             "readings.",
+                             changed.change.effect)
+                       : "";
+}
+
+void print_evidence(Console& console, const ChangedStudy& changed, bool earlier_dry) {
+    const StudyChange& change = changed.change;
+    const Fitted& before = changed.before;
+    const Fitted& after = changed.comparable_after();
     console.table(error_changes(before.ladder_step, after.ladder_step), 10);
     console.table(parameter_changes(before.ladder_step, after.ladder_step), 5);
-    console.line(fmt::format("Chi2 goes from {:.2f} for {} degrees of freedom to {:.2f} for {}.",
-                             before.ladder_step.chi2, before.ladder_step.dof,
-                             after.ladder_step.chi2, after.ladder_step.dof));
-    const auto all_fitted = [](const Calibration& c) { return c.fitted == c.readings.size(); };
-    if (all_fitted(before.calibration) != all_fitted(after.calibration)) {
-        console.line(
-            all_fitted(after.calibration)
-                ? "Before the change the dry readings alone were fitted, after it all readings "
-                  "together: a model with this effect is always fitted to all readings."
-                : "Before the change all readings were fitted together, after it the dry readings "
-                  "alone, as fit_to = \"dry\" in study.toml says.");
+    console.line(fmt::format(
+        "Chi2 is {:.2f} for {} degrees of freedom before the change and {:.2f} for {} after it.",
+        before.ladder_step.chi2, before.ladder_step.dof, after.ladder_step.chi2,
+        after.ladder_step.dof));
+    if (const std::string line = on_fitted_readings(changed, earlier_dry); !line.empty()) {
+        console.line(line);
     }
     if (change.change == Action::drop &&
         change.study.catalogue().is_written(change.study.catalogue().find(change.effect))) {
         console.line(
             fmt::format("Its table [[effect]] stays in {}.", change.study.study().file.string()));
     }
-    for (const auto& line :
-         advice_on(change, before.ladder_step, after.ladder_step, common.study_word())) {
+    for (const auto& line : advice_on(change, before.ladder_step, after.ladder_step)) {
         console.note(line);
     }
     if (const auto& rivals = after.ladder_step.rivals; !rivals.empty()) {
@@ -142,9 +159,10 @@ void print_evidence(Console& console, const StudyChange& change, const Fitted& b
     }
     if (after.undetermined > 0) {
         console.note(fmt::format(
-            "For {} of the {} conditions left out one after the other, the remaining conditions do "
-            "not determine a parameter; it then keeps its starting value.",
-            after.undetermined, after.left_out));
+            "Cross-validation: without {} of the {} conditions, the other conditions do not "
+            "determine a parameter, which then keeps its starting value.",
+            after.undetermined == 1 ? "one" : fmt::format("any of {}", after.undetermined),
+            after.left_out));
     }
     for (const auto& note : after.calibration.notes) {
         console.note(note);
@@ -168,21 +186,25 @@ int change_study(Action what, const std::string& effect, const AddOptions& own,
                               OpenSession::Access::changes);
     const ChangedStudy changed =
         change_effects(*session, what, effect, own.fit, !own.fidelity_given);
-    const auto& [plan, before, after, ladder, written] = changed;
-    auto json = to_json(plan, before.ladder_step, after.ladder_step, written);
-    add_belief(json, after.belief);
-    if (last || !written) console.json(json);  // before the figure, which needs gnuplot
-    if (written) {
+    const LadderStep &before = changed.before.ladder_step,
+                     &after = changed.comparable_after().ladder_step;
+    const Belief& belief = changed.after.belief;
+    auto json = to_json(changed.change, before, after, changed.written);
+    add_belief(json, belief);
+    if (last || !changed.written) console.json(json);  // before the figure, which needs gnuplot
+    if (changed.written) {
         console.answer(answer_on(changed));
-        print_doubts(console, after.belief, 0, "Doubt about the new fit: ");
-        print_evidence(console, plan, before, after, common);
-        console.figures(figures, {draw_ladder(ladder, figures)});
-        console.next(fmt::format("pendular {} {}",
-                                 after.belief.believable() ? "compare" : "diagnose",
-                                 common.study_word()));
+        print_doubts(console, belief, 0, "Warning on the new fit: ");
+        const auto& readings = changed.before.calibration.readings;
+        const bool earlier_dry = changed.before.calibration.fitted == readings.size() &&
+                                 fitted_count(session->resolved(), readings) < readings.size();
+        print_evidence(console, changed, earlier_dry);
+        console.figures(figures, {draw_ladder(changed.ladder, figures)});
+        console.next(
+            next_after(changed.change, before, after, belief.believable(), common.study_word()));
     }
-    const int code = written ? static_cast<int>(done) : refuse_fit(console, changed);
-    return after.belief.meaningless ? static_cast<int>(not_converged) : code;
+    const int code = changed.written ? static_cast<int>(done) : refuse_fit(console, changed);
+    return belief.meaningless ? static_cast<int>(not_converged) : code;
 }
 
 int change_study(Action what, const std::vector<std::string>& arguments) {

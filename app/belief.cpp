@@ -6,10 +6,10 @@
 
 namespace pendular::app {
 
-std::string verdict_on(const Belief& belief, const std::string& basis, const std::string& what) {
-    if (belief.believable()) return "; " + basis + ".";
-    return fmt::format("; do not use {}{}: {}", what,
-                       belief.meaningless ? ", it is meaningless" : "", belief.reasons.front());
+std::string warning_on(const Belief& belief, const std::string& what) {
+    if (belief.believable()) return "";
+    return fmt::format("Do not use {}{}. {}", what, belief.meaningless ? ": it is meaningless" : "",
+                       as_sentence(belief.reasons.front()));
 }
 
 void print_doubts(Console& console, const Belief& belief, std::size_t named_already,

@@ -33,7 +33,8 @@ std::string basis_of(const Calibration& c) {
     }
     if (ordered == 0) {
         return fmt::format(
-            "The emulator was trained on {} simulations, none of them made for this study.",
+            "The emulator was trained on the {} earlier simulations that serve this model; none "
+            "was made for this study.",
             c.runs.size());
     }
     return fmt::format(
@@ -42,34 +43,47 @@ std::string basis_of(const Calibration& c) {
         c.runs.size(), ordered, c.fidelity.name, why);
 }
 
-/// Name, for a sentence, of the model that predicts the wet readings that were not fitted.
+/// How the model predicts the wet readings that were not fitted, as the end of a sentence.
 std::string source_of_wet(const Calibration& c) {
     if (const int cohesions = fitted_cohesions(c.model, c.grains, c.liquid))
-        return fmt::format("straight lines in 1/P*, with {} fitted to those at P* >= {}",
-                           cohesions == 1 ? "one cohesion" : fmt::format("{} cohesions", cohesions),
-                           lowest_cohesion_pressure);
+        return fmt::format(
+            "by straight lines of the stress ratio in 1/P*, with {} fitted to the readings at P* "
+            ">= "
+            "{}",
+            cohesions == 1 ? "one cohesion" : fmt::format("{} cohesions", cohesions),
+            lowest_cohesion_pressure);
     const Study study{.grains = c.grains, .liquid = c.liquid, .model = c.model};
-    return std::string(level_of(study) == closures::Level::simulation
-                           ? "the model"
-                           : "the closure on the simulated dry law") +
-           " without any further parameter";
+    return level_of(study) == closures::Level::simulation
+               ? "with the fitted friction"
+               : "by the formula of the base model and the simulated dry law";
 }
 
 /// p value of chi2 [1] below which a misfit is pointed out although the fit can be used.
 constexpr double noticed_p = 0.05;
 
+/// Text of a fitted parameter after its name: "0.1204 +- 0.0019 (0.0017 from the readings, 0.00084
+/// from the simulations)".
+std::string estimate_text(const Calibration& c, std::size_t k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const bool stated = c.model.discrepancy != std::array{0.0, 0.0};
+    const std::string& unit = c.parameters[k].unit;
+    const std::string value = with_error(c.fit.parameters(i), c.fit.standard_error(i), unit);
+    if (!(c.fit.standard_error(i) > 0)) return value;
+    return fmt::format("{} ({} from the readings, {} from the {})", value,
+                       with_unit(c.fit.measurement_error(i), unit),
+                       with_unit(c.fit.simulation_error(i), unit),
+                       stated ? "simulations and the stated discrepancy" : "simulations");
+}
+
 void print_result(Console& console, const Calibration& c, const Comparison& comparison,
                   const Belief& belief, const std::string& basis) {
-    const bool stated = c.model.discrepancy != std::array{0.0, 0.0};
-    const char* const model_error = stated ? "simulation and stated discrepancy" : "simulation";
-    for (std::size_t k = 0; k < c.parameters.size(); ++k) {
-        const auto i = static_cast<Eigen::Index>(k);
-        const std::string estimate = fmt::format(
-            "{}{} = {} (measurement {:.2g}, {} {:.2g}){}", k == 0 ? "Fitted: " : "",
-            c.parameters[k].name, with_error(c.fit.parameters(i), c.fit.standard_error(i)),
-            c.fit.measurement_error(i), model_error, c.fit.simulation_error(i),
-            k == 0 ? verdict_on(belief, basis) : "");
-        k == 0 ? console.answer(estimate) : console.line(estimate);
+    const std::string first = estimate_text(c, 0);
+    console.answer(
+        belief.believable()
+            ? fmt::format("Fitted: {} = {}.", c.parameters[0].name, first)
+            : warning_on(belief, fmt::format("the fitted {}, {}", c.parameters[0].name, first)));
+    for (std::size_t k = 1; k < c.parameters.size(); ++k) {
+        console.line(fmt::format("{} = {}.", c.parameters[k].name, estimate_text(c, k)));
     }
     print_doubts(console, belief, 1);
     if (c.profile) {
@@ -77,19 +91,22 @@ void print_result(Console& console, const Calibration& c, const Comparison& comp
                                  c.profile->first, c.profile->second));
     }
     const double p = comparison.fitted.p();
-    console.line(fmt::format("The fit has {}{}.", misfit_text(comparison.fitted),
-                             p < noticed_p && p >= incredible_p
-                                 ? ": more than the errors explain; 'pendular diagnose' tests "
-                                   "what is missing"
-                                 : ""));
+    if (belief.misfit_reason != 0) {  // else the answer states it
+        console.line(fmt::format("The fit has {}{}.", misfit_text(comparison.fitted),
+                                 p < noticed_p && p >= incredible_p
+                                     ? ": more than the errors explain; 'pendular diagnose' tests "
+                                       "what is missing"
+                                     : ""));
+    }
+    console.line(basis);
     console.line(basis_of(c));
     if (c.fitted < c.readings.size()) {
-        console.line(fmt::format("{} wet readings are predicted by {}: {}.",
+        console.line(fmt::format("{} wet readings are predicted {}: {}.",
                                  c.readings.size() - c.fitted, source_of_wet(c),
                                  misfit_text(comparison.predicted)));
     }
     if (console.all()) console.table(predictions_table(comparison), 0);
-    console.table(cohesion_table(c.cohesion_lines), 7);
+    console.table(cohesion_table(c.cohesion_lines), 8);
     for (const auto& note : c.cohesion_notes) {
         console.note(note);
     }
@@ -159,10 +176,10 @@ int calibrate(const std::vector<std::string>& arguments) {
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
-    if (!measurements.excluded.empty()) {
-        console.note(
-            fmt::format("Import left out {} ranges of rows. To list them: pendular import {} --all",
-                        measurements.excluded.size(), common->study_word()));
+    if (measurements.weight_note) console.note(*measurements.weight_note);
+    if (beyond_transients(measurements)) {
+        console.note(fmt::format("Import left out {}. To list them: pendular import {} --all",
+                                 excluded_text(measurements), common->study_word()));
     }
     auto json = to_json(c, comparison);
     add_belief(json, belief);

@@ -22,7 +22,8 @@ std::string answer_on(const ChangedStudy& changed) {
     const StudyChange& change = changed.change;
     const bool adds = change.change == Action::add;
     if (changed.written)
-        return verdict_of(change, changed.before.ladder_step, changed.after.ladder_step);
+        return verdict_of(change, changed.before.ladder_step,
+                          changed.comparable_after().ladder_step);
     return fmt::format("{} not {}: the fit {} it did not converge ({}). {} is unchanged.",
                        change.effect, adds ? "added" : "dropped", adds ? "with" : "without",
                        changed.after.calibration.fit.message, change.study.study().file.string());

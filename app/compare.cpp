@@ -37,13 +37,12 @@ std::string with_effects(const ModelSettings& model) {
 
 /// Part of the answer on readings that were predicted, not fitted, and that the model does not
 /// describe: "; the model does not describe the 12 readings that were predicted, not fitted
-/// (p = 1e-9)". Empty where it describes them or there are none.
+/// (p < 0.001)". Empty where it describes them or there are none.
 std::string verdict_on_predicted(const Calibration& c, const Comparison& comparison) {
     if (c.fitted == c.readings.size() || comparison.predicted.p() >= incredible_p) return "";
     return fmt::format(
-        "; the model does not describe the {} readings that were predicted, not fitted (p = "
-        "{:.2g})",
-        c.readings.size() - c.fitted, comparison.predicted.p());
+        "; the model does not describe the {} readings that were predicted, not fitted (p {})",
+        c.readings.size() - c.fitted, p_text(comparison.predicted.p()));
 }
 
 }  // namespace
@@ -89,18 +88,20 @@ int compare(const std::vector<std::string>& arguments) {
     auto json = to_json(comparison, c.cohesion_lines, where);
     add_belief(json, belief);
     write_json(out / "compare.json", json);
-    console.answer(fmt::format(
-        "{} {:.2f} % in shear stress and {:.2f} % in solid fraction; {}{}{}", with_effects(c.model),
-        comparison.rms_percent[0], comparison.rms_percent[1], misfit_text(comparison.total),
-        belief.believable() ? verdict_on_predicted(c, comparison) : "",
-        verdict_on(belief, error_basis(measurements), "the fitted friction")));
+    console.answer(
+        fmt::format("{} {:.2f} % in shear stress and {:.2f} % in solid fraction; {}{}. {}",
+                    with_effects(c.model), comparison.rms_percent[0], comparison.rms_percent[1],
+                    misfit_text(comparison.total),
+                    belief.believable() ? verdict_on_predicted(c, comparison) : "",
+                    belief.believable() ? error_basis(measurements)
+                                        : warning_on(belief, "the fitted friction")));
     print_doubts(console, belief, 1);
     if (c.fitted < c.readings.size()) {
         console.line(fmt::format("Readings that were predicted, not fitted: {}.",
                                  misfit_text(comparison.predicted)));
     }
     console.table(failure_table(where), 3);
-    console.table(predictions_table(comparison, !console.all()), 4);
+    console.table(predictions_table(comparison, !console.all()), 5);
     if (console.all()) console.table(misfit_table(comparison), 0);
     if (console.all()) console.table(cohesion_table(c.cohesion_lines), 0);
     for (const auto& note : measurements.notes) {
@@ -117,7 +118,7 @@ int compare(const std::vector<std::string>& arguments) {
     console.json(json);  // before the figures, which need gnuplot
     std::vector<std::string> drawn_figures;
     for (auto figure : comparison_figures(model, c, comparison)) {
-        if (!belief.believable()) figure.title += " (in doubt: see compare.json)";
+        if (!belief.believable()) figure.title += " (the fit is not to be used: see compare.json)";
         draw(figure, out / "figures");
         drawn_figures.push_back(figure.name);
     }

@@ -55,12 +55,14 @@ between the readings. Changes that explain the readings are written to proposed.
 tables; 'add --proposed 1' adds the first one.
 Decisions on an effect:
   missing               adding the effect explains the residuals
+  missing, with others  adding the effect explains most of the residuals, not all
   may be missing        one of several effects that explain the residuals equally well
+  contains what is missing  the effect alone explains the residuals too, but a simpler one is named
   does not explain it   the residuals point to the effect, and adding it leaves a misfit
   no sign of it         something is missing, and the residuals do not point to this effect
   absent                nothing is missing, and an effect large enough to matter would show
   cannot be excluded    an effect large enough to matter might not show in the readings
-  refit not converged   no fit with the effect was found: it is neither missing nor ruled out
+  refit not converged   the fit with the effect ended early: it is neither missing nor ruled out
   cannot be seen        the effect would not show even at the bounds of its parameter
 An emulator predicts the readings from the atlas and all stored simulations. No simulation is made
 unless --confirm is given. With --confirm, the command simulates the states that reduce the errors of
@@ -74,14 +76,11 @@ constexpr double usual_minutes = 5;
 /// Sentence on doubts about the readings behind the verdict, or on readings that doubts have set
 /// aside; empty without doubts.
 std::string caution(const StudyDiagnosis& d, const Measurements& measurements) {
-    if (const std::size_t doubts = doubts_that_set_aside(measurements); doubts > 0) {
-        return fmt::format(" The verdict does not use the readings that {} doubt{} set aside.",
-                           doubts, doubts == 1 ? "" : "s");
+    if (doubts_that_set_aside(measurements) > 0) {
+        return " The verdict does not use the readings that were set aside as implausible.";
     }
     const bool said = d.diagnosis.verdict == Verdict::suspect_measurement;
-    return measurements.doubts.empty() || said
-               ? ""
-               : " There are doubts about the readings, which are listed below.";
+    return measurements.doubts.empty() || said ? "" : " Warnings on the readings are listed below.";
 }
 
 /// Sentence on the simulations that confirmed the verdict.
@@ -96,8 +95,8 @@ std::string confirmation_line(const Confirmation& confirmed) {
                ? fmt::format("The verdict is firm after {}: more of them would change little.",
                              done)
                : fmt::format(
-                     "The verdict is not yet firm after {}: {}. To go on, give the same "
-                     "command again.",
+                     "The verdict is not yet firm after {}: {}. To continue, run the same command "
+                     "again.",
                      done, confirmed.open);
 }
 
@@ -155,7 +154,7 @@ void print_evidence(Console& console, const StudyDiagnosis& d, const Checks& che
         console.line(line);
     }
     if (measurements.doubts.empty() && !d.mistake) {
-        console.line(fmt::format("The verdict is based on {}.", error_basis(measurements)));
+        console.line(error_basis(measurements));
     }
 }
 
@@ -325,7 +324,7 @@ int diagnose(const std::vector<std::string>& arguments) {
     if (d.repeated) console.line(repeated_line(*d.repeated));
     if (d.confirmed) console.line(confirmation_line(*d.confirmed));
     for (std::size_t k = 0; k < belief.reasons.size(); ++k) {
-        if (k != belief.misfit_reason) console.line("Doubt: " + belief.reasons[k]);
+        if (k != belief.misfit_reason) console.line("Warning: " + belief.reasons[k]);
     }
     if (impacts) print_impacts(console, *impacts, diagnosis);
     print_evidence(console, d, checks, *session.operator->());

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "analysis/misfit/believable.h"
 #include "app/command.h"
 #include "app/console.h"
 #include "app/import_file.h"
@@ -19,17 +18,8 @@
 namespace pendular::app {
 namespace {
 
-/// Part of the answer on rows that doubts about the measurement set aside: ", among them the rows
-/// of 2 doubts"; empty for none.
-std::string set_aside_text(const Measurements& measurements) {
-    const std::size_t count = doubts_that_set_aside(measurements);
-    return count == 0
-               ? ""
-               : fmt::format(", among them the rows of {} doubt{}", count, count == 1 ? "" : "s");
-}
-
 /// Heading and sentences on the findings inside the recordings; empty if there are none.
-/// Saturations are left out without `all`, since doubts name them.
+/// Saturations are left out without `all`, since warnings name them.
 std::vector<std::string> findings_lines(std::vector<RecordingFinding> findings, bool all) {
     if (!all) {
         std::erase_if(findings, [](const RecordingFinding& each) {
@@ -108,28 +98,30 @@ int import(const std::vector<std::string>& arguments) {
     const auto readings = common->out_folder() / "readings.csv";
     write_readings(readings, measurements);
     write_excluded(common->out_folder() / "excluded.csv", measurements);
-    console.answer(
-        fmt::format("{} in {}; {} left out{} (excluded.csv beside it).",
-                    measurements.readings.size() == 1
-                        ? "1 reading is"
-                        : fmt::format("{} readings are", measurements.readings.size()),
-                    readings.string(),
-                    measurements.excluded.size() == 1
-                        ? "1 range of rows was"
-                        : fmt::format("{} ranges of rows were", measurements.excluded.size()),
-                    set_aside_text(measurements)));
+    const std::string left_out = excluded_text(measurements);
+    console.answer(fmt::format(
+        "{} written to {}.{}",
+        measurements.readings.size() == 1
+            ? "1 reading"
+            : fmt::format("{} readings", measurements.readings.size()),
+        readings.string(),
+        left_out.empty() ? ""
+                         : fmt::format(" Not averaged: {} (listed in {}).", left_out,
+                                       (common->out_folder() / "excluded.csv").string())));
     for (const Doubt& doubt : measurements.doubts) {
-        console.line(fmt::format("Doubt: {} {}", doubt.what,
-                                 doubt.set_aside ? "Set aside; see excluded.csv." : "Kept."));
+        console.line(fmt::format(
+            "Warning: {} {}", doubt.what,
+            doubt.set_aside ? "These readings are set aside." : "These readings are kept."));
     }
     console.table(findings_lines(measurements.findings, console.all()), 6);
     console.table(file_findings_lines(measurements.file_findings, console.all()), 6);
-    console.table(readings_table(measurements), 6);
+    console.table(readings_table(measurements), 7);
     if (console.all()) console.table(excluded_table(measurements), 0);
     console.table(scatter_table(measurements), 5);
     for (const auto& note : measurements.notes) {
         console.note(note);
     }
+    if (measurements.weight_note) console.note(*measurements.weight_note);
     if (!measurements.readings.empty())
         console.next(fmt::format("pendular calibrate {}", common->study_word()));
     console.json(to_json(measurements));

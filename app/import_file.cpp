@@ -61,6 +61,14 @@ FileFormat format_of(const ImportFileOptions& options) {
     return format;
 }
 
+/// Number of times that a text contains a word.
+std::size_t count_of(const std::string& text, std::string_view word) {
+    std::size_t count = 0;
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        ++count;
+    return count;
+}
+
 /// Files of a new study, by file name.
 /// @throws InputError if the folder has a file of one of their names
 std::map<std::string, std::string> files_of_study(const std::filesystem::path& folder,
@@ -131,8 +139,12 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
         demand_writable(options.tidy, "--tidy", false);
         demand_table(options.tidy, tidy_table_begin);
     }
-    if (!options.study.empty())
-        write_whole_folder(options.study, files_of_study(options.study, view, format));
+    std::size_t guesses = 0;
+    if (!options.study.empty()) {
+        const auto files = files_of_study(options.study, view, format);
+        guesses = count_of(files.at("study.toml"), "GUESS:");
+        write_whole_folder(options.study, files);
+    }
     if (!options.tidy.empty()) write_whole(options.tidy, tidy_table(view));
     console.answer(file_sentence(view));
     console.line(encoding_sentence(view));
@@ -142,11 +154,21 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
     for (const std::string& line : yield_locus_lines(view))
         console.line(line);
     if (const std::string missing = missing_sentence(view); !missing.empty()) console.note(missing);
+    const auto toml = std::filesystem::path(options.study) / "study.toml";
+    if (guesses > 0) {
+        console.line(fmt::format(
+            "{} of the values in {} {}, marked GUESS, since the file does not state {}: replace {} "
+            "before the study is calibrated.",
+            guesses, toml.string(), guesses == 1 ? "is a guess" : "are guesses",
+            guesses == 1 ? "it" : "them", guesses == 1 ? "it" : "them"));
+    }
     const bool begins = !view.loci.empty() || view.missing.empty();
     if (options.study.empty() && begins)
         console.next(fmt::format("pendular import {} --study my-study", shell_word(path)));
     else if (!options.study.empty())
-        console.next(fmt::format("pendular calibrate {}", shell_word(options.study)));
+        console.next(guesses > 0 ? fmt::format("edit {}, then pendular import {}", shell_word(toml),
+                                               shell_word(options.study))
+                                 : fmt::format("pendular import {}", shell_word(options.study)));
     console.json(to_json(view));
     if (!options.figures.empty()) draw_all(file_figures(view), options.figures, console);
     return done;

@@ -75,6 +75,13 @@ int next(const std::vector<std::string>& arguments) {
     for (std::size_t k = 1; k < lines.size(); ++k) {
         console.line(lines[k]);
     }
+    if (const std::string& assumed = next.rivals.front().name;
+        next.plans.empty() && assumed != "the model as it is") {
+        console.line(fmt::format(
+            "The plan assumes that the study has {}, as the diagnosis says; study.toml does not "
+            "list it yet.",
+            assumed));
+    }
     if (d.diagnosis.verdict == Verdict::unknown ||
         d.diagnosis.verdict == Verdict::suspect_measurement) {
         console.note(
@@ -84,8 +91,9 @@ int next(const std::vector<std::string>& arguments) {
     }
     if (!session->study().rig) {
         console.note(
-            "The study has no [rig]: the plan stays within the range of the readings. 'pendular "
-            "next --help' shows a [rig].");
+            "study.toml has no section [rig] with the settings that the rheometer can reach: the "
+            "plan stays near the conditions already measured. 'pendular next --help' shows an "
+            "example.");
     }
     if (next.unsupported > 0) {
         console.note(
@@ -98,8 +106,15 @@ int next(const std::vector<std::string>& arguments) {
         draw(figure, common->out_folder() / "figures");
         console.figures(common->out_folder() / "figures", {"next"});
     }
-    console.next(fmt::format("pendular diagnose {}   # once study.toml lists the new recording",
-                             common->study_word()));
+    const Diagnosis& diagnosis = d.diagnosis;
+    if (diagnosis.verdict == Verdict::missing && diagnosis.confidence_set.size() <= 1) {
+        console.next(
+            fmt::format("pendular add {} {}", common->study_word(), diagnosis.effects.front()));
+    } else {
+        console.line(
+            fmt::format("Then list the new recording in study.toml, and run: pendular diagnose {}",
+                        common->study_word()));
+    }
     return done;
 }
 

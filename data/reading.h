@@ -88,9 +88,9 @@ struct Reading {
 
 /// Rows of a file that make no reading, with the reason.
 struct Excluded {
-    /// Kind of rows: any rows (a transient, a spike), a step that reaches no plateau, or a
-    /// reading that was set aside.
-    enum class Kind { rows, step_without_plateau, reading };
+    /// Kind of rows: any rows (a spike), rows of a step beside its plateau (a transient, a part of
+    /// a turn), a step that reaches no plateau, or a reading that was set aside.
+    enum class Kind { rows, beside_plateau, step_without_plateau, reading };
     Position origin;     ///< file and first line of the rows
     int last_line = 0;   ///< last line of the rows
     std::string reason;  ///< why the rows were left out
@@ -163,6 +163,8 @@ struct Measurements {
     std::vector<FileFinding> file_findings;
     /// Messages for the user about the import, such as a torque whose sign was flipped.
     std::vector<std::string> notes;
+    /// Message on the weight of the grains, where it is neglected and not small.
+    std::optional<std::string> weight_note;
 };
 
 /// Imposed condition of each reading, in the order of `readings`.

@@ -17,8 +17,15 @@ std::string number(double value) {
     return std::abs(value) < 1000 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
 }
 
+/// Text of chi2 per degree of freedom: "15.98", "0.99".
+std::string per_dof(const LadderStep& step) {
+    const double value = step.chi2_per_dof();
+    return value < 100 ? fmt::format("{:.2f}", value) : number(value);
+}
+
 std::string estimate(const LadderParameter* parameter) {
-    return parameter ? with_error(parameter->value, parameter->standard_error) : "-";
+    return parameter ? with_error(parameter->value, parameter->standard_error, parameter->unit)
+                     : "-";
 }
 
 /// Change of a parameter over its standard error before the change [1].
@@ -26,15 +33,15 @@ double drift(const LadderParameter& before, const LadderParameter& after) {
     return (after.value - before.value) / before.standard_error;
 }
 
-std::string parameter_line(const std::string& name, const std::string& unit,
-                           const LadderParameter* before, const LadderParameter* after) {
+std::string parameter_line(const std::string& name, const LadderParameter* before,
+                           const LadderParameter* after) {
     const std::string moved = before && after
-                                  ? fmt::format("{:+.1f} standard errors", drift(*before, *after))
+                                  ? change_text(after->value - before->value, before->value,
+                                                before->standard_error, before->unit)
                               : after ? "new"
                                       : "removed";
-    return fmt::format("  {:<36} {:>24} {:>24}   {}",
-                       unit == "1" ? name : fmt::format("{} [{}]", name, unit), estimate(before),
-                       estimate(after), moved);
+    return fmt::format("  {:<36} {:>24} {:>24} {:>12}", name, estimate(before), estimate(after),
+                       moved);
 }
 
 /// Names of the observables whose RMS error at conditions left out of the fit rose by more than
@@ -52,65 +59,96 @@ std::string left_out_rose(const LadderStep& before, const LadderStep& after) {
     return which;
 }
 
-std::string advice_on_added(const std::string& effect, const LadderStep& before,
-                            const LadderStep& after, const std::string& study) {
-    const std::string undo = fmt::format(
-        "remove it again with 'pendular drop {0} {1}', or find what is missing with 'pendular "
-        "diagnose {0}'",
-        study, effect);
-    if (after.chi2 >= before.chi2) {
-        return fmt::format(
-            "The error did not fall (chi2 {} -> {}): {} is not the missing effect; {}.",
-            number(before.chi2), number(after.chi2), effect, undo);
+/// Judgement on an effect by the fits of the model without it and with it.
+enum class Outcome {
+    better,  ///< chi2 falls by more than chance, and left-out conditions are predicted as well
+    left_out_worse,  ///< chi2 falls, but left-out conditions are predicted worse
+    by_chance,       ///< chi2 falls by no more than chance
+    worse            ///< chi2 does not fall
+};
+
+Outcome outcome_of(const LadderStep& without, const LadderStep& with) {
+    if (with.chi2 >= without.chi2) return Outcome::worse;
+    if (fell_by_chance(without, with)) return Outcome::by_chance;
+    return left_out_rose(without, with).empty() ? Outcome::better : Outcome::left_out_worse;
+}
+
+const LadderStep& without(const StudyChange& change, const LadderStep& before,
+                          const LadderStep& after) {
+    return change.change == Action::add ? before : after;
+}
+
+const LadderStep& with(const StudyChange& change, const LadderStep& before,
+                       const LadderStep& after) {
+    return change.change == Action::add ? after : before;
+}
+
+Outcome outcome_of(const StudyChange& change, const LadderStep& before, const LadderStep& after) {
+    return outcome_of(without(change, before, after), with(change, before, after));
+}
+
+/// Beginning of the sentence on a change: "torque-offset added, but the readings do not need it".
+std::string beginning(const StudyChange& change, Outcome outcome) {
+    const std::string& effect = change.effect;
+    const bool adds = change.change == Action::add;
+    switch (outcome) {
+        case Outcome::better:
+            return adds ? effect + " added"
+                        : effect + " dropped, but the model needs it or a similar effect";
+        case Outcome::left_out_worse:
+            return adds ? effect + " added, but left-out conditions are predicted worse with it"
+                        : effect + " dropped; left-out conditions are predicted better without it";
+        case Outcome::by_chance:
+            return effect + (adds ? " added, but the readings do not need it"
+                                  : " dropped; the readings do not need it");
+        default:
+            return effect + (adds ? " added, but it does not improve the model"
+                                  : " dropped; it did not improve the model");
     }
-    if (fell_by_chance(before, after)) {
+}
+
+/// Reason for the judgement on an effect, as a sentence; empty where chi2 states it.
+std::string reason_for(Outcome outcome, const std::string& effect, const LadderStep& without,
+                       const LadderStep& with) {
+    if (outcome == Outcome::by_chance) {
         return fmt::format(
-            "The error fell by no more than chance (chi2 {} -> {} with {} more parameter{}): the "
-            "readings do not need {}; {}.",
-            number(before.chi2), number(after.chi2), before.dof - after.dof,
-            before.dof - after.dof == 1 ? "" : "s", effect, undo);
+            "With {}, chi2 is {:.1f} lower ({} instead of {}), which chance explains.", effect,
+            without.chi2 - with.chi2, number(with.chi2), number(without.chi2));
     }
-    if (const std::string which = left_out_rose(before, after); !which.empty()) {
+    if (outcome == Outcome::left_out_worse) {
         return fmt::format(
-            "The fit improved, but the error of {} rose at conditions left out of the fit: {} "
-            "describes only the fitted readings. Measure at further conditions before you trust "
-            "it; {}.",
-            which, effect, undo);
+            "With {}, chi2 is lower, but the error of {} is larger at conditions left out of the "
+            "fit: measure at further conditions before you use it.",
+            effect, left_out_rose(without, with));
     }
     return "";
 }
 
-std::string advice_on_dropped(const std::string& effect, const LadderStep& before,
-                              const LadderStep& after, const std::string& study) {
-    if (after.chi2 <= before.chi2) {
-        return fmt::format("The error did not rise without {}: the model does not need it.",
-                           effect);
-    }
-    if (fell_by_chance(after, before)) {
-        return fmt::format(
-            "Without {} the error rose by no more than chance (chi2 {} -> {}): the readings do not "
-            "need it.",
-            effect, number(before.chi2), number(after.chi2));
-    }
-    return fmt::format(
-        "Without {0} the fit is worse (chi2 {2}, with it {1}): the model needs it, or a similar "
-        "effect. 'pendular add {3} {0}' adds it again.",
-        effect, number(before.chi2), number(after.chi2), study);
+/// Text of a change of a number: "falls from 15.98 to 0.99", "stays at 16.3".
+std::string moved(const std::string& from, const std::string& to, bool falls) {
+    if (from == to) return "stays at " + to;
+    return fmt::format("{} from {} to {}", falls ? "falls" : "rises", from, to);
 }
 
 }  // namespace
 
 std::string verdict_of(const StudyChange& change, const LadderStep& before,
                        const LadderStep& after) {
-    const std::string from = number(before.chi2_per_dof()), to = number(after.chi2_per_dof());
-    const double ratio = after.chi2_per_dof() / before.chi2_per_dof();
-    const std::string moved = from == to  ? "stays at " + to
-                              : ratio < 1 ? fmt::format("falls from {} to {}", from, to)
-                                          : fmt::format("rises from {} to {}", from, to);
+    const auto percent = [](double rms) { return fmt::format("{:.2f} %", rms); };
     return fmt::format(
-        "{} {}: chi2/dof {}, the RMS error of shear stress goes from {:.2f} % to {:.2f} %.",
-        change.effect, change.change == Action::add ? "added" : "dropped", moved,
-        before.rms_percent[0], after.rms_percent[0]);
+        "{}: chi2/dof {}, the RMS error of shear stress {}.",
+        beginning(change, outcome_of(change, before, after)),
+        moved(per_dof(before), per_dof(after), after.chi2_per_dof() < before.chi2_per_dof()),
+        moved(percent(before.rms_percent[0]), percent(after.rms_percent[0]),
+              after.rms_percent[0] < before.rms_percent[0]));
+}
+
+std::string next_after(const StudyChange& change, const LadderStep& before, const LadderStep& after,
+                       bool believable, const std::string& study) {
+    const bool improved = outcome_of(change, before, after) == Outcome::better;
+    if (change.change == Action::add && !improved)
+        return fmt::format("pendular drop {} {}", study, change.effect);
+    return fmt::format("pendular {} {}", believable ? "compare" : "diagnose", study);
 }
 
 std::vector<std::string> error_changes(const LadderStep& before, const LadderStep& after) {
@@ -136,34 +174,36 @@ std::vector<std::string> error_changes(const LadderStep& before, const LadderSte
 
 std::vector<std::string> parameter_changes(const LadderStep& before, const LadderStep& after) {
     std::vector<std::string> lines = {
-        fmt::format("  {:<36} {:>24} {:>24}   {}", "parameter", "before", "after", "change")};
+        fmt::format("  {:<36} {:>24} {:>24} {:>12}", "parameter", "before", "after", "change")};
     for (const LadderParameter& p : before.parameters) {
-        lines.push_back(parameter_line(p.name, p.unit, &p, after.find(p.name)));
+        lines.push_back(parameter_line(p.name, &p, after.find(p.name)));
     }
     for (const LadderParameter& p : after.parameters) {
         if (!before.find(p.name)) {
-            lines.push_back(parameter_line(p.name, p.unit, nullptr, &p));
+            lines.push_back(parameter_line(p.name, nullptr, &p));
         }
     }
     return lines;
 }
 
 std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before,
-                                   const LadderStep& after, const std::string& study) {
+                                   const LadderStep& after) {
     std::vector<std::string> lines;
-    const auto advise = change.change == Action::add ? advice_on_added : advice_on_dropped;
-    if (std::string advice = advise(change.effect, before, after, study); !advice.empty()) {
-        lines.push_back(std::move(advice));
-    }
+    const Outcome outcome = outcome_of(change, before, after);
+    std::string reason = reason_for(outcome, change.effect, without(change, before, after),
+                                    with(change, before, after));
+    if (!reason.empty()) lines.push_back(std::move(reason));
+    const bool adds = change.change == Action::add;
     for (const LadderParameter& p : before.parameters) {
         const LadderParameter* const later = after.find(p.name);
-        if (later && std::abs(drift(p, *later)) > 3) {
-            lines.push_back(
-                fmt::format("The fitted {0} changed by {1:.1f} standard errors: without {2} in the "
-                            "model, the fit "
-                            "shifts {0} to compensate.",
-                            p.name, std::abs(drift(p, *later)), change.effect));
-        }
+        if (!later || std::abs(drift(p, *later)) <= 3) continue;
+        // Only a model that lacks a needed effect shifts its parameters to compensate for it.
+        const char* why = "";
+        if (outcome == Outcome::better)
+            why = adds ? ": it need no longer compensate for the effect" : " to compensate for it";
+        lines.push_back(fmt::format(
+            "With{} {} in the model, the fitted {} changes by {:.1f} standard errors{}.",
+            adds ? "" : "out", change.effect, p.name, std::abs(drift(p, *later)), why));
     }
     return lines;
 }

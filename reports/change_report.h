@@ -18,13 +18,18 @@ std::string verdict_of(const StudyChange& change, const LadderStep& before,
 std::vector<std::string> error_changes(const LadderStep& before, const LadderStep& after);
 
 /// Table of the fitted parameters before and after one effect was added to a model or dropped. The
-/// change of a parameter is in units of its standard error before. One row per string.
+/// change of a parameter has the parameter's unit. One row per string.
 std::vector<std::string> parameter_changes(const LadderStep& before, const LadderStep& after);
 
-/// Advice after an effect was added to a model or dropped, as sentences: on an added effect that
-/// does not improve the model, on a dropped effect, and on fitted parameters that changed by more
-/// than three standard errors. `study`: the study's name as the user gave it, for commands.
+/// Sentences on a change of a study's model: why the readings do not need the effect that was added
+/// or dropped, and which fitted parameters changed by more than three standard errors.
 std::vector<std::string> advice_on(const StudyChange& change, const LadderStep& before,
-                                   const LadderStep& after, const std::string& study);
+                                   const LadderStep& after);
+
+/// Command to run after an effect was added to a study or dropped: `pendular drop` where the added
+/// effect does not improve the model. `believable`: whether the fit after the change can be used;
+/// `study`: the study's name as the user gave it.
+std::string next_after(const StudyChange& change, const LadderStep& before, const LadderStep& after,
+                       bool believable, const std::string& study);
 
 }  // namespace pendular

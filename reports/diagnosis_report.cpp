@@ -35,8 +35,21 @@ double chi2_per_dof(double chi2, double dof) {
     return chi2 / std::max(1.0, dof);
 }
 
-/// Names of the effects of an explanation with the refitted values, "torque-offset (0.41 +- 0.03
-/// mN m)"; an effect that is a switch has no value.
+/// Name of an effect's parameter in a sentence: "surface tension" of
+/// "capillary-bridges.surface_tension".
+std::string spoken(std::string parameter) {
+    parameter.erase(0, parameter.rfind('.') + 1);
+    std::ranges::replace(parameter, '_', ' ');
+    return parameter;
+}
+
+/// Text of a refitted parameter of an explanation with its error: "0.41 +- 0.03 mN m".
+std::string refitted_text(const Explanation& explanation, Eigen::Index k, const std::string& unit) {
+    return with_error(explanation.fit.parameters(k), explanation.fit.standard_error(k), unit);
+}
+
+/// Names of the effects of an explanation with the refitted values, "torque-offset (torque 0.41 +-
+/// 0.03 mN m)"; an effect that is a switch has no value.
 std::string with_estimates(const Explanation& explanation, const ModelSpace& space) {
     const auto parameters = space.with(explanation.chosen)->parameters();
     auto next = static_cast<Eigen::Index>(space.with({})->parameters().size());
@@ -45,10 +58,9 @@ std::string with_estimates(const Explanation& explanation, const ModelSpace& spa
         const Candidate& candidate = space.candidates()[k];
         std::string values;
         for (std::size_t own = 0; own < candidate.free_parameters(); ++own, ++next) {
-            values +=
-                (values.empty() ? "" : ", ") +
-                with_error(explanation.fit.parameters(next), explanation.fit.standard_error(next),
-                           parameters[static_cast<std::size_t>(next)].unit);
+            const Parameter& parameter = parameters[static_cast<std::size_t>(next)];
+            values += fmt::format("{}{} {}", values.empty() ? "" : ", ", spoken(parameter.name),
+                                  refitted_text(explanation, next, parameter.unit));
         }
         texts.push_back(values.empty() ? candidate.name
                                        : fmt::format("{} ({})", candidate.name, values));
@@ -69,7 +81,7 @@ std::string strongest_trend(const Checks& checks) {
     }
     return strongest == nullptr
                ? "."
-               : fmt::format(". Measured {} {} the model as {} grows.", strongest->of,
+               : fmt::format(". The measured {} {} the model as {} grows.", strongest->of,
                              strongest->statistic > 0 ? "rises above" : "falls below",
                              strongest->covariate);
 }
@@ -110,6 +122,20 @@ std::string leading_line(const Diagnosis& d, const ModelSpace& space) {
         percent(d.leaders->explained));
 }
 
+/// For each model that fits, its effects beyond those that all these models contain:
+/// "torque-offset", "lid-slip with bead-loss".
+std::vector<std::string> others_of(const Diagnosis& d, const ModelSpace& space) {
+    std::vector<std::string> sets;
+    for (const Explanation& each : d.confidence_set) {
+        std::vector<std::string> names = names_of(each, space);
+        std::erase_if(names, [&](const std::string& name) {
+            return std::ranges::find(d.effects, name) != d.effects.end();
+        });
+        sets.push_back(names.empty() ? "nothing more" : joined(names, "with"));
+    }
+    return sets;
+}
+
 std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
     if (d.leaders) return leading_line(d, space);
     const Explanation& best = *best_of(d.confidence_set);
@@ -117,18 +143,9 @@ std::string missing_line(const Diagnosis& d, const ModelSpace& space) {
                                    best.chosen.size() > 1 ? "them" : "it", reduction(d, best));
     if (d.confidence_set.size() > 1) {
         line = fmt::format(
-            "Missing: {}, and something else that these readings do not identify: {} explain them "
-            "equally well. Adding {} brings {}.",
-            joined(d.effects, "and"),
-            joined(
-                [&] {
-                    std::vector<std::string> sets;
-                    for (const auto& each : d.confidence_set) {
-                        sets.push_back(joined(names_of(each, space), "with"));
-                    }
-                    return sets;
-                }(),
-                "or"),
+            "Missing: {}, and one of several others; these readings do not tell whether it is {}. "
+            "Adding {} brings {}.",
+            joined(d.effects, "and"), joined(others_of(d, space), "or"),
             joined(names_of(best, space), "and"), reduction(d, best));
     }
     return line;
@@ -140,49 +157,71 @@ std::string indistinguishable_line(const Diagnosis& d, const ModelSpace& space) 
         sets.push_back(with_estimates(each, space));
     }
     return fmt::format(
-        "Something is missing, and these readings do not tell which effect: {}. Adding {} of them "
-        "brings {}.",
-        joined(sets, "or"), sets.size() == 2 ? "either" : "any one",
+        "Indistinguishable: something is missing, and these readings do not tell whether it is {}. "
+        "Adding {} brings {}.",
+        joined(sets, "or"), sets.size() == 2 ? "either" : "any one of them",
         reduction(d, *best_of(d.confidence_set)));
 }
 
 std::string inconclusive_line(const Diagnosis& d) {
     if (d.effects.empty() && !d.errors_assumed) {
-        return "No effect is missing as far as these readings show, but none of the known effects "
-               "would show in them.";
+        return "Inconclusive: no known effect improves the model, but none would show in these "
+               "readings.";
     }
     if (d.effects.empty()) {
-        return "The readings do not tell whether an effect is missing: their errors are assumed, "
-               "not "
-               "measured.";
+        return "Inconclusive: the errors of the readings are assumed, not measured, so that they "
+               "do "
+               "not tell whether an effect is missing.";
     }
     return fmt::format(
-        "No effect is missing as far as these readings show, but {} effect{} could be large enough "
-        "to matter without showing in them: {}.",
+        "Inconclusive: no known effect improves the model, but {} effect{} large enough to matter "
+        "might not show in these readings: {}.",
         d.effects.size(), d.effects.size() == 1 ? "" : "s", some_of(d.effects));
 }
 
-/// Text of an estimate with its error; an estimate without error was fitted at a bound of the
-/// parameter.
-std::string estimate_of(const Finding& finding, const std::string& unit) {
+/// Refitted model with one candidate alone; null where there is none that converged.
+const Explanation* refit_with(const Diagnosis& d, std::size_t candidate) {
+    const auto found = std::ranges::find_if(d.tried, [&](const Explanation& each) {
+        return each.chosen == EffectSet{candidate} && !each.suspect && each.fit.converged;
+    });
+    return found == d.tried.end() ? nullptr : &*found;
+}
+
+/// Text of the estimate of an effect's first parameter with its error: from a refit where there is
+/// one, else linear. An estimate without error was fitted at a bound of the parameter.
+std::string estimate_of(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {
+    const Candidate& candidate = space.candidates()[finding.candidate];
+    if (candidate.is_switch()) return "switch";
+    const std::string& unit = candidate.parameters.front().unit;
+    const auto first = static_cast<Eigen::Index>(d.fit.parameters.size());
+    const Explanation* const refit = refit_with(d, finding.candidate);
+    const EffectParameter& p = candidate.parameters.front();
+    const bool determined = refit && refit->fit.parameters.size() > first &&
+                            refit->fit.standard_error(first) > 0 &&
+                            refit->fit.standard_error(first) < p.upper - p.lower;
+    if (determined) return refitted_text(*refit, first, unit);
     return finding.standard_error > 0
                ? with_error(finding.value, finding.standard_error, unit)
                : fmt::format("{} (at its bound)", with_unit(finding.value, unit));
 }
 
-std::string finding_line(const Finding& finding, const ModelSpace& space) {
+/// Text of the change of chi2 by a reduction: "-686.7".
+std::string chi2_change(double reduction) {
+    const std::string text = fmt::format("{:+.1f}", -reduction);
+    return text == "-0.0" || text == "+0.0" ? "0.0" : text;
+}
+
+std::string finding_line(const Diagnosis& d, const Finding& finding, const ModelSpace& space) {
     const Candidate& candidate = space.candidates()[finding.candidate];
-    const EffectParameter& p = candidate.parameters.front();
     if (!finding.test.seen()) {
-        return fmt::format("  {:<24} {:>26} {:>9} {:>9} {:>8.0f} % {:>6} {:>8}   {}",
+        return fmt::format("  {:<24} {:>26} {:>11} {:>9} {:>8.0f} % {:>6} {:>8}   {}",
                            candidate.name, "-", "-", "-", 100 * finding.test.share_imitated, "-",
                            "-", finding.decision);
     }
-    const std::string unit = candidate.is_switch() ? "1" : p.unit;
     return fmt::format(
-        "  {:<24} {:>26} {:>9.1f} {:>9} {:>8.0f} % {:>6.2f} {:>8}   {}", candidate.name,
-        estimate_of(finding, unit), finding.test.predicted_reduction,
-        finding.refitted_reduction ? fmt::format("{:.1f}", *finding.refitted_reduction) : "",
+        "  {:<24} {:>26} {:>11} {:>9} {:>8.0f} % {:>6.2f} {:>8}   {}", candidate.name,
+        estimate_of(d, finding, space), chi2_change(finding.test.predicted_reduction),
+        finding.refitted_reduction ? chi2_change(*finding.refitted_reduction) : "",
         100 * finding.test.share_imitated, finding.power, p_text(finding.p, ""), finding.decision);
 }
 
@@ -211,7 +250,9 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
     switch (d.verdict) {
         case Verdict::nothing_missing:
             return fmt::format(
-                "No physical effect is missing that these readings could show (chi2/dof {:.2f}).",
+                "Nothing missing: no known effect improves the model, and every effect large "
+                "enough "
+                "to matter would have shown in these readings (chi2/dof {:.2f}).",
                 chi2_per_dof(d.chi2, d.dof));
         case Verdict::inconclusive:
             return inconclusive_line(d);
@@ -221,34 +262,35 @@ std::string verdict_line(const Diagnosis& d, const ModelSpace& space, const Chec
             return indistinguishable_line(d, space);
         case Verdict::suspect_measurement:
             return fmt::format(
-                "A measurement is suspect: an error in {} explains the residuals, and no physical "
-                "effect does.",
+                "Suspect measurement: an error in {} explains the residuals, and no physical "
+                "effect "
+                "does.",
                 joined(d.suspects, "or"));
         default:
-            return fmt::format("Something is missing that no known effect explains{}",
+            return fmt::format("Unknown: something is missing that no known effect explains{}",
                                strongest_trend(checks));
     }
 }
 
 std::vector<std::string> diagnosis_table(const Diagnosis& d, const ModelSpace& space) {
     std::vector<std::string> lines = {
-        fmt::format("  {:<24} {:>26} {:>9} {:>9} {:>10} {:>6} {:>8}   {}", "effect", "estimate",
-                    "chi2 falls", "refitted", "imitated", "power", "p", "decision")};
+        fmt::format("  {:<24} {:>26} {:>11} {:>9} {:>10} {:>6} {:>8}   {}", "effect", "estimate",
+                    "chi2 change", "in refit", "imitated", "power", "p", "decision")};
     for (const Finding& finding : d.scan) {
-        lines.push_back(finding_line(finding, space));
+        lines.push_back(finding_line(d, finding, space));
     }
     lines.push_back(
-        "  (chi2 falls: by how much chi2 would fall with the effect in the model; refitted: by how "
-        "much it falls in a fit with the effect; imitated: share of the effect that other values "
-        "of the calibrated parameters imitate; power: probability that these readings show an "
-        "effect just large enough to matter; p: probability that chance makes any tested effect "
-        "look as good)");
+        "  (chi2 change: predicted change of chi2 with the effect in the model, and its change in "
+        "a refit; imitated: share of the effect that a change of the fitted parameters can "
+        "reproduce; power: probability that these readings show an effect just large enough to "
+        "matter; p: probability of an effect at least as significant, of all that are tested, "
+        "where "
+        "none is present)");
     if (std::ranges::any_of(
             d.scan, [](const Finding& f) { return f.refitted_reduction.value_or(0) < 0; })) {
         lines.push_back(
-            "  (chi2 may grow with an effect: the model's own errors, which chi2 includes, are "
-            "then "
-            "smaller)");
+            "  (chi2 can grow with an effect where the emulator predicts the readings with smaller "
+            "errors.)");
     }
     return lines;
 }
@@ -263,18 +305,18 @@ std::vector<std::string> incomplete_lines(const Diagnosis& d, const std::array<d
         "fraction from {:.2f} % to {:.2f} %.",
         effects, before[0], after[0], before[1], after[1])};
     lines.push_back(fmt::format(
-        "In {:.1f} of 100 simulated repetitions of the experiment, the best model would lack {}.",
-        100 * d.leaders->rival_share, joined(d.effects, "or")));
+        "In simulated repetitions of the experiment, {} would be named in {:.1f} of 100.", effects,
+        100 * (1 - d.leaders->rival_share)));
     const std::string trend = strongest_trend(remaining);
-    lines.push_back("With " + effects + " in the model, a misfit remains" + trend);
+    lines.push_back("A misfit remains with " + effects + " in the model" + trend);
     return lines;
 }
 
 std::string discrepancy_line(double size) {
     if (size == 0) return "";
     return fmt::format(
-        "A smooth error of the model of about {:.1f} % of the shear stress would account for what "
-        "remains. If the model may be wrong by that much, write discrepancy = {:.2g} in [model].",
+        "A systematic error of the model of about {:.1f} % of the shear stress would explain the "
+        "remaining misfit. To allow for it: discrepancy = {:.2g} in section [model] of study.toml.",
         100 * size, size);
 }
 
@@ -290,18 +332,20 @@ std::string suspects_line(const Diagnosis& d, const Evidence& evidence) {
 
 std::string fit_line(const Diagnosis& d) {
     return fmt::format(
-        "Fitted to all readings, the present model has chi2 = {:.1f} for {} degrees of freedom "
-        "(test for lack of fit: p {}; test for a missing known effect: p {}).",
+        "Fitted to all readings: chi2 = {:.1f} for {} degrees of freedom. Lack of fit: p {}. A "
+        "missing known effect: p {}. (A small p speaks against the model.)",
         d.chi2, d.dof, p_text(d.lack_of_fit_p), p_text(d.further_p));
 }
 
 namespace {
 
-/// Name of a parameter with its article: "a force", "an angle", "a surface tension".
-std::string with_article(std::string name) {
-    std::ranges::replace(name, '_', ' ');
-    const bool vowel = std::string("aeiou").find(name.front()) != std::string::npos;
-    return (vowel ? "an " : "a ") + name;
+/// Texts of two sizes with their unit, with as many digits as tell them apart.
+std::pair<std::string, std::string> sizes_apart(double one, double other, const std::string& unit) {
+    constexpr int most_digits = 5;
+    for (int digits = 2;; ++digits) {
+        auto texts = std::pair(with_unit(one, unit, digits), with_unit(other, unit, digits));
+        if (texts.first != texts.second || digits == most_digits) return texts;
+    }
 }
 
 /// Line on the size from which the readings would show an effect, and the size from which it
@@ -309,20 +353,27 @@ std::string with_article(std::string name) {
 std::string unseen_line(const Finding& finding, const EffectParameter& p,
                         const std::string& effect) {
     if (p.is_switch()) {
-        return fmt::format("  {}: {:.0f} of 100 such studies would show it.", effect,
-                           100 * finding.power);
+        return fmt::format("  {} (switch): would show in {:.0f} of 100 repetitions of this study.",
+                           effect, 100 * finding.power);
     }
-    const std::string name = with_article(p.name);
-    const std::string shown = with_unit(finding.detectable, p.unit),
-                      matters = with_unit(p.smallest_of_interest, p.unit);
-    if (p.neutral != 0) {
-        return fmt::format(
-            "  {}: the readings would show {} that differs from {} by {} or more; a difference of "
-            "{} or more would matter.",
-            effect, name, with_unit(p.neutral, p.unit), shown, matters);
+    const auto [shown, matters] = sizes_apart(finding.detectable, p.smallest_of_interest, p.unit);
+    const std::string what = p.neutral != 0
+                                 ? fmt::format("a change of the {} from {} by", spoken(p.name),
+                                               with_unit(p.neutral, p.unit))
+                                 : spoken(p.name);
+    return fmt::format("  {}: would show from {} {}{}; {} would matter.", effect, what, shown,
+                       p.neutral == 0 && p.lower < 0 ? " (or negative)" : "", matters);
+}
+
+/// Line that names the effects that would not show at any size; empty where there is none.
+std::string invisible_line(const Diagnosis& d, const ModelSpace& space) {
+    std::vector<std::string> names;
+    for (const Finding& finding : d.scan) {
+        if (!finding.identifiable) names.push_back(space.candidates()[finding.candidate].name);
     }
-    return fmt::format("  {}: the readings would show {} of {} or more{}; {} or more would matter.",
-                       effect, name, shown, p.lower < 0 ? ", positive or negative" : "", matters);
+    return names.empty() ? ""
+                         : fmt::format("  These readings cannot show {}, whatever {} size.",
+                                       joined(names, "or"), names.size() == 1 ? "its" : "their");
 }
 
 }  // namespace
@@ -331,6 +382,7 @@ std::vector<std::string> unseen_table(const Diagnosis& d, const ModelSpace& spac
     if (d.verdict != Verdict::inconclusive || d.effects.empty()) return {};
     std::vector<std::string> lines = {
         "Effects that could matter without showing in these readings:"};
+    if (const std::string line = invisible_line(d, space); !line.empty()) lines.push_back(line);
     for (const std::string& effect : d.effects) {
         const Finding& finding = finding_of(d, space, effect);
         lines.push_back(unseen_line(finding, parameter_of(space, finding), effect));
@@ -343,8 +395,9 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, 
     if (d.verdict == Verdict::indistinguishable) lines.push_back(alike_line(d));
     if (d.verdict == Verdict::inconclusive) {
         lines.push_back(
-            "More readings, replicates or conditions would tell whether one of these effects is "
-            "missing.");
+            "To rule out one of these effects, measure it directly ('pendular effects NAME' says "
+            "how) or add readings where it is larger; 'pendular next' plans readings that make the "
+            "fit more precise.");
     }
     if (d.verdict == Verdict::unknown) {
         if (const Explanation* best = best_of(d.tried); best && !best->suspect) {
@@ -365,8 +418,9 @@ std::vector<std::string> advice_on(const Diagnosis& d, const ModelSpace& space, 
     }
     if (d.errors_assumed) {
         lines.push_back(
-            "The errors of the readings are assumed (2 %): replicates or _sd columns make the "
-            "verdict firmer.");
+            "The errors of the readings are assumed to be 2 %: repeated readings or _sd columns "
+            "give "
+            "a firmer verdict.");
     }
     return lines;
 }

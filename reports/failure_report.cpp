@@ -20,7 +20,7 @@ std::string sentence(const Check& check) {
                 "of fit, {}).",
                 p);
         case Check::Kind::trend:
-            return fmt::format("Measured {} {} the model as {} grows ({}).", check.of,
+            return fmt::format("The measured {} {} the model as {} grows ({}).", check.of,
                                check.statistic > 0 ? "rises above" : "falls below", check.covariate,
                                p);
         case Check::Kind::score:
@@ -60,20 +60,22 @@ std::vector<std::string> checks_table(const Checks& checks) {
     }
     lines.insert(
         lines.begin(),
-        lines.empty() ? fmt::format("None of {} checks of the residuals shows a failure of the "
-                                    "model (p {} for all together).",
+        lines.empty() ? fmt::format("None of the {} checks of the residuals is significant "
+                                    "(together: p {}).",
                                     checks.all.size(), p_text(checks.p))
         : checks.p < significant
-            ? fmt::format("Where the model fails ({} checks, p {} for all together):",
+            ? fmt::format("Where the model fails ({} checks of the residuals, together: p {}):",
                           checks.all.size(), p_text(checks.p))
-            : fmt::format("Together, {} checks find no failure of the model (p {}); single checks "
-                          "with p < {}:",
+            : fmt::format("The {} checks of the residuals are not significant together (p {}); "
+                          "single ones with p < {}:",
                           checks.all.size(), p_text(checks.p), significant));
     return lines;
 }
 
 std::string deviating_line(std::vector<std::pair<std::string, double>> measurements) {
-    if (measurements.empty()) return "";
+    // Many measurements deviate where the model fails as a whole.
+    constexpr std::size_t most_deviating = 8;
+    if (measurements.empty() || measurements.size() > most_deviating) return "";
     std::ranges::stable_sort(measurements, {}, &std::pair<std::string, double>::second);
     constexpr std::size_t most_named = 3;
     std::vector<std::string> named;
@@ -92,7 +94,8 @@ std::vector<std::string> failure_table(const WhereItFails& where) {
     for (const Offending& offending : where.offending) {
         measurements.emplace_back(offending.readings, offending.p);
     }
-    if (!measurements.empty()) lines.push_back("  " + deviating_line(std::move(measurements)));
+    if (const std::string line = deviating_line(std::move(measurements)); !line.empty())
+        lines.push_back("  " + line);
     return lines;
 }
 

@@ -152,30 +152,30 @@ std::vector<std::string> columns_table(const FileView& view) {
 }
 
 std::vector<std::string> intervals_table(const FileView& view) {
-    std::vector<std::string> lines = {fmt::format("  {:>8} {:<10} {:>6} {:>13} {:>10} {:>12}  {}",
-                                                  "interval", "role", "rows", "lines", "s22 [Pa]",
-                                                  "max s12 [Pa]", "why")};
-    bool forces = false;
+    const auto lacks_stress = [](const IntervalSeries& series) {
+        return (series.shear_stress.empty() && !series.torque.empty()) ||
+               (series.normal_stress.empty() && !series.normal_force.empty());
+    };
+    const bool forces = std::ranges::any_of(view.series, lacks_stress);
+    std::vector<std::string> lines = {
+        fmt::format("  {:>8} {:<10} {:>6} {:>13} {:>18} {:>22}  {}", "interval", "role", "rows",
+                    "lines", forces ? "normal force [N]" : "normal stress [Pa]",
+                    forces ? "largest torque [N m]" : "largest shear str. [Pa]", "why")};
     const bool several = several_tests(view.file);
     for (std::size_t i = 0; i < view.series.size(); ++i) {
         const Block& block = view.file.blocks[i];
         const IntervalSeries& series = view.series[i];
-        forces = forces || (series.shear_stress.empty() && !series.torque.empty()) ||
-                 (series.normal_stress.empty() && !series.normal_force.empty());
         std::string why = view.roles[i].reason;
         if (!block.name.empty()) why = fmt::format("{}: {}", block.name, why);
         if (several && !block.test.empty()) why = fmt::format("{}: {}", block.test, why);
         const std::string rows_lines =
             series.line.empty() ? "-"
                                 : fmt::format("{}-{}", series.line.front(), series.line.back());
-        lines.push_back(fmt::format("  {:>8} {:<10} {:>6} {:>13} {:>10} {:>12}  {}", block.number,
+        lines.push_back(fmt::format("  {:>8} {:<10} {:>6} {:>13} {:>18} {:>22}  {}", block.number,
                                     view.roles[i].role, series.size(), rows_lines,
                                     known_text(median_of_known(series.normal())),
                                     known_text(greatest_size(series.shear())), why));
     }
-    if (forces)
-        lines.emplace_back(
-            "  (Where the file has no stresses: normal force [N] and torque [N m].)");
     return lines;
 }
 
@@ -224,11 +224,12 @@ std::vector<std::string> yield_locus_lines(const FileView& view) {
         if (locus.preshear && !locus.preshear->plateau)
             heading += " (still changing at its end: the preshear was too short)";
         lines.push_back(heading + ":");
-        lines.push_back(fmt::format("  {:>8} {:>8} {:>10} {:>10} {:>16} {:>16}", "interval", "line",
-                                    "s22 [Pa]", "s12 [Pa]", "smoothed s22", "smoothed s12"));
+        lines.push_back(fmt::format("  {:>8} {:>8} {:>18} {:>18} {:>16} {:>16}", "interval", "line",
+                                    "normal stress [Pa]", "shear stress [Pa]", "smoothed normal",
+                                    "smoothed shear"));
         for (const FailurePoint& point : locus.points)
             lines.push_back(fmt::format(
-                "  {:>8} {:>8} {:>10.4g} {:>10.4g} {:>16.4g} {:>16.4g}{}", point.interval,
+                "  {:>8} {:>8} {:>18.4g} {:>18.4g} {:>16.4g} {:>16.4g}{}", point.interval,
                 point.line, point.normal_stress, point.shear_stress, point.smoothed_normal_stress,
                 point.smoothed_shear_stress,
                 point.at_end ? "  at the last rows: failure may not have been reached" : ""));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "reports/with_error.h"
@@ -13,6 +14,8 @@ namespace {
 constexpr std::size_t most_lines = 2;
 /// Smallest shift worth a sentence, in standard errors of the parameter [1].
 constexpr double worth_a_line = 0.1;
+/// Smallest shift worth a row of the table, in standard errors of the parameter [1].
+constexpr double worth_a_row = 0.05;
 
 bool named(const Impact& impact, const Diagnosis& d) {
     const auto& names = impact.measurement ? d.suspects : d.effects;
@@ -47,12 +50,16 @@ std::string if_wrong(const Impact& impact, double size) {
                        size_text(impact, std::abs(size)), size < 0 ? "low" : "high");
 }
 
+/// Beginning of a sentence on an effect or error: "With wall-friction in the model", "If
+/// torque-gain were present with gain 1.02".
 std::string condition_of(const Impact& impact, const Shift& shift, bool at_estimate) {
     if (impact.measurement) return if_wrong(impact, shift.size);
-    if (impact.quantity == "on") return fmt::format("With {}", impact.name);
-    return at_estimate ? fmt::format("With {} at its estimated size", impact.name)
-                       : fmt::format("If {} of {} were present", impact.name,
-                                     size_text(impact, shift.size));
+    if (at_estimate || impact.quantity == "on")
+        return fmt::format("With {} in the model", impact.name);
+    std::string parameter = impact.quantity;
+    std::ranges::replace(parameter, '_', ' ');
+    return fmt::format("If {} were present with {} {}", impact.name, parameter,
+                       size_text(impact, shift.size));
 }
 
 /// Sentence on the shift of the first parameter at one size; empty where the shift is negligible.
@@ -61,9 +68,9 @@ std::string line_of(const ImpactTable& table, const Impact& impact, bool at_esti
     const double by = shift.best()(0), error = table.errors(0);
     if (!(std::abs(by) >= worth_a_line * error)) return "";
     const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
-    return fmt::format("{}, the fitted {} would be {:.{}f} {} ({:.{}f} instead of {:.{}f}).",
+    return fmt::format("{}, the {} fitted to all readings {} {:.{}f} instead of {:.{}f}.",
                        condition_of(impact, shift, at_estimate), table.parameters.front().name,
-                       std::abs(by), digits, by < 0 ? "lower" : "higher", table.fitted(0) + by,
+                       at_estimate && !impact.measurement ? "is" : "would be", table.fitted(0) + by,
                        digits, table.fitted(0), digits);
 }
 
@@ -73,7 +80,7 @@ std::string shift_text(double by, double error) {
 }
 
 std::string group_name(const GroupImpact& sum) {
-    return "group " + sum.group;
+    return "sum, " + sum.group;
 }
 
 /// Number of characters of the longest name in the table.
@@ -91,13 +98,14 @@ std::size_t width_of(const ImpactTable& table) {
 std::string row_of(const ImpactTable& table, const Impact& impact, std::size_t width) {
     const double error = table.errors(0);
     const auto both = [&](const Shift& shift) {
-        return fmt::format("{:>14} {:>9} {:>9}", size_text(impact, shift.size),
-                           shift_text(shift.linear(0), error),
-                           shift.refitted.size() > 0 ? shift_text(shift.refitted(0), error) : "");
+        const std::string size = impact.quantity == "on" ? "on" : size_text(impact, shift.size);
+        const bool refitted = shift.refitted.size() > 0;
+        return fmt::format("{:>14} {:>9}{}", size, shift_text(shift.best()(0), error),
+                           refitted ? " " : "*");
     };
-    return fmt::format("  {:<{}} {} {} {:>9} {:>9} {:>7}", impact_name(impact), width,
+    return fmt::format("  {:<{}} {} {} {:>9} {:>7}", impact_name(impact), width,
                        both(impact.at_interest), both(impact.at_estimate),
-                       shift_text(impact.up()(0), error), shift_text(impact.down()(0), error),
+                       shift_text(impact.by_error()(0), error).substr(1),
                        std::isfinite(impact.pull()) ? fmt::format("{:.1f}", impact.pull()) : "-");
 }
 
@@ -128,27 +136,38 @@ std::vector<std::string> impact_table(const ImpactTable& table) {
     if (table.impacts.empty()) return {};
     const std::string& parameter = table.parameters.front().name;
     const std::size_t width = width_of(table);
-    std::vector<std::string> lines = {
-        fmt::format("  {:<{}} {:>14} {:>9} {:>9} {:>14} {:>9} {:>9} {:>9} {:>9} {:>7}",
-                    "shift of " + parameter + " by", width, "smallest size", "linear", "refitted",
-                    "estimate", "linear", "refitted", "+1 error", "-1 error", "pull")};
+    std::vector<std::string> lines = {fmt::format(
+        "  {:<{}} {:>14} {:>10} {:>14} {:>10} {:>9} {:>7}", "shift of " + parameter + " by", width,
+        "if it matters", "shift", "as estimated", "shift", "per error", "pull")};
+    std::size_t negligible = 0;
     for (const Impact& impact : table.impacts) {
-        lines.push_back(row_of(table, impact, width));
+        const std::array shifts = {impact.at_interest.best()(0), impact.at_estimate.best()(0),
+                                   impact.by_error()(0)};
+        const bool counts = std::ranges::any_of(
+            shifts, [&](double shift) { return std::abs(shift) >= worth_a_row * table.errors(0); });
+        if (counts)
+            lines.push_back(row_of(table, impact, width));
+        else
+            ++negligible;
+    }
+    if (negligible > 0) {
+        lines.push_back(fmt::format("  ... {} more that shift it by less than {} of its error",
+                                    negligible, worth_a_row));
     }
     for (const GroupImpact& sum : table.groups) {
         const auto text = [&](const Eigen::VectorXd& by) {
             return shift_text(by(0), table.errors(0)).substr(1);
         };
-        lines.push_back(fmt::format("  {:<{}} {:>14} {:>9} {:>9} {:>14} {:>9} {:>9} {:>9}",
-                                    group_name(sum), width, "", text(sum.at_interest), "", "",
-                                    text(sum.at_estimate), "", text(sum.by_error)));
+        lines.push_back(fmt::format("  {:<{}} {:>14} {:>9}  {:>14} {:>9}  {:>9}", group_name(sum),
+                                    width, "", text(sum.at_interest), "", text(sum.at_estimate),
+                                    text(sum.by_error)));
     }
     lines.push_back(fmt::format(
-        "  (shift of the fitted {} if the model took the effect or error of measurement into "
-        "account; smallest size: the smallest that matters; estimate: the estimated size; linear: "
-        "by covariance; refitted: the other parameters fitted again; +1 error, -1 error: further "
-        "shift one standard error above and below the estimate; pull: distance of the estimate "
-        "from no effect, in standard errors; groups: root of the sum of squares)",
+        "  (shift of the fitted {} with the effect or the error of measurement in the model; if it "
+        "matters: at the smallest size that matters; as estimated: at the estimated size; *: "
+        "linear, "
+        "without a refit; per error: for one standard error of the estimate; pull: distance of the "
+        "estimate from no effect, in standard errors; sum: root of the sum of squares)",
         parameter));
     return lines;
 }

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "analysis/diagnosis/study_evidence.h"
+#include "data/quantities/number.h"
 #include "reports/figure_style.h"
 #include "reports/figure_text.h"
 #include "reports/with_error.h"
@@ -14,11 +15,11 @@
 namespace pendular {
 namespace {
 
-/// Text of a condition: "300 Pa, I 0.03 (1.2 1/s), dry, 60 g of beads".
+/// Text of a condition: "300 Pa, I = 0.03 (shear rate 1.2 1/s), dry, 60 g of beads".
 std::string where(const Condition& c, const Study& study) {
-    std::string text =
-        fmt::format("{:.4g} Pa, I {:.2g} ({:.3g} 1/s)", c.normal_stress, c.inertial_number,
-                    shear_rate_at(c.inertial_number, c.normal_stress, study.grains));
+    std::string text = fmt::format("{} Pa, I = {:.2g} (shear rate {:.3g} 1/s)",
+                                   short_text(c.normal_stress), c.inertial_number,
+                                   shear_rate_at(c.inertial_number, c.normal_stress, study.grains));
     text += c.dry() ? ", dry" : fmt::format(", liquid content {:.3g}", c.liquid_content);
     return c.bead_volume ? text + fmt::format(", {:.3g} g of beads", 1e3 * mass_of(c, study))
                          : text;
@@ -38,8 +39,8 @@ std::string readings(int count) {
     return count == 1 ? "1 reading" : fmt::format("{} readings", count);
 }
 
-/// Text of `count` measurements at a point: "3 readings at 300 Pa, I 0.03 (1.2 1/s), dry",
-/// "1 direct measurement of torque-offset.torque".
+/// Text of `count` measurements at a point: "3 readings at 300 Pa, I = 0.03 (shear rate 1.2 1/s),
+/// dry", "1 direct measurement of torque-offset.torque".
 std::string to_measure(const Point& point, int count, const Study& study) {
     if (!point.direct) return fmt::format("{} at {}", readings(count), where(point, study));
     return fmt::format(
@@ -113,10 +114,10 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
     }
     const std::string apart = joined(pair_names(next, true));
     if (steps.size() == 1) {
-        lines.push_back(fmt::format("Measure {}: that tells {} apart.", measure(steps[0]), apart));
+        lines.push_back(fmt::format("Measure {}. This tells {} apart.", measure(steps[0]), apart));
         add_forecasts(lines, next, plan_at(next, steps[0].point));
     } else {
-        lines.push_back(fmt::format("Take these {} measurements: together they tell {} apart.",
+        lines.push_back(fmt::format("Take these {} measurements. Together they tell {} apart.",
                                     next.series.readings(), apart));
         for (const Series::Step& step : steps) {
             lines.push_back(measure(step));
@@ -132,9 +133,10 @@ std::vector<std::string> separating_lines(const NextMeasurement& next) {
 std::vector<std::string> sharpening_lines(const NextMeasurement& next) {
     const Sharpening& best = next.sharpenings.front();
     const Rival& model = next.rivals.front();
-    std::vector<std::string> lines = {
-        fmt::format("Measure {}: that makes the parameters of the model most precise.",
-                    to_measure(next.points[best.point], next.most_repeats, next.study))};
+    std::vector<std::string> lines = {fmt::format(
+        "Measure {}. Of all conditions considered, this one makes the fitted parameters "
+        "most precise.",
+        to_measure(next.points[best.point], next.most_repeats, next.study))};
     const auto& parameters = model.model->parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);

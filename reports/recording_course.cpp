@@ -65,7 +65,8 @@ std::vector<AveragedWindow> windows_of_study(const FileView& view,
             windows.push_back({row_of(reading.origin.line), row_of(reading.last_line + 1),
                                Kind::used, reading.origin.line});
     for (const Excluded& rows : excluded)
-        if (rows.origin.file == view.file.file && rows.kind != Excluded::Kind::rows)
+        if (rows.origin.file == view.file.file && rows.kind != Excluded::Kind::rows &&
+            rows.kind != Excluded::Kind::beside_plateau)
             windows.push_back(
                 {row_of(rows.origin.line), row_of(rows.last_line + 1),
                  rows.kind == Excluded::Kind::reading ? Kind::set_aside : Kind::no_plateau});

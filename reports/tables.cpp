@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "data/quantities/number.h"
+#include "reports/failure_report.h"
 #include "reports/with_error.h"
 
 namespace pendular {
@@ -28,32 +30,50 @@ constexpr std::size_t place_width = 28;
 }  // namespace
 
 std::string misfit_text(const Misfit& misfit) {
-    return fmt::format("chi2 = {:.2f} for {} degrees of freedom (p = {:.2g}{})", misfit.chi2,
-                       misfit.dof, misfit.p(),
-                       std::isfinite(misfit.freedom) && misfit.dof > 0
-                           ? ", with allowance for errors that are estimated from few repetitions"
-                           : "");
-}
-
-/// Text of an error with two significant digits, without an exponent.
-std::string error_text(double error) {
-    const double rounded = std::stod(fmt::format("{:.1e}", error));
-    return std::abs(rounded) >= 10 ? fmt::format("{:.0f}", rounded)
-                                   : fmt::format("{:.2g}", rounded);
+    return fmt::format("chi2 = {:.1f} for {} degrees of freedom (p {})", misfit.chi2, misfit.dof,
+                       p_text(misfit.p()));
 }
 
 std::vector<std::string> readings_table(const Measurements& measurements) {
     std::vector<std::string> lines = {
-        fmt::format("  {:<{}} {:>10} {:>10} {:>10} {:>19} {:>19}", "reading", place_width,
-                    "s22 [Pa]", "I [1]", "liquid [1]", "shear stress [Pa]", "solid fraction [1]")};
+        fmt::format("  {:<{}} {:>13} {:>9} {:>8} {:>18} {:>20}", "", place_width, "normal",
+                    "inertial", "liquid", "", ""),
+        fmt::format("  {:<{}} {:>13} {:>9} {:>8} {:>18} {:>20}", "reading", place_width,
+                    "stress [Pa]", "number", "content", "shear stress [Pa]", "solid fraction")};
     for (const auto& r : measurements.readings) {
-        lines.push_back(fmt::format(
-            "  {:<{}} {:>10.4g} {:>10.3g} {:>10.3g} {:>10.4g} +-{:>6} {:>10.4f} +-{:>6.1g}",
-            place(r), place_width, r.condition.normal_stress, r.condition.inertial_number,
-            r.condition.liquid_content, r.value(0), error_text(std::sqrt(r.covariance(0, 0))),
-            r.value(1), std::sqrt(r.covariance(1, 1))));
+        lines.push_back(fmt::format("  {:<{}} {:>13.4g} {:>9.3g} {:>8.3g} {:>18} {:>20}", place(r),
+                                    place_width, r.condition.normal_stress,
+                                    r.condition.inertial_number, r.condition.liquid_content,
+                                    with_error(r.value(0), std::sqrt(r.covariance(0, 0))),
+                                    with_error(r.value(1), std::sqrt(r.covariance(1, 1)))));
     }
     return lines;
+}
+
+std::string excluded_text(const Measurements& measurements) {
+    using Kind = Excluded::Kind;
+    struct Words {
+        Kind kind;
+        const char *one, *several;
+    };
+    constexpr std::array<Words, 4> words = {
+        {{Kind::beside_plateau, "transient", "transients"},
+         {Kind::step_without_plateau, "step without a plateau", "steps without a plateau"},
+         {Kind::reading, "reading set aside", "readings set aside"},
+         {Kind::rows, "other range of rows", "other ranges of rows"}}};
+    std::string text;
+    for (const auto& [kind, one, several] : words) {
+        const auto count = std::ranges::count(measurements.excluded, kind, &Excluded::kind);
+        if (count == 0) continue;
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? one : several);
+    }
+    return text;
+}
+
+bool beyond_transients(const Measurements& measurements) {
+    return std::ranges::any_of(measurements.excluded, [](const Excluded& each) {
+        return each.kind != Excluded::Kind::beside_plateau;
+    });
 }
 
 std::vector<std::string> excluded_table(const Measurements& measurements) {
@@ -77,37 +97,41 @@ std::vector<std::string> scatter_table(const Measurements& measurements) {
         std::vector<std::string> names;
         for (const std::string& file : group.files)
             names.push_back(std::filesystem::path(file).filename().string());
-        lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   from step to step in {}",
+        lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   differs from step to step: {}",
                                     100 * std::sqrt(group.excess(0, 0)),
                                     100 * std::sqrt(group.excess(1, 1)), fmt::join(names, ", ")));
     }
     if (lines.empty()) return lines;
-    lines.insert(lines.begin(),
-                 fmt::format("Scatter between repetitions [% of the value], at {} Pa{}:",
-                             short_text(scatter.reference_stress),
-                             scatter.stated ? ", as stated in [scatter]" : ""));
+    lines.insert(lines.begin(), fmt::format("Scatter of repeated readings [% of the value] at {} "
+                                            "Pa, the geometric mean of the normal "
+                                            "stresses{}:",
+                                            short_text(scatter.reference_stress),
+                                            scatter.stated ? ", as stated in [scatter]" : ""));
     lines.insert(lines.begin() + 1,
                  fmt::format("  {:>12} {:>14}", "shear stress", "solid fraction"));
     const auto& [stress, fraction] = scatter.filling;
     if (stress.variance > 0 || fraction.variance > 0) {
-        lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   shared by all steps of a filling",
+        lines.push_back(fmt::format("  {:>12.2f} {:>14.2f}   common to all steps of a filling",
                                     100 * std::sqrt(stress.variance),
                                     100 * std::sqrt(fraction.variance)));
     }
     if (scatter.load_exponent.cwiseAbs().maxCoeff() > 0.05) {
-        lines.push_back(
-            fmt::format("  The scatter from step to step is proportional to the normal stress to "
-                        "the power {:.2f} (shear stress) and {:.2f} (solid fraction).",
-                        -scatter.load_exponent(0), -scatter.load_exponent(1)));
+        lines.push_back(fmt::format(
+            "  The scatter that differs from step to step is proportional to the normal stress to "
+            "the power {:.2f} (shear stress) and {:.2f} (solid fraction).",
+            -scatter.load_exponent(0), -scatter.load_exponent(1)));
     }
     return lines;
 }
 
 std::vector<std::string> predictions_table(const Comparison& comparison, bool worst_first) {
     std::vector<std::string> lines = {
-        fmt::format("  {:<{}} {:>9} {:>9} | {:>9} {:>9} {:>6} | {:>9} {:>9} {:>6} | {:>6}",
-                    worst_first ? "reading (worst fit first)" : "reading", place_width, "s22 [Pa]",
-                    "I [1]", "s12 [Pa]", "model", "sigma", "Phi_S [1]", "model", "sigma", "chi2")};
+        fmt::format("  {:<{}} {:>11} {:>9} | {:<31} | {:<29} | {:>6}", "", place_width, "normal",
+                    "inertial", "shear stress [Pa]", "solid fraction", "part"),
+        fmt::format("  {:<{}} {:>11} {:>9} | {:>9} {:>9} {:>11} | {:>8} {:>7} {:>12} | {:>6}",
+                    worst_first ? "reading (worst fit first)" : "reading", place_width,
+                    "stress [Pa]", "number", "measured", "model", "resid./err.", "measured",
+                    "model", "resid./err.", "chi2")};
     std::vector<ReadingMisfit> misfits = comparison.readings;
     if (worst_first) {
         std::ranges::stable_sort(misfits, std::greater<>(),
@@ -115,15 +139,15 @@ std::vector<std::string> predictions_table(const Comparison& comparison, bool wo
     }
     for (const auto& m : misfits) {
         lines.push_back(fmt::format(
-            "  {:<{}} {:>9.4g} {:>9.3g} | {:>9.4g} {:>9.4g} {:>6.2f} | {:>9.4f} {:>9.4f} {:>6.2f} "
-            "| {:>6.2f}",
+            "  {:<{}} {:>11.4g} {:>9.3g} | {:>9.4g} {:>9.4g} {:>11.2f} | {:>8.4f} {:>7.4f} "
+            "{:>12.2f} | {:>6.2f}",
             place(m.reading), place_width, m.reading.condition.normal_stress,
             m.reading.condition.inertial_number, m.reading.value(0), m.predicted(0),
             m.normalised(0), m.reading.value(1), m.predicted(1), m.normalised(1), m.chi2.sum()));
     }
     lines.push_back(
-        "  (sigma: measured minus model, over the standard error of the difference; the two values "
-        "of a reading may be correlated)");
+        "  (resid./err.: residual, measured minus model, over its standard error; part of chi2: "
+        "from this reading, in the sum over all readings that are correlated by common errors)");
     for (const DirectMisfit& direct : comparison.direct) {
         const DirectMeasurement& m = direct.measurement;
         lines.push_back(fmt::format(
@@ -142,7 +166,7 @@ std::vector<std::string> misfit_table(const Comparison& comparison) {
     lines.push_back("Chi2 by condition:");
     for (const auto& group : comparison.by_condition) {
         lines.push_back(fmt::format(
-            "  s22 {:>8.4g} Pa, I {:>8.3g}, liquid content {:>6.3g}: {:>7.2f} from {} reading{}",
+            "  {:>8.4g} Pa, I = {:<8.3g}, liquid content {:>6.3g}: {:>8.2f} from {} reading{}",
             group.condition.normal_stress, group.condition.inertial_number,
             group.condition.liquid_content, group.chi2, group.readings.size(),
             group.readings.size() == 1 ? "" : "s"));
@@ -162,7 +186,7 @@ std::vector<std::string> misfit_table(const Comparison& comparison) {
 namespace {
 
 /// Text of the deviations of a cohesion line from points that it was not fitted to, as means of
-/// replicates: "+6.3 +- 1.2 % at P* 1.4, +3.0 +- 1.0 % at P* 1.9".
+/// replicates: "6.3 +- 1.2 % too high at P* = 1.4, 3.0 +- 1.0 % too low at P* = 1.9".
 std::string deviations(const std::vector<Overestimate>& points) {
     std::vector<std::pair<std::string, std::vector<Overestimate>>> groups;
     for (const Overestimate& point : points) {
@@ -184,8 +208,9 @@ std::string deviations(const std::vector<Overestimate>& points) {
             mean.standard_error +=
                 one.relative.standard_error / static_cast<double>(replicates.size());
         }
-        text += fmt::format("{}{:+.1f} +- {:.1f} % at P* {}", text.empty() ? "" : ", ",
-                            100 * mean.value, 100 * mean.standard_error, at);
+        text += fmt::format("{}{} % {} at P* = {}", text.empty() ? "" : ", ",
+                            with_error(std::abs(100 * mean.value), 100 * mean.standard_error),
+                            mean.value < 0 ? "too low" : "too high", at);
     }
     return text;
 }
@@ -212,29 +237,30 @@ std::vector<std::string> cohesion_table(const std::vector<CohesionLine>& lines) 
     if (lines.empty()) {
         return {};
     }
-    const auto estimate = [](const Estimate& e, const char* form) {
-        return fmt::format("{} +- {}", fmt::format(fmt::runtime(form), e.value),
-                           fmt::format(fmt::runtime(form), e.standard_error));
-    };
+    const auto estimate = [](const Estimate& e) { return with_error(e.value, e.standard_error); };
     std::vector<std::string> table = {
-        "Cohesion lines: stress ratio = intercept + c*/P*",
-        fmt::format("  {:<10} {:>10} {:>9} {:>18} {:>18} {:>6} {:>16} {:>9} {:>6}", "source",
-                    "liquid [1]", "I [1]", "intercept [1]", "c* [1]", "corr.", "cohesion [Pa]",
-                    "P* from", "points")};
+        "Cohesion: stress ratio = intercept + c*/P*, with the reduced pressure P*",
+        fmt::format("  {:<10} {:>8} {:>9} {:>18} {:>18} {:>11} {:>16} {:>9} {:>7}", "line",
+                    "liquid", "inertial", "", "reduced", "", "", "lowest", ""),
+        fmt::format("  {:<10} {:>8} {:>9} {:>18} {:>18} {:>11} {:>16} {:>9} {:>7}", "through",
+                    "content", "number", "intercept", "cohesion c*", "correlation", "cohesion [Pa]",
+                    "P*", "points")};
     for (const auto& line : measured_beside_simulated(lines)) {
-        table.push_back(fmt::format(
-            "  {:<10} {:>10.3g} {:>9.3g} {:>18} {:>18} {:>6.2f} {:>16} {:>9.3g} {:>6}", line.source,
-            line.liquid_content, line.inertial_number,
-            estimate(line.stress_ratio_intercept, "{:.4f}"),
-            estimate(line.reduced_cohesion, "{:.3f}"), line.correlation,
-            estimate(line.cohesion, "{:.1f}"), line.lowest_reduced_pressure, line.points));
+        table.push_back(
+            fmt::format("  {:<10} {:>8.3g} {:>9.3g} {:>18} {:>18} {:>11.2f} {:>16} {:>9.3g} {:>7}",
+                        line.source == "measured" ? "readings" : "model", line.liquid_content,
+                        line.inertial_number, estimate(line.stress_ratio_intercept),
+                        estimate(line.reduced_cohesion), line.correlation, estimate(line.cohesion),
+                        line.lowest_reduced_pressure, line.points));
     }
     for (const auto& line : lines) {
         if (!line.below.empty()) {
-            table.push_back(fmt::format(
-                "  The {} line of liquid content {:.3g} at I {:.3g} deviates from points that it "
-                "was not fitted to: {}.",
-                line.source, line.liquid_content, line.inertial_number, deviations(line.below)));
+            table.push_back(
+                fmt::format("  Below the lowest P* of its fit, the line through the {} (liquid "
+                            "content {:.3g}, I = "
+                            "{:.3g}) gives a stress ratio that is {}.",
+                            line.source == "measured" ? "readings" : "model", line.liquid_content,
+                            line.inertial_number, deviations(line.below)));
         }
     }
     return table;

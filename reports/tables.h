@@ -18,6 +18,13 @@ std::vector<std::string> readings_table(const Measurements& measurements);
 /// with the reason.
 std::vector<std::string> excluded_table(const Measurements& measurements);
 
+/// Text that counts the rows that import left out, by kind: "44 transients, 6 readings set
+/// aside"; empty where it left out none.
+std::string excluded_text(const Measurements& measurements);
+
+/// Whether import left out rows other than the transients of steps.
+bool beyond_transients(const Measurements& measurements);
+
 /// Table of the scatter of shear stress and solid fraction between repeated readings [% of the
 /// value]: between steps, and between fillings of the cell. Empty where the scatter is neither
 /// estimated nor stated.

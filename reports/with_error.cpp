@@ -52,11 +52,21 @@ std::string with_error(double value, double error, const std::string& unit) {
     return unit == "1" ? number : fmt::format("{} {}{}", number, prefix.letter, unit);
 }
 
-std::string with_unit(double value, const std::string& unit) {
+std::string change_text(double change, double value, double error, const std::string& unit) {
+    const Prefix prefix = prefix_of(std::max(std::abs(value), std::abs(error)), unit);
+    const double rounded = error / prefix.factor;
+    const int digits = rounded > 0 && std::isfinite(rounded)
+                           ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(rounded))))
+                           : 4;
+    const std::string number = fmt::format("{:+.{}f}", change / prefix.factor, digits);
+    return unit == "1" ? number : fmt::format("{} {}{}", number, prefix.letter, unit);
+}
+
+std::string with_unit(double value, const std::string& unit, int digits) {
     const Prefix prefix = prefix_of(std::abs(value), unit);
     const double scaled = value / prefix.factor;
-    const std::string number = std::abs(scaled) < 100
-                                   ? fmt::format("{:.2g}", scaled)
+    const std::string number = std::abs(scaled) < 100 || digits > 2
+                                   ? fmt::format("{:.{}g}", scaled, digits)
                                    : fmt::format("{:.0f}", 10 * std::round(scaled / 10));
     return unit == "1" ? number : fmt::format("{} {}{}", number, prefix.letter, unit);
 }

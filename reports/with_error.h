@@ -13,8 +13,14 @@ std::string with_error(double value, double error);
 /// "N m". `unit`: SI unit of value and error; the unit "1" is left out.
 std::string with_error(double value, double error, const std::string& unit);
 
-/// Text of a value with two significant digits and its unit, with an SI prefix as in `with_error`:
-/// "5.6 uN" for 5.6e-6 and "N", "0.12" for 0.12 and "1". `unit`: SI unit of the value.
-std::string with_unit(double value, const std::string& unit);
+/// Text of a change of a value, with sign, SI prefix and unit, rounded to the second significant
+/// digit of the value's standard error: "-0.0145". `value`: the value itself, whose size chooses
+/// the prefix; `unit`: SI unit of all three.
+std::string change_text(double change, double value, double error, const std::string& unit);
+
+/// Text of a value with two (or `digits`) significant digits and its unit, with an SI prefix as in
+/// `with_error`: "5.6 uN" for 5.6e-6 and "N", "0.12" for 0.12 and "1". `unit`: SI unit of the
+/// value.
+std::string with_unit(double value, const std::string& unit, int digits = 2);
 
 }  // namespace pendular

@@ -93,6 +93,7 @@ Json to_json(const Measurements& measurements) {
     for (const FileFinding& finding : measurements.file_findings)
         json["file_findings"].push_back(file_finding_json(finding));
     json["notes"] = measurements.notes;
+    if (measurements.weight_note) json["notes"].push_back(*measurements.weight_note);
     return json;
 }
 

@@ -125,19 +125,18 @@ nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& befo
             {"after", side(after)}};
 }
 
-void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after,
-                  Ladder& ladder, const std::filesystem::path& out) {
+void apply_change(const StudyChange& change, const LadderStep& before, LadderStep after,
+                  const Fitted& fit, Ladder& ladder, const std::filesystem::path& out) {
     const std::filesystem::path& file = change.study.study().file;
     if (read_text(file, largest_settings) != change.old_text) {
         throw InputError({file.string()},
                          "has changed while the fit was under way; nothing was written: give the "
                          "same command again");
     }
-    LadderStep ladder_step = after.ladder_step;
-    ladder_step.change = word_for(change.change);
-    ladder_step.effect = change.effect;
-    climb(ladder, before, std::move(ladder_step));
-    write_calibration(out, after.calibration, after.comparison, after.belief);
+    after.change = word_for(change.change);
+    after.effect = change.effect;
+    climb(ladder, before, std::move(after));
+    write_calibration(out, fit.calibration, fit.comparison, fit.belief);
     write_ladder(out / "ladder.json", ladder);
     replace_study(file, change.new_text);
 }
@@ -157,6 +156,17 @@ std::optional<Calibration> earlier_fit(const std::filesystem::path& file,
     } catch (const InputError&) {
         return std::nullopt;
     }
+}
+
+/// The study with all readings fitted together.
+ResolvedStudy fitting_all(const ResolvedStudy& study) {
+    Study changed = study;
+    changed.model.fit_to = "all";
+    return study.changed_to(std::move(changed));
+}
+
+bool fits_all(const Fitted& fit) {
+    return fit.calibration.fitted == fit.calibration.readings.size();
 }
 
 /// Compares a calibration with all readings, and computes its errors at conditions left out.
@@ -184,30 +194,42 @@ ChangedStudy change_study(const ResolvedStudy& study, const Measurements& measur
         session.fidelity = earlier->fidelity;
         fit.cohesion = earlier->cohesion;
     }
+    FitOptions unconfirmed = fit;
+    unconfirmed.confirm = false;
+    const auto fit_now = [&](const ResolvedStudy& one, const FitOptions& how) {
+        return fitted(one, fit_study(one, measurements, session, how), session);
+    };
+    const ResolvedStudy changed = change.study;
+    const std::vector<Reading> readings = dry_first(measurements);
+    const bool all_before = fitted_count(study, readings) == readings.size(),
+               all_after = fitted_count(changed, readings) == readings.size();
     Fitted before;
-    if (comparable && earlier->cold == begins_cold(study, session, fit)) {
+    if (comparable && (all_before || !all_after) &&
+        earlier->cold == begins_cold(study, session, fit)) {
         before = fitted(study, std::move(*earlier), session);
     } else {
         tell(session.listener,
              {.kind = Event::Kind::stage, .text = "fitting the study before the change"});
-        FitOptions unconfirmed = fit;
-        unconfirmed.confirm = false;
-        before = fitted(study, fit_study(study, measurements, session, unconfirmed), session);
+        before = fit_now(all_after ? fitting_all(study) : study, unconfirmed);
     }
     tell(session.listener,
          {.kind = Event::Kind::stage,
           .text = fmt::format("fitting {} {}", what == Action::add ? "with" : "without", effect)});
-    const ResolvedStudy& changed = change.study;
-    Fitted after = fitted(changed, fit_study(changed, measurements, session, fit), session);
+    ChangedStudy result{.change = std::move(change), .before = std::move(before)};
+    Fitted& after = result.after = fit_now(changed, fit);
     after.belief = belief_in(changed, measurements, after.calibration, after.comparison);
     if (what == Action::add) {
         after.ladder_step.rivals = rivals_in(options.folder / "diagnosis.json", study, effect);
     }
-    const bool written = after.calibration.fit.converged;
-    if (written) {
-        apply_change(change, before.ladder_step, after, ladder, options.folder);
+    result.written = after.calibration.fit.converged;
+    if (result.written) {
+        if (fits_all(result.before) && !fits_all(after))
+            result.after_to_all = fit_now(fitting_all(changed), unconfirmed);
+        apply_change(result.change, result.before.ladder_step,
+                     result.comparable_after().ladder_step, after, ladder, options.folder);
     }
-    return {std::move(change), std::move(before), std::move(after), std::move(ladder), written};
+    result.ladder = std::move(ladder);
+    return result;
 }
 
 }  // namespace pendular

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,19 +60,30 @@ nlohmann::ordered_json to_json(const StudyChange& change, const LadderStep& befo
 /// Makes a fitted change of effects permanent: appends the model after it to the ladder (the
 /// sequence of the study's models), writes fit.json and ladder.json to `folder`, and last writes
 /// study.toml.
+/// @param before, after the models before and after the change, fitted to the same readings
+/// @param fit the fit of the changed study, for fit.json
 /// @throws InputError where study.toml has changed since it was read; nothing is written
 /// @throws std::runtime_error where a file cannot be written; study.toml is then unchanged
-void apply_change(const StudyChange& change, const LadderStep& before, const Fitted& after,
-                  Ladder& ladder, const std::filesystem::path& folder);
+void apply_change(const StudyChange& change, const LadderStep& before, LadderStep after,
+                  const Fitted& fit, Ladder& ladder, const std::filesystem::path& folder);
 
 /// Result of a change of the effects that a study lists: its fits before and after the change.
 struct ChangedStudy {
     StudyChange change;
-    Fitted before, after;
+    /// Fit of the study before the change. Where the study after the change fits all readings and
+    /// the study before it the dry ones alone, `before` is a fit to all readings as well.
+    Fitted before;
+    Fitted after;  ///< fit of the study after the change, as in fit.json
+    /// Fit to all readings after the change, where `before` fits all readings and `after` the dry
+    /// ones alone.
+    std::optional<Fitted> after_to_all;
     Ladder ladder;  ///< sequence of the study's models; the last is the changed one if `written`
     /// Whether the change was written to study.toml; false where the fit after the change did not
     /// converge.
     bool written = false;
+
+    /// The fit after the change that uses the same readings as `before`.
+    const Fitted& comparable_after() const { return after_to_all ? *after_to_all : after; }
 };
 
 /// Options for fitting a study before and after a change of its effects.

@@ -147,16 +147,35 @@ void expand(SwitchedModel& model, const ResolvedStudy& study, const std::vector<
     model.without_each = without_each(stack(fitted, study.direct()), c.fit.prediction, c.fitted);
 }
 
-/// Fits the study with exactly these effects. `fewer`: fit with fewer effects; null: none.
-SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
-                          const StudyDiagnosis& d, const SessionOptions& session,
-                          const std::vector<Condition>& along, const Calibration* fewer) {
+/// The study with exactly these effects.
+/// @throws InputError for effects that the base model does not allow
+ResolvedStudy study_with(const Effects& effects, const ResolvedStudy& study) {
     Study changed = study;
     changed.model.effects.clear();
     for (const std::string& name : effects) {
         changed.model.effects.push_back({name, {study.study().file.string()}});
     }
-    const ResolvedStudy with = study.changed_to(std::move(changed));
+    return study.changed_to(std::move(changed));
+}
+
+/// The study with all readings fitted together where it is fitted so with one of its effects or of
+/// `switches`, so that the errors of all combinations can be compared; else the study.
+ResolvedStudy with_common_readings(const ResolvedStudy& study, const Effects& switches,
+                                   const std::vector<Reading>& readings) {
+    const bool all = std::ranges::any_of(switches, [&](const std::string& name) {
+        return fitted_count(study_with({name}, study), readings) == readings.size();
+    });
+    if (!all) return study;
+    Study changed = study;
+    changed.model.fit_to = "all";
+    return study.changed_to(std::move(changed));
+}
+
+/// Fits the study with exactly these effects. `fewer`: fit with fewer effects; null: none.
+SwitchedModel fitted_with(const Effects& effects, const ResolvedStudy& study,
+                          const StudyDiagnosis& d, const SessionOptions& session,
+                          const std::vector<Condition>& along, const Calibration* fewer) {
+    const ResolvedStudy with = study_with(effects, study);
     SwitchedModel result{.predictor = d.models->with_only(effects)};
     Calibration& c = result.calibration;
     c.readings = d.readings;
@@ -209,6 +228,7 @@ SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis&
         result.always.push_back(listed[k]);
     }
     result.switches.resize(std::min(result.switches.size(), most));
+    const ResolvedStudy fitted = with_common_readings(study, result.switches, diagnosis.readings);
     result.current = (std::size_t(1) << std::min(listed.size(), most)) - 1;
     result.models.resize(std::size_t(1) << result.switches.size());
     result.why_not.resize(result.models.size());
@@ -226,7 +246,7 @@ SwitchedModels switched_models(const ResolvedStudy& study, const StudyDiagnosis&
             if ((index >> k) & 1) effects.push_back(result.switches[k]);
         }
         try {
-            result.models[index] = fitted_with(effects, study, diagnosis, session, options.along,
+            result.models[index] = fitted_with(effects, fitted, diagnosis, session, options.along,
                                                best_with_fewer(result, index));
         } catch (const std::domain_error&) {
             result.why_not[index] = "the readings are impossible with these effects";

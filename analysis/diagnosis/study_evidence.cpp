@@ -126,7 +126,7 @@ EntryKinds entries_of(const std::vector<Reading>& readings,
 }
 
 std::string condition_text(const Condition& condition) {
-    std::string text = fmt::format("{} Pa, I {:.2g}", short_text(condition.normal_stress),
+    std::string text = fmt::format("{} Pa, I = {:.2g}", short_text(condition.normal_stress),
                                    condition.inertial_number);
     return text + (condition.dry()
                        ? ", dry"

@@ -57,7 +57,7 @@ Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const
         belief.reasons.push_back(measurements.doubts[k].what);
     }
     if (measurements.doubts.size() > most_doubts) {
-        belief.reasons.push_back(fmt::format("{} further doubts; 'pendular import' lists them.",
+        belief.reasons.push_back(fmt::format("{} further warnings; 'pendular import' lists them.",
                                              measurements.doubts.size() - most_doubts));
     }
     const std::size_t aside = readings_set_aside(measurements);
@@ -74,14 +74,18 @@ std::string error_basis(const Measurements& measurements) {
     const auto assumed = std::ranges::count_if(measurements.readings, &Reading::error_assumed);
     if (assumed > 0) {
         return fmt::format(
-            "errors of 2 % are assumed for {} of {} readings, since no reading was repeated",
+            "Standard errors of 2 % are assumed for {} of {} readings, since no reading was "
+            "repeated.",
             assumed, measurements.readings.size());
     }
-    if (measurements.scatter.stated) return "errors as stated in [scatter] of the study";
+    if (measurements.scatter.stated)
+        return "Standard errors are those stated in [scatter] of study.toml.";
     const auto repeated = std::ranges::count_if(measurements.readings,
                                                 [](const Reading& r) { return r.replicates > 1; });
-    return repeated > 0 ? fmt::format("errors from {} repeated readings", repeated)
-                        : "errors as given with the readings";
+    return repeated > 0
+               ? fmt::format("Standard errors come from the scatter of {} repeated readings.",
+                             repeated)
+               : "Standard errors are those given with the readings.";
 }
 
 }  // namespace pendular

@@ -178,6 +178,7 @@ std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& re
                                 const CohesionOptions& options, std::vector<std::string>& notes) {
     std::vector<CohesionLine> result;
     const double limit = options.lowest_reduced_pressure;
+    const bool is_measured = task.source == std::string("measured");
     for (const WetGroup& group : wet_groups(readings)) {
         if (group.at_failure) continue;  // a line is one of steady shear
         const Points all = points_of(group, readings, task, grains, liquid);
@@ -186,15 +187,18 @@ std::vector<CohesionLine> lines(const Task& task, const std::vector<Reading>& re
             std::vector<Eigen::Index> every = which.fitted;
             every.insert(every.end(), which.below.begin(), which.below.end());
             notes.push_back(fmt::format(
-                "There is no {} cohesion line for {}: it needs two reduced pressures 2 % apart at "
-                "or above {:.3g}; there are {}",
-                task.source, name_of(group), limit, list_of_pressures(all, every)));
+                "There is no cohesion line through the {} for {}: it needs points at two reduced "
+                "pressures P* of {:.3g} or more that differ by 2 %; there are points at P* = {}",
+                is_measured ? "readings" : "model", name_of(group), limit,
+                list_of_pressures(all, every)));
             continue;
         }
         if (!which.below.empty())
             notes.push_back(fmt::format(
-                "The {} cohesion line for {} leaves out the reduced pressures below {:.3g}: {}",
-                task.source, name_of(group), limit, list_of_pressures(all, which.below)));
+                "The cohesion line through the {} for {} is fitted to points with P* >= {:.3g}; it "
+                "leaves out those at P* = {}",
+                is_measured ? "readings" : "model", name_of(group), limit,
+                list_of_pressures(all, which.below)));
         CohesionLine line = line_through(all, which);
         line.source = task.source;
         line.liquid_content = group.liquid_content;

@@ -188,7 +188,7 @@ Measurements read_measurements(const Study& study) {
     pool_replicates(all, study.scatter);
     if (const auto note = merging_note(all.readings)) all.notes.push_back(*note);
     if (const auto note = note_on_failure(all.readings)) all.notes.push_back(*note);
-    if (const auto note = grain_weight_note(study, all.readings)) all.notes.push_back(*note);
+    all.weight_note = grain_weight_note(study, all.readings);
     return all;
 }
 

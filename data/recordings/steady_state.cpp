@@ -156,14 +156,17 @@ void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<i
     if (const std::string reason = unusable(means); !reason.empty())
         return exclude(series.size(), reason, Excluded::Kind::reading);
     if (*begin > 0)
-        exclude(*begin, fmt::format("transient of {:.3g} s, until torque and gap are steady",
-                                    series.time[*begin] - series.time.front()));
+        exclude(*begin,
+                fmt::format("transient of {:.3g} s, until torque and gap are steady",
+                            series.time[*begin] - series.time.front()),
+                Excluded::Kind::beside_plateau);
     if (steady.size() < level.size())
         result.excluded.push_back(
             {{setting.recording.file, level.line.front(), 0},
              level.line[level.size() - steady.size() - 1],
              fmt::format("step {}: part of a turn of the lid, whose wobble would bias the mean",
-                         number)});
+                         number),
+             Excluded::Kind::beside_plateau});
     if (means.coarse) coarse.push_back(number);
     result.readings.push_back(reading_of(means, steady, number, setting));
 }

@@ -252,10 +252,19 @@ std::vector<PageSection> sections_of(const PageContent& content) {
 std::vector<std::string> warnings_of(const PageContent& content) {
     std::vector<std::string> warnings;
     for (const std::string& reason : content.diagnosis.belief.reasons) {
-        warnings.push_back("Doubt: " + reason);
+        warnings.push_back("Warning: " + reason);
     }
     for (const Doubt& doubt : content.measurements.doubts) {
-        warnings.push_back("Doubt: " + doubt.what);
+        warnings.push_back("Warning: " + doubt.what);
+    }
+    const auto& models = content.switched.models;
+    const auto& current = models[content.switched.current];
+    if (current && current->calibration.model.fit_to == "all" &&
+        content.resolved.study().model.fit_to == "dry") {
+        warnings.push_back(
+            "All models on this page are fitted to all readings, so that their errors can be "
+            "compared. 'pendular calibrate' fits the dry readings alone where no effect of the "
+            "study needs the wet ones.");
     }
     if (content.resolved.study().model.fit_to == "dry" &&
         std::ranges::none_of(content.diagnosis.readings,

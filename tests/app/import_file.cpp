@@ -75,13 +75,16 @@ TEST(ImportFile, BeginsAStudyThatIsReadAtOnce) {
     const TemporaryFolder folder;
     const std::string study = (folder.path() / "begun").string();
     const std::string command = "import " + look_alikes + "powder_cell_all.txt --study " + study;
-    ASSERT_EQ(run_pendular(command).code, 0);
+    const Outcome begun = run_pendular(command);
+    ASSERT_EQ(begun.code, 0);
+    EXPECT_THAT(begun.output, AllOf(HasSubstr("are guesses, marked GUESS"),
+                                    HasSubstr("Next: edit " + study + "/study.toml")));
     EXPECT_THAT(content_of(study + "/study.toml"),
                 AllOf(HasSubstr("# GUESS: glass"), HasSubstr("file = \"steady.csv\""),
                       HasSubstr("file = \"failure.csv\"")));
     const Outcome read = run_pendular("import " + study);
     EXPECT_EQ(read.code, 0) << read.errors;
-    EXPECT_THAT(read.output, HasSubstr("4 readings are in"));
+    EXPECT_THAT(read.output, HasSubstr("4 readings written to"));
     const Outcome again = run_pendular(command);
     EXPECT_EQ(again.code, 2);
     EXPECT_THAT(again.errors, HasSubstr("is there already"));

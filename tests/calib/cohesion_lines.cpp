@@ -230,10 +230,10 @@ TEST(CohesionLines, LeaveOutPointsBelowTheLimitAndSayByHowMuchTheyAreOverestimat
     const double of_line = std::sqrt(e0 * e0 + e1 * e1 + 2 * line.correlation * e0 * e1);
     EXPECT_NEAR(line.below[0].relative.standard_error,
                 std::hypot(of_line / 0.52, 0.56 * 0.004 / (0.52 * 0.52)), 1e-7);
-    EXPECT_THAT(found.notes, ElementsAre(HasSubstr("below 2.3: 1, 0.5")));
+    EXPECT_THAT(found.notes, ElementsAre(HasSubstr(">= 2.3; it leaves out those at P* = 1, 0.5")));
     // Replicates are named once.
     readings.push_back(reading(1, 0.53, 0.004));
-    EXPECT_THAT(measured(readings).notes, ElementsAre(testing::EndsWith("below 2.3: 1, 0.5")));
+    EXPECT_THAT(measured(readings).notes, ElementsAre(testing::EndsWith("at P* = 1, 0.5")));
     readings.pop_back();
 
     // Another limit takes one of them in.
@@ -305,10 +305,12 @@ TEST(CohesionLines, NoteGroupsThatHaveNone) {
     const Lines close = measured(on_line({4, 4.04, 1}));
     EXPECT_TRUE(close.lines.empty());
     EXPECT_THAT(close.notes,
-                ElementsAre(testing::AllOf(HasSubstr("measured"), HasSubstr("liquid content 0.03"),
+                ElementsAre(testing::AllOf(HasSubstr("through the readings"),
+                                           HasSubstr("liquid content 0.03"),
                                            HasSubstr("quasi-static"), HasSubstr("4.04, 4, 1"))));
     EXPECT_THAT(measured(on_line({0.5, 1, 2})).notes,
-                ElementsAre(HasSubstr("at or above 2.3; there are 2, 1, 0.5")));
+                ElementsAre(HasSubstr(
+                    "of 2.3 or more that differ by 2 %; there are points at P* = 2, 1, 0.5")));
     EXPECT_EQ(measured(on_line({4, 4.2})).lines.size(), 1u);
 }
 

@@ -156,29 +156,25 @@ TEST_F(ReadMeasurements, NotesAFileThatEndsBeforeItsReplicate) {
                 testing::Not(testing::Contains(HasSubstr("ends after"))));
 }
 
-TEST_F(ReadMeasurements, NotesTheWeightOfTheGrainsOnce) {
+TEST_F(ReadMeasurements, NotesAWeightOfTheGrainsThatIsNotSmall) {
     // M g/A = 0.06 kg x 9.81 m/s^2/(pi (45^2 - 21^2) mm^2) = 118 Pa, above a tenth of 5 N/A = 1
     // kPa.
-    const auto weight_notes = [&](const std::string& text) {
+    const auto weight_note = [&](const std::string& text) {
         folder_.write("study.toml", text);
-        std::vector<std::string> notes = read_measurements(read_study(folder_.path())).notes;
-        std::erase_if(notes, [](const std::string& note) {
-            return note.find("weight of the grains") == std::string::npos;
-        });
-        return notes;
+        return read_measurements(read_study(folder_.path())).weight_note;
     };
     std::string heavy = study_text;
     for (const std::string light : {"\"10 g\"", "\"11 g\""}) {
         heavy.replace(heavy.find(light), light.size(), "\"60 g\"");
     }
     heavy += "[import]\nkeep_implausible = true\n";  // six times the beads in the same gap
-    const auto notes = weight_notes(heavy);
-    ASSERT_EQ(notes.size(), 1u);
-    EXPECT_THAT(notes[0], HasSubstr("118 Pa"));
-    EXPECT_THAT(notes[0], HasSubstr("3 of 3 readings (dry_1.csv, dry_2.csv, wet_1.csv; 1005 Pa)"));
-    EXPECT_THAT(notes[0], HasSubstr("'pendular diagnose' tests the effect grain-weight"));
-    EXPECT_TRUE(weight_notes(study_text).empty());
-    EXPECT_TRUE(weight_notes(heavy + "[model]\neffects = [\"grain-weight\"]\n").empty());
+    const auto note = weight_note(heavy);
+    ASSERT_TRUE(note);
+    EXPECT_THAT(*note, HasSubstr("118 Pa"));
+    EXPECT_THAT(*note, HasSubstr("3 of 3 readings (1005 Pa)"));
+    EXPECT_THAT(*note, HasSubstr("'pendular diagnose' tests whether it matters"));
+    EXPECT_FALSE(weight_note(study_text));
+    EXPECT_FALSE(weight_note(heavy + "[model]\neffects = [\"grain-weight\"]\n"));
 }
 
 }  // namespace pendular::data_measurements_test

@@ -13,8 +13,8 @@ namespace pendular::other_stiffness_test {
 
 using dem::Observable;
 
-/// Bounds of the mean square of 60 standardised deviations: chi2 of 60 degrees of freedom per degree
-/// lies outside with probability 0.001.
+/// Bounds of the mean square of 60 standardised deviations: chi2 of 60 degrees of freedom per
+/// degree lies outside with probability 0.001.
 constexpr double least = 0.50, most = 1.71;
 /// Number of parts of the stiff runs, each of which is left out in turn.
 constexpr int parts = 5;

@@ -47,8 +47,8 @@ TEST(ImpactReport, SaysWhatTheNamedEffectDoesAtItsEstimate) {
     d.effects = {"wall-friction"};
     EXPECT_THAT(
         impact_lines(table(), d),
-        ElementsAre("With wall-friction at its estimated size, the fitted friction would be "
-                    "0.080 lower (0.220 instead of 0.300)."));
+        ElementsAre("With wall-friction in the model, the friction fitted to all readings is 0.220 "
+                    "instead of 0.300."));
 }
 
 TEST(ImpactReport, SaysNothingWhereNoKnownEffectExplainsTheReadings) {
@@ -60,11 +60,12 @@ TEST(ImpactReport, SaysNothingWhereNoKnownEffectExplainsTheReadings) {
 TEST(ImpactReport, SaysWhatTheTwoLeadingEffectsWouldDoWhereNoneIsNamed) {
     Diagnosis d;
     d.verdict = Verdict::inconclusive;
-    EXPECT_THAT(impact_lines(table(), d),
-                ElementsAre("If wall-friction of 0.4 were present, the fitted friction would be "
-                            "0.040 lower (0.260 instead of 0.300).",
-                            "If lid-slip of 0.2 were present, the fitted friction would be 0.020 "
-                            "lower (0.280 instead of 0.300)."));
+    EXPECT_THAT(
+        impact_lines(table(), d),
+        ElementsAre("If wall-friction were present with coefficient 0.4, the friction fitted "
+                    "to all readings would be 0.260 instead of 0.300.",
+                    "If lid-slip were present with coefficient 0.2, the friction fitted to "
+                    "all readings would be 0.280 instead of 0.300."));
 }
 
 TEST(ImpactReport, TableHasEachImpactAndEachGroup) {
@@ -72,7 +73,7 @@ TEST(ImpactReport, TableHasEachImpactAndEachGroup) {
     ASSERT_EQ(rows.size(), 1u + 4 + 1 + 1);
     EXPECT_THAT(rows[1], HasSubstr("wall-friction"));
     EXPECT_THAT(rows[1], HasSubstr("4.0"));  // pull
-    EXPECT_THAT(rows[5], HasSubstr("group instrument"));
+    EXPECT_THAT(rows[5], HasSubstr("sum, instrument"));
 }
 
 TEST(ImpactFigure, RanksTheShiftsByTheErrorsOfTheSizes) {

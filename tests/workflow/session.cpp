@@ -67,6 +67,11 @@ TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
                   0.1 * added.before.ladder_step.chi2_per_dof());
         EXPECT_TRUE(added.after.belief.believable());
         EXPECT_EQ(added.ladder.size(), 2u);
+        // Both fits use all readings, and the diagnosis has the same one before the change.
+        EXPECT_EQ(added.before.calibration.fitted, 24u);
+        EXPECT_EQ(added.after.calibration.fitted, 24u);
+        EXPECT_NEAR(added.before.ladder_step.chi2, diagnosis.diagnosis.chi2,
+                    1e-3 * diagnosis.diagnosis.chi2);
         // The session is of the study as it was.
         EXPECT_THAT(input_error([&] { before.add("lid-slip"); }), HasSubstr("has changed"));
     }
@@ -76,6 +81,11 @@ TEST_F(Sessions, GoFromRecordingsToTheEffectThatWasMissing) {
     EXPECT_FALSE(after.next(diagnosis).sharpenings.empty());
     const ChangedStudy dropped = after.drop("wall-friction");
     EXPECT_TRUE(dropped.change.study.study().model.effects.empty());
+    // The study then fits its dry readings alone; a fit to all readings serves the comparison.
+    EXPECT_EQ(dropped.after.calibration.fitted, 12u);
+    ASSERT_TRUE(dropped.after_to_all);
+    EXPECT_EQ(dropped.comparable_after().calibration.fitted, 24u);
+    EXPECT_GT(dropped.comparable_after().ladder_step.chi2, 10 * dropped.before.ladder_step.chi2);
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     for (const auto kind : {Event::Kind::round, Event::Kind::stage, Event::Kind::refits})
