@@ -6,7 +6,8 @@
 
 namespace pendular {
 
-/// Annular shear cell with the grains in it.
+/// Annular shear cell: radii of the annulus, and volume of the grains in it. The sample is sheared
+/// between a fixed base and a rotating lid.
 struct AnnularCell {
     double inner_radius = 0;  ///< Ri, inner radius of the annulus [m]
     double outer_radius = 0;  ///< Re > Ri, outer radius of the annulus [m]
@@ -19,27 +20,29 @@ struct AnnularCell {
     double area() const;
 };
 
-/// Normal stress [Pa] under the lid from the normal force [N] on the lid.
-///     s22 = F_N / (pi (Re^2 - Ri^2))
+/// Normal stress [Pa] under the lid from the normal force F_N [N] on the lid.
+///     s22 = F_N / (pi (Re^2 - Ri^2))      Ri, Re: inner and outer radius of the annulus [m]
 /// The weight of the grains is not included; the effect `grain-weight` describes it.
 /// Source: Badetti et al. (2018), eq:exprheol.
 double normal_stress(double normal_force, const AnnularCell& cell);
 
-/// Shear stress [Pa] from the torque [N m] on the lid, for a stress that is uniform over the
-/// annulus.
+/// Shear stress [Pa] from the torque T [N m] on the lid, for a stress that is uniform over the
+/// annulus with inner radius Ri and outer radius Re [m].
 ///     s12 = 3 T / (2 pi (Re^3 - Ri^3))      from T = int_{Ri}^{Re} 2 pi r^2 s12 dr
-/// Returns twice this value, as Badetti et al. (2018) print it, if the cell has the formula
-/// FormulaVariant::as_printed.
+/// If `cell.torque_formula` is FormulaVariant::as_printed, the function returns twice this value,
+/// as Badetti et al. (2018) print it.
 /// Source: direct integration.
 double shear_stress(double torque, const AnnularCell& cell);
 
-/// Solid fraction [1] at a sample height H [m], the volume V_S of the grains over the volume of the
-/// sample: V_S / (pi H (Re^2 - Ri^2)).
+/// Solid fraction [1] of a sample of height H [m]: volume V_S of the grains over volume of the
+/// sample.
+///     solid fraction = V_S / (pi H (Re^2 - Ri^2))      Ri, Re: inner and outer radius [m]
 /// Source: Badetti et al. (2018), eq:exprheol.
 double solid_fraction(double height, const AnnularCell& cell);
 
 /// Shear rate [1/s] at the mean radius, from the angular velocity omega [rad/s] of the lid and the
-/// sample height H [m]: omega (Ri + Re)/(2 H).
+/// sample height H [m].
+///     shear rate = omega (Ri + Re)/(2 H)      Ri, Re: inner and outer radius of the annulus [m]
 /// Source: Badetti et al. (2018), eq:exprheol.
 double shear_rate(double angular_velocity, double height, const AnnularCell& cell);
 
@@ -57,9 +60,10 @@ double height(double solid_fraction, const AnnularCell& cell);
 /// of `shear_rate`.
 double angular_velocity(double shear_rate, double height, const AnnularCell& cell);
 
-/// Covariance of (shear stress [Pa], solid fraction [1]) to first order, from the covariance C of
-/// (torque [N m], sample height [m]): J C J^T, with J the derivatives of `shear_stress` by the
-/// torque and of `solid_fraction` by the height, taken at `height` [m].
+/// 2 x 2 covariance of (shear stress [Pa], solid fraction [1]), propagated to first order from the
+/// covariance C of (torque [N m], sample height [m]).
+///     J C J^T      J = diag(d(shear stress)/d(torque), d(solid fraction)/d(height))
+/// @param height sample height at which the derivatives are taken [m]
 Eigen::Matrix2d covariance_of_reading(double height,
                                       const Eigen::Matrix2d& torque_height_covariance,
                                       const AnnularCell& cell);
