@@ -5,9 +5,9 @@
 
 namespace pendular {
 
-/// Parts of a header cell (first line of a table of measurements), such as "Torque_sd [mN m]".
+/// Parts of a cell in the header of a table, such as "Torque_sd [mN m]".
 struct HeaderCell {
-    std::string name;        ///< "Torque"; a mark of standard deviations such as "_sd" is removed
+    std::string name;        ///< "Torque"; without a mark of standard deviations such as "_sd"
     std::string unit;        ///< "mN m"; empty if none is given
     bool deviation = false;  ///< whether the column holds standard deviations
 };

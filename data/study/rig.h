@@ -10,13 +10,13 @@ namespace pendular {
 
 class StudyTable;
 
-/// Range of values that a measuring rig can be set to, in the unit of the quantity.
+/// Range of values to which a measuring rig can set a quantity, in the SI unit of the quantity.
 struct Span {
     double least = 0, greatest = 0;
 };
 
-/// Conditions at which a measuring rig can take further readings, and their costs: [rig] of
-/// study.toml. Costs are in units of a dry reading.
+/// Conditions at which a measuring rig can take further readings, and what they cost: table [rig]
+/// of study.toml. Costs are relative to the cost of a dry reading.
 struct Rig {
     Span normal_stress;  ///< possible normal stresses [Pa]
     /// Possible inertial numbers [1]; empty if the rig sets the shear rate.
@@ -28,8 +28,8 @@ struct Rig {
     /// Possible solid volumes of the grains in the cell [m^3]; empty: the volume of the study's
     /// cell.
     std::vector<double> bead_volumes = {};
-    int repeats = 5;      ///< largest number of readings at one condition
-    int readings = 12;    ///< largest number of readings at several conditions together
+    int repeats = 5;      ///< largest number of further readings at one condition
+    int readings = 12;    ///< largest total number of further readings at several conditions
     double wet_cost = 1;  ///< cost of a wet reading over the cost of a dry reading [1]
     /// Cost of filling the cell with another amount of grains, over the cost of a dry reading [1].
     double filling_cost = 0;
