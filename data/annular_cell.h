@@ -46,18 +46,20 @@ double solid_fraction(double height, const AnnularCell& cell);
 /// Source: Badetti et al. (2018), eq:exprheol.
 double shear_rate(double angular_velocity, double height, const AnnularCell& cell);
 
-/// Normal force on the lid [N] at a normal stress [Pa]; the inverse of `normal_stress`.
+/// Normal force on the lid [N] at a normal stress under the lid [Pa]: normal stress times the area
+/// of the annulus. The inverse of `normal_stress`.
 double normal_force(double normal_stress, const AnnularCell& cell);
 
-/// Torque on the lid [N m] at a shear stress [Pa], by the formula `cell.torque_formula`; the
-/// inverse of `shear_stress`.
+/// Torque on the lid [N m] at a shear stress [Pa] that is uniform over the annulus. The inverse of
+/// `shear_stress`, with the formula `cell.torque_formula`.
 double torque(double shear_stress, const AnnularCell& cell);
 
-/// Height of the sample [m] at a solid fraction [1]; the inverse of `solid_fraction`.
+/// Height of the sample [m] in which the grains in the cell have a given solid fraction [1]. The
+/// inverse of `solid_fraction`.
 double height(double solid_fraction, const AnnularCell& cell);
 
-/// Angular velocity of the lid [rad/s] at a shear rate [1/s] and a sample height [m]; the inverse
-/// of `shear_rate`.
+/// Angular velocity of the lid [rad/s] at a shear rate at the mean radius [1/s] and a sample height
+/// [m]. The inverse of `shear_rate`.
 double angular_velocity(double shear_rate, double height, const AnnularCell& cell);
 
 /// 2 x 2 covariance of (shear stress [Pa], solid fraction [1]), propagated to first order from the

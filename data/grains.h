@@ -7,7 +7,7 @@ namespace pendular {
 /// Standard acceleration of gravity [m/s^2].
 constexpr double gravity = 9.80665;
 
-/// Material properties of the grains, in SI units.
+/// Properties of the grains: size, density and elasticity, in SI units.
 struct GrainProperties {
     double diameter = 0;  ///< mean diameter a [m]
     double density = 0;   ///< density of the grain material [kg/m^3]
@@ -21,7 +21,7 @@ struct GrainProperties {
     double mass() const;
 };
 
-/// The wetting liquid, in SI units.
+/// Properties of the liquid that wets the grains, in SI units.
 struct Liquid {
     double surface_tension = 0;  ///< surface tension Gamma [N/m]
     double contact_angle = 0;    ///< contact angle theta [rad]

@@ -80,8 +80,8 @@ struct Reading {
     /// Whether the errors in `covariance` come only from the scatter within one run of the
     /// rheometer, not from the scatter between runs or fillings.
     bool within_run_only = false;
-    /// Whether the error of shear stress or solid fraction is unknown, so that a standard error of
-    /// 2 % of the value was added.
+    /// Whether the error of shear stress or solid fraction is unknown; a standard error of 2 % of
+    /// the value was then assumed.
     bool error_assumed = false;
     /// Number of readings of the study at the condition of this reading, including this reading.
     int replicates = 1;
@@ -109,9 +109,10 @@ struct Excluded {
 struct Doubt {
     /// message for the user: file, quantity, value, violated limit, likely cause
     std::string what;
-    std::string quantity;           ///< name of the doubtful quantity, such as "solid_fraction"
-    std::vector<Position> origins;  ///< positions of the doubtful readings or rows
-    /// Whether the doubtful readings or rows were moved to `Measurements::excluded`.
+    /// name of the quantity that is probably wrong, such as "solid_fraction"
+    std::string quantity;
+    std::vector<Position> origins;  ///< positions of the readings or rows with these values
+    /// Whether these readings or rows were moved to `Measurements::excluded`.
     bool set_aside = true;
 };
 
@@ -140,9 +141,9 @@ struct ReplicateScatter {
     /// Standard errors of `load_exponent` [1]; 0: not estimated.
     Eigen::Vector2d load_exponent_error = Eigen::Vector2d::Zero();
     /// Degrees of freedom of the correlation between the deviations of stress ratio and of solid
-    /// fraction; infinite: known.
+    /// fraction; infinite if the correlation is known.
     double correlation_freedom = INFINITY;
-    double reference_stress = 0;  ///< normal stress at which `Group::excess` holds [Pa]
+    double reference_stress = 0;  ///< normal stress to which `Group::excess` refers [Pa]
 
     /// Error that all steps of one filling of the cell have in common, from a two-way analysis of
     /// variance (conditions, files):
@@ -162,7 +163,8 @@ struct ReplicateScatter {
     bool stated = false;             ///< whether the scatter was given in [scatter] of study.toml
 };
 
-/// Readings of a study, the rows that were left out, and the doubts and findings about the data.
+/// Readings of a study, the rows that were left out, and messages about values that are probably
+/// wrong and about faults of the recordings.
 struct Measurements {
     /// in the order of the entries of study.toml, within an entry by file name
     std::vector<Reading> readings;

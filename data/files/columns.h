@@ -81,7 +81,7 @@ class Columns {
     /// Column of a quantity. A number x in the column is factor x + offset in SI units.
     struct Column {
         std::string_view name;   ///< name of the quantity
-        bool deviation = false;  ///< whether the column holds standard deviations
+        bool deviation = false;  ///< whether the column contains standard deviations
         double factor = 1;
         double offset = 0;
         std::size_t index = 0;   ///< index of the column in the table, from 0

@@ -12,7 +12,7 @@ namespace pendular {
 /// Cell of a table that was read from a text file.
 struct Cell {
     std::string text;  ///< content without the blanks and quotes around it
-    int column = 0;    ///< position in its line, in characters from 1
+    int column = 0;    ///< position in the line: number of the first character, from 1
 };
 
 /// Row of a table that was read from a text file.
@@ -28,11 +28,11 @@ struct Table {
     std::vector<Row> rows;
     char delimiter = ',';
 
-    /// Position of a cell of a row in the file; cells count from 0.
+    /// Position in the file of cell number `cell`, from 0, of a row.
     Position at(const Row& row, std::size_t cell) const {
         return {file, row.line, row.cells[cell].column};
     }
-    /// Position of a header cell in the file; cells count from 0.
+    /// Position in the file of cell number `cell`, from 0, of the header.
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 

@@ -16,7 +16,7 @@ struct Quantity {
     std::vector<std::string_view> also = {};  ///< other accepted names in headers of tables
 };
 
-/// All quantities that the program reads, computes or shows; each name occurs once.
+/// All physical quantities that the program reads, computes or displays; each name occurs once.
 std::span<const Quantity> quantities();
 
 /// Returns the quantity with a given `Quantity::name`. The program aborts if there is none, since

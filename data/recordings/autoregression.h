@@ -15,7 +15,9 @@ double plain_mean(std::span<const double> samples);
 /// from `lags_alone` on computes all lags at once, by Fourier transforms.
 class LaggedCovariances {
   public:
-    /// @param second series as long as `first`
+    /// Prepares the covariances of two series; for the autocovariances of one series, pass it
+    /// twice.
+    /// @param first,second series of equal length, sampled at the same times
     LaggedCovariances(std::span<const double> first, std::span<const double> second);
 
     /// First lag, as a number of samples, whose request makes all lags be computed at once.

@@ -29,7 +29,7 @@ class KnownRows {
 
   private:
     /// Rows of a recording between two restarts of its time column, in SI units, with the liquid
-    /// content and volume of grains that the study states.
+    /// content [1] and the volume of grains [m^3] that study.toml states.
     struct Stretch {
         std::string file;
         std::vector<int> line;
@@ -38,8 +38,8 @@ class KnownRows {
 
         std::size_t size() const { return time.size(); }
     };
-    /// For each row of a later stretch (rows between two restarts of time), the index of the row of
-    /// an earlier stretch that it copies, if any.
+    /// For each row of a later stretch (rows between two restarts of time): index of the row of an
+    /// earlier stretch of which it is a copy, or empty.
     using Matches = std::vector<std::optional<std::size_t>>;
 
     static Stretch stretch(const Recording& recording, const Step& rows, const Source& source);

@@ -72,7 +72,7 @@ struct LoadExponent {
 /// errors decrease at most as 1/load.
 LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
 
-/// Mean square of relative deviations, an estimate of their variance.
+/// Mean square of relative deviations, which estimates their variance, with its degrees of freedom.
 struct MeanSquare {
     double value = 0;    ///< mean square [1]
     double freedom = 0;  ///< degrees of freedom of `value`

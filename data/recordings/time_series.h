@@ -8,7 +8,7 @@
 
 namespace pendular {
 
-/// Mean of correlated samples.
+/// Mean of correlated samples, with its standard error.
 struct Mean {
     double value = 0;           ///< mean, in the unit of the samples
     double standard_error = 0;  ///< standard error of the mean, in the unit of the samples

@@ -130,7 +130,8 @@ struct ActiveEffect {
 /// (fraction 0.1)".
 std::string to_string(const ActiveEffect& active);
 
-/// Whether an effect can change readings at a condition.
+/// Whether an effect can change readings at a condition, by `Effect::touches`: some effects change
+/// only readings of dry grains, of wet grains, or at points of failure.
 bool touches(const Effect& effect, const Condition& condition);
 
 /// Returns those of the given effects that can change readings at a condition, in the same order.

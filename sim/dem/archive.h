@@ -111,7 +111,7 @@ bool restore(std::string_view bytes, State& state) {
 
 }  // namespace pendular::dem
 
-/// Tells cereal that `ByteReader` reads the bytes that `cereal::BinaryOutputArchive` writes.
+/// Declares that `ByteReader` reads the bytes that `cereal::BinaryOutputArchive` writes.
 template <>
 struct cereal::traits::detail::get_output_from_input<pendular::dem::ByteReader> {
     using type = cereal::BinaryOutputArchive;

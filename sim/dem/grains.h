@@ -30,7 +30,7 @@ struct Grains {
             archive(position, velocity, angular_velocity);
         }
     };
-    /// Net force and torque on one grain, in a cache line of its own.
+    /// Net force and torque on one grain in reduced units, in a cache line of its own.
     struct alignas(64) ForceAndTorque {
         Vector force, torque;
     };

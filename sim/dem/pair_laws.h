@@ -36,10 +36,10 @@ struct PairEnergy {
 /// grain mass and imposed normal stress are 1). F is the force on the second grain of a pair, r the
 /// vector from the first to the second centre; direction 1 is the flow, 2 the gradient.
 struct PairSums {
-    double virial_11 = 0;  ///< sum of F1 r1 over the pairs, positive in compression
+    double virial_11 = 0;  ///< sum of F1 r1 over the pairs; positive in compression
     double virial_22 = 0;
     double virial_33 = 0;
-    double virial_12 = 0;  ///< sum of F1 r2 over the pairs, negative in simple shear
+    double virial_12 = 0;  ///< sum of F1 r2 over the pairs; negative in simple shear
     double largest_overlap = 0;
     PairEnergy energy;  ///< zero without energy accounting
 

@@ -9,10 +9,11 @@
 
 namespace pendular::dem {
 
-/// Pair of grains in contact or joined by a bridge, which is drawn as a line. a is the grain
-/// diameter, s22 the imposed normal stress.
+/// Pair of grains in contact or joined by a bridge, which is drawn as a line. Forces are in units
+/// of a^2 s22, with grain diameter a and imposed normal stress s22.
 struct DrawnPair {
-    Vector from, to;          ///< centres [a]; `to` may be a periodic image outside the cell
+    /// Centres of the two grains [grain diameters]; `to` may be a periodic image outside the cell.
+    Vector from, to;
     double normal_force = 0;  ///< elastic normal force [a^2 s22]; 0 without contact
     double bridge_force = 0;  ///< attraction of the bridge [a^2 s22]
     bool touching = false;
@@ -29,7 +30,7 @@ struct Snapshot {
         int contacts = 0;
     };
     std::uint64_t step = 0;
-    double time = 0;    ///< time since the flow began [sqrt(m/(a s22))]
+    double time = 0;    ///< time since the flow began, in reduced units
     double strain = 0;  ///< shear strain since the flow began [1]
     Cell cell;          ///< periodic cell, its offset between -length/2 and length/2
     std::vector<Grain> grains;

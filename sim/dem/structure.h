@@ -33,7 +33,7 @@ struct Structure {
         }
     }
 
-    /// Pointers to all members, in the order of observables.def.
+    /// Pointers to all members, in the order of the table data/quantities/observables.def.
     static std::span<double Structure::*const> members();
 };
 

@@ -22,7 +22,8 @@ struct Fidelity {
 /// @throws InputError for any other name; the message lists the three names
 Fidelity fidelity_named(std::string_view name);
 
-/// All sets of simulation settings (quick, standard, paper), in order of increasing computing time.
+/// All sets of simulation settings, "quick", "standard" and "paper", in the order of increasing
+/// computing time.
 const std::vector<Fidelity>& fidelities();
 
 }  // namespace pendular

@@ -29,13 +29,15 @@ struct Fact {
 
 /// Rows of a file under one header, such as an interval of a rheometer's test.
 struct Block {
-    std::string test;  ///< test or result that the block belongs to; empty if the file names none
+    /// name of the test that the interval belongs to; empty if the file names none
+    std::string test;
     std::string name;  ///< name of the interval, "Peak hold - 1"; empty if the file names none
     int number = 0;    ///< number of the interval in its test, from 1; 0: the file gives none
-    std::string stated_role = {};  ///< role that the file gives the interval; empty if it does not
+    /// role of the interval in the file; empty if the file states none
+    std::string stated_role = {};
     /// Bulk density of the sample, with liquid [kg/m^3], if the file states it.
     std::optional<double> bulk_density = {};
-    /// Number of rows that the file declares for the block, if it does.
+    /// Number of rows that the file declares for the interval; empty if it declares none.
     std::optional<std::size_t> declared_rows;
     std::vector<BlockColumn> columns;
     /// Rows of the interval. Header cells of used columns read `quantity [unit]`; header cells of
@@ -55,8 +57,8 @@ struct SkippedRows {
 /// use much memory.
 struct FileCounts {
     std::size_t intervals = 0;
-    std::size_t header_cells = 0;  ///< intervals times columns
-    std::size_t cells = 0;         ///< rows times columns
+    std::size_t header_cells = 0;  ///< number of intervals times number of columns
+    std::size_t cells = 0;         ///< number of rows times number of columns
 };
 
 /// Largest number of intervals in a file, and of intervals times columns.

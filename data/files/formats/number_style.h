@@ -31,7 +31,7 @@ class NumberStyleFinder {
     NumberStyle style(const std::string& decimal) const;
 
   private:
-    /// First cell that shows a way of writing numbers.
+    /// Cell that is an example of a style of numbers: the first one in the file.
     struct Example {
         std::string text;
         Position at;

@@ -12,7 +12,7 @@ namespace pendular {
 struct RecordingFinding {
     /// Kind of fault.
     enum class Kind {
-        saturation,        ///< a column stands at the largest value that the instrument gives
+        saturation,  ///< torque or force is limited by the largest value that the instrument gives
         level_change,      ///< from one recording on, repeated conditions give other values
         wobble,            ///< a column varies periodically with the rotation angle of the lid
         stick_slip,        ///< the torque rises slowly and drops suddenly, again and again

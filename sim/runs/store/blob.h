@@ -4,7 +4,7 @@
 
 namespace pendular {
 
-/// Returns bytes compressed with zlib.
+/// Returns bytes in compressed form (zlib); the function `expanded` restores them.
 std::string compressed(const std::string& bytes);
 /// Returns the bytes that the function `compressed` compressed (zlib).
 /// @throws std::runtime_error if the bytes are not valid zlib data, or expand to more than a
