@@ -16,7 +16,8 @@ struct AnnularCell {
     /// or as Badetti et al. (2018) print it, which gives twice the derived value.
     FormulaVariant torque_formula = FormulaVariant::derived;
 
-    /// Area of the annulus [m^2]: pi (Re^2 - Ri^2).
+    /// Area of the annulus between the inner radius Ri and the outer radius Re [m^2]: pi (Re^2 -
+    /// Ri^2).
     double area() const;
 };
 

@@ -13,7 +13,8 @@ struct EffectParameter {
     std::string unit = "1";       ///< SI unit; "1": dimensionless
     double lower = 0, upper = 1;  ///< smallest and largest allowed value [unit]
     double neutral = 0;           ///< value at which the effect vanishes [unit]
-    /// Smallest difference of the value from `neutral` that matters to a user [unit].
+    /// Smallest difference between the parameter's value and `neutral` that is large enough to
+    /// matter to a user, in the parameter's unit.
     double smallest_of_interest = 1;
     std::string meaning;  ///< meaning of the parameter in a few words
     /// Function that returns the amplitude A(value) of the effect: the change of the observables is
@@ -53,8 +54,9 @@ class Values {
     Values(std::span<const EffectParameter> parameters, std::span<const double> values)
         : parameters_(parameters), values_(values) {}
 
-    /// Value of the parameter with this name, in the parameter's unit.
-    /// @throws std::logic_error if the effect has no such parameter, an error of the program
+    /// Value of the effect's parameter with a given name, in the parameter's unit.
+    /// @throws std::logic_error if the effect has no such parameter, which is an error of the
+    ///         program
     double operator[](std::string_view name) const;
 
   private:

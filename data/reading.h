@@ -56,7 +56,7 @@ struct Reading {
     int step = 0;  ///< number of the step of constant set points in the file, from 1; 0: unknown
     Condition condition;
     double shear_rate = 0;  ///< shear rate [1/s]; 0: only the inertial number was given
-    /// Magnitude of the shear stress [Pa], solid fraction [1].
+    /// Measured values: magnitude of the shear stress [Pa], solid fraction [1].
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
     /// Covariance of (shear stress [Pa], solid fraction [1]), all errors included. The part from
     /// the scatter between replicates (readings at the same condition) is increased if they are
@@ -71,7 +71,8 @@ struct Reading {
     /// Degrees of freedom of the estimated scatter between replicates in (shear stress, solid
     /// fraction); infinite if the scatter is known.
     Eigen::Vector2d scatter_freedom = Eigen::Vector2d::Constant(INFINITY);
-    /// index in `ReplicateScatter::groups` of the group with this file
+    /// Index in `ReplicateScatter::groups` of the group of files to which the reading's file
+    /// belongs.
     std::size_t scatter_group = 0;
     /// Rounding steps of (shear stress [Pa], solid fraction [1]): unit of the last digit in the
     /// table that the reading was read from; 0 if the value was not rounded.
@@ -89,14 +90,14 @@ struct Reading {
     /// Covariance of (shear stress [Pa], solid fraction [1]) without the increase for few
     /// replicates. Statistical tests that allow for the number of replicates in another way use it.
     Eigen::Matrix2d estimated_covariance() const { return covariance - widened_by; }
-    /// Shear stress over normal stress [1].
+    /// Stress ratio of the reading [1]: shear stress over normal stress.
     double stress_ratio() const { return value(0) / condition.normal_stress; }
 };
 
 /// Rows of a file that were not used for a reading, with the reason.
 struct Excluded {
-    /// Extent of the exclusion: single rows (a transient, a spike), a step that reaches no plateau,
-    /// or a complete reading.
+    /// Kind of the excluded rows: single rows (a transient, a spike), a step that reaches no
+    /// plateau, or all rows of a reading.
     enum class Kind { rows, step_without_plateau, reading };
     Position origin;     ///< file and first line of the rows
     int last_line = 0;   ///< last line of the rows
@@ -107,9 +108,9 @@ struct Excluded {
 /// Statement that measured values are probably wrong, such as a solid fraction above that of the
 /// densest packing, with their positions.
 struct Doubt {
-    /// message for the user: file, quantity, value, violated limit, likely cause
+    /// Message for the user: file, quantity, value, violated limit, likely cause.
     std::string what;
-    /// name of the quantity that is probably wrong, such as "solid_fraction"
+    /// Name of the quantity whose values are probably wrong, such as "solid_fraction".
     std::string quantity;
     std::vector<Position> origins;  ///< positions of the readings or rows with these values
     /// Whether these readings or rows were moved to `Measurements::excluded`.
@@ -138,7 +139,7 @@ struct ReplicateScatter {
     /// fraction) depends on the normal stress:
     ///     standard deviation ~ (normal stress/reference_stress)^-exponent
     Eigen::Vector2d load_exponent = Eigen::Vector2d::Zero();
-    /// Standard errors of `load_exponent` [1]; 0: not estimated.
+    /// Standard errors of the exponents `load_exponent` [1]; 0 if they were not estimated.
     Eigen::Vector2d load_exponent_error = Eigen::Vector2d::Zero();
     /// Degrees of freedom of the correlation between the deviations of stress ratio and of solid
     /// fraction; infinite if the correlation is known.
@@ -149,7 +150,8 @@ struct ReplicateScatter {
     /// variance (conditions, files):
     ///     variance = (between - within)/steps, increased if there are few fillings
     struct Filling {
-        /// variance over squared value, increased if there are few fillings [1]
+        /// Variance of the filling error over the squared value [1], increased if there are few
+        /// fillings.
         double variance = 0;
         double between = 0;  ///< mean square of the relative deviations between files [1]
         double within = 0;   ///< mean square of the relative deviations between steps of a file [1]
@@ -166,9 +168,10 @@ struct ReplicateScatter {
 /// Readings of a study, the rows that were left out, and messages about values that are probably
 /// wrong and about faults of the recordings.
 struct Measurements {
-    /// in the order of the entries of study.toml, within an entry by file name
+    /// Readings in the order of the entries of study.toml, within an entry by file name.
     std::vector<Reading> readings;
-    /// scatter between replicates, contained in the readings' covariances
+    /// Scatter between replicates (readings at the same condition), which the covariances of the
+    /// readings contain.
     ReplicateScatter scatter;
     std::vector<Excluded> excluded;  ///< rows and readings that were left out
     std::vector<Doubt> doubts;  ///< values that are probably wrong; most of them were set aside

@@ -26,16 +26,16 @@ class Columns {
     /// unused columns may have any header.
     explicit Columns(const Table& table);
 
-    /// Whether the table has a column of this quantity.
+    /// Whether the table has a column of a quantity, such as "torque".
     /// @throws InputError at the header cell if the column's unit is missing, unknown or of the
     ///         wrong dimension, or if two columns have this quantity; every function of this class
     ///         with a parameter `name` throws this error
     bool has(std::string_view name) const { return find(name, false) != nullptr; }
 
-    /// Checks that the table has a column of this quantity.
-    /// @throws InputError if the column is missing, listing the header cells of the table
+    /// Checks that the table has a column of a quantity, such as "torque".
+    /// @throws InputError if the column is missing; the message lists the header cells of the table
     void require(std::string_view name) const;
-    /// Name of the one quantity, `first` or `second`, of which the table has a column.
+    /// Returns which one of two quantities the table has a column of: `first` or `second`.
     /// @throws InputError if the table has columns of both quantities or of neither
     std::string_view require_one_of(std::string_view first, std::string_view second) const;
 
@@ -73,8 +73,9 @@ class Columns {
 
     /// Indices, from 0, of the header cells that name no quantity of the program.
     const std::vector<std::size_t>& unknown() const { return unknown_; }
-    /// Texts of the header cells, empty ones excepted, whose columns are not in `used`.
-    /// @param used names of quantities such as "torque", with "_sd" for their standard deviations
+    /// Returns the header cells that are not empty and whose columns are not used.
+    /// @param used names of the used quantities such as "torque", with "_sd" for their standard
+    ///         deviations
     std::vector<std::string> others(const std::vector<std::string_view>& used) const;
 
   private:

@@ -10,7 +10,7 @@ namespace pendular {
 /// remains.
 class FileLock {
   public:
-    /// Prepares the lock; `take` takes it.
+    /// Makes a lock that this process does not have yet; the function `take` takes it.
     /// @param file file that represents the lock; it is created if it does not exist
     explicit FileLock(std::filesystem::path file) : file_(std::move(file)) {}
     FileLock(const FileLock&) = delete;

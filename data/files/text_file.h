@@ -28,7 +28,8 @@ std::string read_text(const std::filesystem::path& path, std::uintmax_t largest 
 /// Text of a file in UTF-8, with the name of the encoding in which the file was written.
 struct DecodedText {
     std::string text;  ///< text in UTF-8, with byte-order mark and line ends
-    /// "UTF-8", "UTF-16LE", "UTF-16BE", "Shift_JIS", "windows-1252" or as requested
+    /// Encoding in which the file was written: "UTF-8", "UTF-16LE", "UTF-16BE", "Shift_JIS",
+    /// "windows-1252" or the one that was requested.
     std::string encoding;
 };
 

@@ -20,7 +20,7 @@ class LaggedCovariances {
     /// @param first,second series of equal length, sampled at the same times
     LaggedCovariances(std::span<const double> first, std::span<const double> second);
 
-    /// First lag, as a number of samples, whose request makes all lags be computed at once.
+    /// Lag, as a number of samples, from which on a request causes all lags to be computed at once.
     static constexpr std::size_t lags_alone = 512;
 
     /// Covariance C(lag) of the two series, in the product of their units.
@@ -39,8 +39,8 @@ class LaggedCovariances {
     std::vector<double> first_, second_, known_;
 };
 
-/// Autoregressive model of the noise of a series x_t: each sample is a sum of earlier samples and
-/// an independent random number, the innovation.
+/// Autoregressive model of the noise of a series x_t: each sample is a sum of earlier samples, with
+/// coefficients a_1, a_2, ..., and an independent random number, the innovation.
 ///     x_t = sum_j a_j x_(t-j) + innovation
 struct Autoregression {
     std::vector<double> coefficients = {};  ///< coefficients a_1, a_2, ... [1]
@@ -55,7 +55,8 @@ struct Autoregression {
     double spectrum_at_zero(double count) const;
     /// Spectral density of the series at a frequency in cycles per sample, in the squared unit of
     /// the series; for independent samples, it equals their variance.
-    ///     innovation/|1 - sum_j a_j exp(-2 pi i j frequency)|^2
+    ///     (variance of the innovation)/|1 - sum_j a_j exp(-2 pi i j frequency)|^2,   a_j:
+    ///     coefficients
     double spectrum(double frequency) const;
 };
 

@@ -13,7 +13,7 @@ namespace pendular {
 /// (`Recording::averaged_rows`).
 class AveragedRows {
   public:
-    /// Begins with a recording without rows, which must outlive this object.
+    /// Prepares to add rows to an empty recording, which must outlive this object.
     /// @param columns columns of the recording, in the order of the values passed to `add`
     /// @param most number of rows at which rows are averaged in pairs, at least 2
     AveragedRows(Recording& recording, std::vector<std::vector<double> Recording::*> columns,

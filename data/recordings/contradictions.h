@@ -15,7 +15,8 @@ namespace pendular {
 /// torque, contradict each other.
 struct Contradictions {
     std::set<int> lines;  ///< line numbers in the file of the rows that were removed
-    /// rows of the file per row of the recording, as `Recording::averaged_rows`
+    /// Number of rows of the file whose mean is one row of the recording
+    /// (`Recording::averaged_rows`).
     int averaged_rows = 1;
     /// Reason why no reading of this file can be used; empty if readings can be used.
     std::optional<std::string> file;

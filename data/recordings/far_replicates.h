@@ -21,7 +21,7 @@ struct FarReplicates {
     /// Messages about values that are probably wrong: one for each cluster with files, and for each
     /// condition with readings, that differ too much in stress ratio or in solid fraction.
     std::vector<Doubt> doubts;
-    /// one note for each cluster whose files differ less, but still remarkably
+    /// Notes for the user: one for each cluster whose files differ less, but still remarkably.
     std::vector<std::string> notes;
 };
 

@@ -16,7 +16,7 @@ namespace pendular {
 /// study.
 struct FileView {
     BlockFile file;  ///< content of the file
-    /// columns of each block (interval) of the file, in SI units
+    /// Columns of each block (interval) of the file, in SI units.
     std::vector<IntervalSeries> series;
     std::vector<IntervalRole> roles;    ///< role of each block (interval) of the file in the test
     CellFromColumns cell;               ///< constants of the cell that follow from the columns

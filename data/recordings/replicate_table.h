@@ -30,7 +30,7 @@ struct ReplicateTable {
     /// Largest normal stress of the readings with replicates, divided by `reference_stress` [1].
     double greatest_load = 1;
 
-    /// Name without folder of the file with an index in `files`.
+    /// Name, without its folder, of the file with index `file` in `files`.
     std::string name_of(std::size_t file) const;
 };
 

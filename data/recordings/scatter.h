@@ -12,10 +12,11 @@ struct ReplicatedValue {
     std::size_t reading = 0;    ///< index of the reading
     std::size_t condition = 0;  ///< index of the condition of the reading and its replicates
     std::size_t file = 0;       ///< index of the reading's file; a file counts as one filling
-    /// Logarithm of the value minus the mean logarithm at the condition [1].
+    /// Logarithm of the stress ratio or solid fraction, minus the mean logarithm at the condition
+    /// [1].
     double deviation = 0;
-    /// Variance of the value that follows from the scatter within its recorded step, divided by the
-    /// squared value [1].
+    /// Variance of the stress ratio or solid fraction that follows from the scatter within the
+    /// recorded step of the reading, divided by the squared value [1].
     double within = 0;
     double load = 1;  ///< normal stress over the reference stress of the study [1]
     /// Variance of the part of the rounding error that differs between replicates, divided by the
@@ -33,13 +34,13 @@ struct ScatterSums {
     double freedom_between = 0;  ///< degrees of freedom of `between`
     /// Squared norm of the design matrix of the files, after removal of the condition means.
     double steps = 0;
-    /// Expected part of `within` that the scatter within the recorded steps explains.
+    /// Part of `within` that is expected from the scatter within the recorded steps.
     double run_variance = 0;
     /// Residual of each deviation after removal of condition and file means [1], in the order of
     /// the values, scaled like the deviations.
     Eigen::VectorXd left_over;
-    /// Deviation of each file from the mean of all files [1], by index of the file; 0 for files
-    /// without values.
+    /// Mean deviation of each file from the mean of all files [1], by index of the file; 0 for
+    /// files without values.
     std::vector<double> of_file;
 };
 

@@ -20,7 +20,7 @@ struct StatedValue {
 
 /// Radii and constants of the annular cell in the header of a file; empty if the header lacks them.
 struct StatedCell {
-    /// [m]; half of a diameter in the header
+    /// Inner and outer radius [m]; a diameter in the header is halved.
     std::optional<StatedValue> inner_radius, outer_radius;
     std::optional<StatedValue> stress_per_torque;  ///< shear stress over torque [Pa/(N m)]
     std::optional<StatedValue> stress_per_force;   ///< normal stress over normal force [1/m^2]

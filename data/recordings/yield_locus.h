@@ -51,8 +51,7 @@ struct LinearYieldLocus {
     double slope_angle = 0;          ///< angle of the fitted line [rad]
     double tensile_strength = 0;     ///< -cohesion/slope [Pa]; -infinity for a slope <= 0
     double unconfined_strength = 0;  ///< unconfined yield strength [Pa]
-    /// Centre of the Mohr circle of the preshear on the axis of normal stress [Pa]; empty without a
-    /// preshear.
+    /// Centre of the Mohr circle of the preshear, a normal stress [Pa]; empty without a preshear.
     std::optional<double> preshear_centre;
     /// Major principal stress of the preshear [Pa]; empty without a preshear.
     std::optional<double> major_principal_stress;

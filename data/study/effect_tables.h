@@ -23,7 +23,8 @@ struct WrittenEffect {
     std::string unit = "1";       ///< SI unit of the parameter
     double lower = 0, upper = 1;  ///< smallest and largest allowed value [unit]
     double neutral = 0;           ///< value at which the effect vanishes [unit]
-    /// Smallest difference from `neutral` that matters to the user [unit].
+    /// Smallest difference between the parameter's value and `neutral` that is large enough to
+    /// matter to the user, in the parameter's unit.
     double smallest_of_interest = 1;
     std::string summary = {};       ///< description in one line; empty if the user gave none
     std::vector<Formula> formulas;  ///< one formula for each quantity that the effect changes

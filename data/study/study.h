@@ -70,7 +70,8 @@ struct ModelSettings {
 /// Settings for the conversion of recordings to readings: table [import] of study.toml.
 struct ImportSettings {
     bool keep_implausible = false;  ///< whether implausible readings are used nevertheless
-    /// Smallest strain of the steady part of a step [1]; shorter steps are excluded.
+    /// Smallest shear strain of the steady part of a step [1]; a step with a shorter steady part is
+    /// excluded.
     double least_strain = 1;
 };
 

@@ -31,7 +31,7 @@ struct Word {
 /// the value has the wrong type or unit.
 class StudyTable {
   public:
-    /// Returns the top level of a TOML text.
+    /// Parses a text in TOML and returns its top level as a table.
     /// @param file path of the file with the text, for error messages
     /// @param keys keys allowed on the top level
     /// @throws InputError at a syntax error and at an unknown key, suggesting the nearest allowed
@@ -39,7 +39,7 @@ class StudyTable {
     static StudyTable parse(const std::string& file, const std::string& text,
                             const std::vector<std::string>& keys);
 
-    /// Returns the top level of a TOML file.
+    /// Reads a TOML file and returns its top level as a table.
     /// @param keys keys allowed on the top level
     /// @throws InputError if the file cannot be read, at a syntax error and at an unknown key
     static StudyTable read(const std::filesystem::path& file, const std::vector<std::string>& keys);

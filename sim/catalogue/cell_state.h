@@ -21,7 +21,7 @@ struct CellState {
 
     /// Area of the annulus on which the lid presses [m^2].
     double area() const;
-    /// Distance between the inner and outer side wall [m]: outer_radius - inner_radius.
+    /// Width of the annulus [m]: distance between the inner and outer side wall.
     double width() const { return outer_radius - inner_radius; }
     /// Weight of the dry grains in the cell [N].
     double weight() const;

@@ -87,7 +87,8 @@ struct Effect {
     std::string directly = {};
     std::vector<std::string> references;  ///< publications on the effect
 
-    /// Whether the effect acts on the instrument: it changes the state of the cell that is shown.
+    /// Whether the effect acts on the instrument: it changes the state of the cell that the
+    /// instrument shows.
     bool of_instrument() const { return std::holds_alternative<ChangeInstrument>(change); }
     /// Whether the effect changes grain sizes or the forces between grains in the simulation.
     bool of_grains() const;

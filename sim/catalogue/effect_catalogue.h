@@ -36,8 +36,8 @@ class EffectCatalogue {
     /// Whether an effect was defined by the user in study.toml rather than built in.
     bool is_written(const Effect& effect) const;
 
-    /// Returns the effects in the list `effects` of [model] in study.toml, in the order of the
-    /// list.
+    /// Returns the effects of a study's model, which are in the list `effects` of [model] in
+    /// study.toml, in the order of the list.
     /// @throws InputError at a name that is unknown (the message names the nearest name), or whose
     ///         effect does not apply to the study
     std::vector<const Effect*> active(const Study& study) const;

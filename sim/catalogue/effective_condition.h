@@ -15,8 +15,7 @@ struct EffectiveCondition : Condition {
     EffectiveCondition(const Condition& imposed) : Condition(imposed) {}
 
     std::optional<Liquid> liquid;  ///< liquid as effects change it; empty: the study's liquid
-    /// Difference between the friction coefficient of the grains and the study's friction
-    /// coefficient [1].
+    /// Friction coefficient between grains minus the friction coefficient of the study's model [1].
     double friction_difference = 0;
     /// Effects on grains to simulate, with parameter values in SI units.
     std::vector<EffectValues> grain_effects;

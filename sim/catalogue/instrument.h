@@ -16,24 +16,24 @@ namespace pendular {
 class InstrumentMap {
   public:
     InstrumentMap() = default;
-    /// Combines the effects on the instrument whose parameters are not all at their neutral values.
-    /// Other effects are ignored.
+    /// Combines those of the given effects that act on the instrument and whose parameters are not
+    /// all at their neutral values. Other effects are ignored.
     explicit InstrumentMap(const std::vector<ActiveEffect>& effects);
 
     /// Whether no effect acts: the instrument shows the true state.
     bool empty() const { return effects_.empty(); }
 
-    /// State of the cell that the instrument shows for a true state. Without effects, it is equal
-    /// bit for bit.
+    /// State of the cell that the instrument shows if `truth` is the true state. Without effects,
+    /// the true state is returned bit for bit.
     CellState show(CellState truth) const;
 
-    /// True state of the cell for which the instrument shows a given state; the inverse of `show`.
+    /// True state of the cell if the instrument shows the state `shown`; the inverse of `show`.
     /// Newton's method solves for torque, normal force, height, angular velocity, liquid content
-    /// and volume of grains, until `show` returns the shown values to a relative accuracy of 1e-11
-    /// or better. Radii, grain properties and time stay. Without effects, the result is equal bit
-    /// for bit.
-    /// @throws std::domain_error, naming the effects, if no state with positive normal force,
-    ///         height and volume of grains is shown in this way
+    /// and volume of grains, until `show` returns the given values to a relative accuracy of 1e-11
+    /// or better. Radii, grain properties and time do not change. Without effects, `shown` is
+    /// returned bit for bit.
+    /// @throws std::domain_error if the instrument shows no state with positive normal force,
+    ///         height and volume of grains in this way; the message names the effects
     CellState truth(const CellState& shown) const;
 
   private:
@@ -59,22 +59,23 @@ CellState shown_state(const Condition& shown, double shear_stress, double solid_
 /// @param truth true state of the cell
 Condition true_condition(const Condition& shown, const CellState& truth, const InstrumentMap& map);
 
-/// Returns the reading (shear stress [Pa], solid fraction [1]) that the instrument shows for a
-/// predicted true reading. The true height follows from the predicted solid fraction and the true
-/// volume of grains; torque and gap that are shown are converted to a reading as `import` does,
-/// with the volume of grains that is shown. If no effect acts, the prediction is returned bit for
-/// bit.
+/// Returns the reading (shear stress [Pa], solid fraction [1]) that the instrument shows if
+/// `predicted` is the true reading. The true height follows from the predicted solid fraction and
+/// the true volume of grains. The torque and gap that the instrument shows are converted to a
+/// reading as `import` does, with the volume of grains that the instrument shows. If no effect
+/// acts, the prediction is returned bit for bit.
 /// @param predicted true reading (shear stress [Pa], solid fraction [1])
 /// @param truth true normal force, angular velocity, liquid content and volume of grains
 Eigen::Vector2d shown_reading(const Eigen::Vector2d& predicted, CellState truth,
                               const InstrumentMap& map, const AnnularCell& cell);
 
 /// Returns the true state of the cell at which the instrument shows the requested normal stress,
-/// inertial number, liquid content and time. The gap follows from the true solid fraction; the lid
-/// turns at the angular velocity that gives the requested inertial number at the gap that is shown.
+/// inertial number, liquid content and time. The gap follows from the true solid fraction; the
+/// angular velocity of the lid gives the requested inertial number at the gap that the instrument
+/// shows.
 /// @param asked requested condition
 /// @param flow true stress ratio and solid fraction of the grains [1]
-/// @throws std::domain_error if no true state is shown in this way
+/// @throws std::domain_error if the instrument shows the requested values for no true state
 CellState truth_at_set_points(const Condition& asked, const FlowPoint& flow,
                               const InstrumentMap& map, const AnnularCell& cell,
                               const GrainProperties& grains);

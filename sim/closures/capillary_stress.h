@@ -63,25 +63,27 @@ double contact_capillary_shear_stress(const State& state);
 
 /// Shear stress of bridges without contact in units of F0/a^2 [1], negative in steady shear (F0:
 /// pull-off force, a: grain diameter).
-///     a^2 s12cap,d/F0 = -(3/pi) Phi Z_d (F_d/F0) (l0/a) [F12d + force + length anisotropy]
+///     a^2 s12cap,d/F0 = -(3/pi) Phi Z_d (F_d/F0) (l0/a) [F12d + A_force + A_length]
 /// Phi: solid fraction; Z_d bridges without contact per grain with mean force F_d, mean distance of
-/// centres l0 and mean F12d of n1 n2 over their directions n. The formula is of first order in the
-/// anisotropies; Badetti et al. (2018) call it "quite accurate". The next order, -15 F12d^2 x
-/// (force anisotropy) in the bracket, is not small, since bridges are most frequent in directions
-/// in which their force is small. Simulations at stiffness number 1000 gave magnitudes 3 to 9 %
-/// larger than the formula, most at high friction.
+/// centres l0 and mean F12d of n1 n2 over their directions n; A_force and A_length: 12 components
+/// of the anisotropies of force and distance. The formula is of first order in the anisotropies;
+/// Badetti et al. (2018) call it "quite accurate". The next order, -15 F12d^2 A_force in the
+/// bracket, is not small, since bridges are most frequent in directions in which their force is
+/// small. Simulations at stiffness number 1000 gave magnitudes 3 to 9 % larger than the formula,
+/// most at high friction.
 /// Source: Badetti et al. (2018), eq:s12capddecomp.
 double distant_capillary_shear_stress(const State& state);
 
-/// Shear stress of all bridge forces in units of F0/a^2 [1], without the length anisotropy (F0:
+/// Shear stress of all bridge forces in units of F0/a^2 [1], without the anisotropy of lengths (F0:
 /// pull-off force, a: grain diameter).
-///     a^2 s12cap/F0 = -(3/pi) Phi [Z_c F12c + (l0/a) Z_d (F_d/F0) (F12d + force anisotropy)]
+///     a^2 s12cap/F0 = -(3/pi) Phi [Z_c F12c + (l0/a) Z_d (F_d/F0) (F12d + A_force)]
 /// Phi: solid fraction; Z_c contacts and Z_d bridges without contact per grain, F12c and F12d:
-/// means of n1 n2 over their directions n, F_d: mean force and l0: mean distance of centres of the
-/// bridges without contact. Badetti et al. (2018) call the agreement "very good", on a scale from 0
-/// to 0.1. At large liquid content the contributions of contacts and distant bridges nearly cancel:
-/// relative errors are large, and absolute errors are the better measure. Simulations at stiffness
-/// number 1000 gave values smaller than the formula by 0.001 to 0.011.
+/// means of n1 n2 over their directions n; F_d, l0 and A_force: mean force, mean distance of
+/// centres and 12 component of the force anisotropy of the bridges without contact. Badetti et al.
+/// (2018) call the agreement "very good", on a scale from 0 to 0.1. At large liquid content the
+/// contributions of contacts and distant bridges nearly cancel: relative errors are large, and
+/// absolute errors are the better measure. Simulations at stiffness number 1000 gave values smaller
+/// than the formula by 0.001 to 0.011.
 /// Source: Badetti et al. (2018), eq:estfinals12c.
 double capillary_shear_stress(const State& state);
 

@@ -13,10 +13,14 @@ struct ClosureValues {
     /// Stress ratio of dry grains at the same friction and inertial number.
     double dry_stress_ratio = 0;
     double contact_stress_ratio = 0;  ///< stress ratio of the contact forces alone (eq:coulombeff)
-    double effective_coordination = 0;    ///< Z* = Z_c + Z_d F_d/F0 (eq:defzstar)
-    double approximate_coordination = 0;  ///< Z_c + 0.5 Z_d
-    double rumpf_cohesion = 0;        ///< a^2 c/F0 with the approximate coordination (eq:cohesion3)
-    double generalised_cohesion = 0;  ///< a^2 c/F0 with the capillary shear stress (eq:cohgen)
+    /// Effective coordination number Z* = Z_c + Z_d F_d/F0 (eq:defzstar).
+    double effective_coordination = 0;
+    /// Approximate effective coordination number Z_c + 0.5 Z_d.
+    double approximate_coordination = 0;
+    /// Reduced cohesion a^2 c/F0 from the approximate coordination number (eq:cohesion3).
+    double rumpf_cohesion = 0;
+    /// Reduced cohesion a^2 c/F0 with the capillary shear stress (eq:cohgen).
+    double generalised_cohesion = 0;
     double strength1 = 0;   ///< stress ratio from the measured capillary stresses (eq:strength1)
     double strength2 = 0;   ///< stress ratio from Z* and the capillary shear stress (eq:strength2)
     double strength3 = 0;   ///< stress ratio from Z* alone (eq:strength3)

@@ -10,21 +10,22 @@ namespace pendular::closures {
 /// without contact per grain; F_d: mean force of bridges without contact; F0: pull-off force.
 /// Source: Badetti et al. (2018).
 enum class Level {
-    /// mu*_0 + c*/P* with a constant reduced cohesion c* fitted to measured stress ratios
-    /// (eq:mohrcoulomb2).
+    /// Stress ratio of dry grains plus c*/P*, with reduced pressure P* and a constant reduced
+    /// cohesion c* that is fitted to measured stress ratios (eq:mohrcoulomb2).
     mohr_coulomb,
-    /// mu*_0 [1 + Phi Z/(pi P*)] with Z = Z_c + 0.5 Z_d: Rumpf's cohesion (eq:cohesion3).
+    /// Stress ratio with Rumpf's cohesion: mu*_0 [1 + Phi Z/(pi P*)] with Z = Z_c + 0.5 Z_d
+    /// (eq:cohesion3).
     rumpf,
-    /// mu*_0 [1 + Phi Z*/(pi P*)] with Z* = Z_c + Z_d F_d/F0 (eq:strength3).
+    /// Stress ratio with the effective coordination number Z* = Z_c + Z_d F_d/F0: mu*_0 [1 + Phi
+    /// Z*/(pi P*)] (eq:strength3).
     strength3,
-    /// mu*_0 [1 + Phi Z*/(pi P*)] minus the capillary shear stress over the normal stress
+    /// Stress ratio of level `strength3` minus the capillary shear stress over the normal stress
     /// (eq:strength2).
     strength2,
-    /// As strength2, but with the capillary normal stress in place of its estimate by Z*
-    /// (eq:strength1).
+    /// Stress ratio of level `strength2` with the capillary normal stress itself in place of its
+    /// estimate by the effective coordination number (eq:strength1).
     strength1,
-    /// Stress ratio of the simulation, whose contacts may have another stress ratio than dry
-    /// grains.
+    /// Stress ratio of a simulation, whose contacts may have another stress ratio than dry grains.
     simulation
 };
 

@@ -17,7 +17,8 @@ struct State {
     double solid_fraction = 0;        ///< solid fraction [1]
     double contact_coordination = 0;  ///< number of contacts per grain [1]
     double distant_coordination = 0;  ///< number of distant pairs per grain [1]
-    /// Mean elastic normal force of contacts, over normal stress times squared grain diameter [1].
+    /// Mean elastic normal force of contacts over a^2 s22 [1], with grain diameter a and normal
+    /// stress s22.
     double contact_force = 0;
     /// Mean attractive force of distant pairs over the pull-off force [1].
     double distant_force = 0;
@@ -28,12 +29,13 @@ struct State {
     double distant_length = 1;
     double fabric_12_contact = 0;  ///< mean of n1 n2 over contacts with direction n [1]
     double fabric_12_distant = 0;  ///< mean of n1 n2 over distant pairs with direction n [1]
-    /// 12 component of the anisotropy of the force q(n) of distant pairs with direction n, negative
-    /// in steady shear: integral of q n1 n2 over the sphere, divided by 4 pi and the mean of q [1].
+    /// Component 12 of the anisotropy of the force q(n) of distant pairs with direction n [1],
+    /// negative in steady shear: integral of q n1 n2 over the sphere, divided by 4 pi and the mean
+    /// of q. Direction 1 is the flow, 2 the velocity gradient.
     double force_anisotropy_12_distant = 0;
-    /// 12 component of the anisotropy of the distance q(n) between the centres of distant pairs
-    /// with direction n: integral of q n1 n2 over the sphere, divided by 4 pi and the mean of q
-    /// [1].
+    /// Component 12 of the anisotropy of the distance q(n) between the centres of distant pairs
+    /// with direction n [1]: integral of q n1 n2 over the sphere, divided by 4 pi and the mean of
+    /// q. Direction 1 is the flow, 2 the velocity gradient.
     double length_anisotropy_12_distant = 0;
 };
 

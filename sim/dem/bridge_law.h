@@ -9,7 +9,8 @@ namespace pendular::dem {
 
 /// Parameters of the liquid bridges that a user gives for a simulation. All are dimensionless.
 struct Wetting {
-    /// a^2 s22/F0 [1]: a: diameter, s22: normal stress, F0: pull-off force
+    /// Reduced pressure a^2 s22/F0 [1], with grain diameter a, imposed normal stress s22 and
+    /// pull-off force F0.
     double reduced_pressure = 0;
     double bridge_volume = 0;  ///< volume of one bridge over the cubed grain diameter [1]
     /// Formula of the bridge force: as derived, or as Badetti et al. (2018) print it.

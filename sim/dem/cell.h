@@ -57,8 +57,8 @@ namespace image_code {
 constexpr int reach = 2;
 constexpr int per_direction = 2 * reach + 1;
 constexpr int count = per_direction * per_direction * per_direction;
-/// Code of a position far outside the cell. Placeholder pairs, which fill up the last batch of a
-/// list and must never touch, have it.
+/// Code of a position far outside the cell, for placeholder pairs, which fill up the last batch of
+/// a list and must never touch.
 constexpr int nowhere = count;
 
 constexpr int of(Image image) {

@@ -27,9 +27,11 @@ struct PairBatch {
     const double* elastic;    ///< elastic normal force of the contact
     const double* stiffness;  ///< tangential stiffness of the contact
     const double* joined;     ///< 1 if a liquid bridge joins the grains, else 0
-    /// Attraction by the bridge, 0 without bridge; initially that without the effect.
+    /// Attraction by the liquid bridge, 0 without bridge. The effect may change it; initially it
+    /// has the value without the effect.
     double* capillary;
-    /// Largest tangential force of the contact; initially the friction coefficient times `elastic`.
+    /// Largest tangential force of the contact. The effect may change it; initially it is the
+    /// friction coefficient times `elastic`.
     double* coulomb_limit;
     double *fx, *fy, *fz;  ///< force on the second grain; the first gets the opposite force
     double *tx, *ty, *tz;  ///< torque on the second grain; the first gets the opposite torque
@@ -62,7 +64,8 @@ struct ChangePairs {
     BridgeLaw (*bridge_law)(BridgeLaw, const Values&) = nullptr;
     Stage bridge = nullptr;  ///< sets `PairBatch::capillary` of pairs with a bridge
     Stage limit = nullptr;   ///< sets `PairBatch::coulomb_limit`
-    /// Adds forces and torques, which count as contact forces and not as capillary forces.
+    /// Adds forces and torques between grains, which count as contact forces and not as capillary
+    /// forces.
     Stage add = nullptr;
     /// Returns the largest damping coefficient (force over relative velocity) of the forces that
     /// `add` adds, divided by the mass of a grain, in reduced units. It limits the time step. Null:

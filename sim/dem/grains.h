@@ -20,9 +20,9 @@ struct Grains {
     struct Motion {
         /// Centre of the grain; inside the cell when the neighbour list was built.
         Vector position;
-        /// Velocity without the imposed flow, half a time step before `position`.
+        /// Velocity of the grain without the imposed flow, half a time step before `position`.
         Vector velocity;
-        /// Angular velocity, half a time step before `position`.
+        /// Angular velocity of the grain, half a time step before `position`.
         Vector angular_velocity;
 
         template <typename Archive>

@@ -21,8 +21,8 @@ struct MotionSums {
     /// neighbour list was made.
     double largest_squared = 0;
     MotionSums& operator+=(const MotionSums& other);
-    /// Kinetic energy of these grains, from their velocities without the imposed flow and their
-    /// rotation, in units of a^3 s22 (a: grain diameter, s22: imposed normal stress).
+    /// Kinetic energy of the grains in the sums, from their velocities without the imposed flow and
+    /// their rotation, in units of a^3 s22 (a: grain diameter, s22: imposed normal stress).
     double energy() const;
 
     template <typename Archive>

@@ -164,7 +164,8 @@ struct TangentialStep {
     Xyz force;       ///< tangential force on the second grain after the step
     double stored;   ///< energy in the tangential spring after the step
     double sliding;  ///< energy lost by sliding at the Coulomb limit in the step
-    /// Energy lost by the tangential spring without sliding in the step (`PairEnergy::unloading`).
+    /// Energy that the tangential spring loses in the step without sliding
+    /// (`PairEnergy::unloading`).
     double unloading;
 
     /// Advances the tangential force of a contact by one time step. The force rotates with the pair

@@ -15,8 +15,8 @@ namespace pendular::dem {
 /// step, in units of a^3 s22 (a: grain diameter, s22: imposed normal stress).
 struct PairEnergy {
     /// Elastic energy stored in contacts: (2/15) E~ h^(5/2) in normal direction plus s^2/(2 K_T) in
-    /// tangential direction, with modulus E~, overlap h, tangential force s and tangential
-    /// stiffness K_T.
+    /// tangential direction, with E~ = E/(1 - nu^2) (E: Young's modulus, nu: Poisson ratio),
+    /// overlap h, tangential force s and tangential stiffness K_T.
     double elastic = 0;
     double capillary = 0;  ///< stored: potential energy of the bridges, zero at rupture
     double friction = 0;   ///< energy lost by contacts that slide at the Coulomb limit

@@ -142,7 +142,7 @@ class PairList {
     void find_close_ones(const Grains& grains, const Cell& cell);
 
     double wide_skin_;
-    /// gap below which the wide list must contain all pairs [diameters]
+    /// Gap below which the wide list must contain all pairs [grain diameters].
     double reach_ = narrow_skin;
     int parts_;
     ListWants wants_;

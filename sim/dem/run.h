@@ -25,10 +25,10 @@ class GrainEffects;
 struct RunResult {
     RunParameters parameters;
     int threads = 1;  ///< number of threads that the run used
-    /// Average of each observable with its standard error, in the order of `Observable`.
+    /// Time average of each observable, with its standard error, in the order of `Observable`.
     std::array<Mean, observable_count> means;
-    /// Average of each field (quantity as a function of a coordinate), in the order of `Field`.
-    /// Fields of bridges are empty in dry runs.
+    /// Time average of each field (quantity as a function of a coordinate), in the order of
+    /// `Field`. Fields of bridges are empty in dry runs.
     std::array<BinnedMeans, field_count> fields;
     double covariance = 0;       ///< covariance of the means of stress ratio and solid fraction
     double strain_averaged = 0;  ///< shear strain over which the run was averaged [1]
@@ -79,7 +79,7 @@ struct RunOptions {
     Progress progress;
     int threads = 1;
     std::vector<Observer> observers;
-    /// Initial state, needed if `RunParameters::start` is not 0.
+    /// State from which the run starts; needed if `RunParameters::start` is not 0.
     const StoredSample* start = nullptr;
     /// Checkpoint file. If it exists, the run resumes from it. The run writes it when it is due
     /// (`Checkpoint::due`) and when the run is stopped. Null: no checkpoints.

@@ -22,8 +22,8 @@ constexpr double block_strain = 0.02;
 struct Block {
     double strain = 0;
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
-    /// Power lost per volume by each mechanism, divided by the shear rate and the imposed normal
-    /// stress [1]. Stored energies are 0.
+    /// Power that each mechanism dissipates per volume, divided by the shear rate and the imposed
+    /// normal stress [1]. The stored energies are 0.
     PairEnergy dissipation;
     Structure structure;
     FieldSums fields;

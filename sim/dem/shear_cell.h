@@ -61,8 +61,9 @@ class ShearCell {
     /// @throws std::invalid_argument for fewer than 64 grains
     ShearCell(int count, const Material& material, double shear_rate, std::uint64_t seed,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
-    /// Begins with a given sample in a given uniform flow. The servo is off until
-    /// `hold_normal_stress(true)`, and no bridges form until `let_bridges_form(true)`.
+    /// Begins with a given sample in a given uniform flow. The servo that keeps the normal stress
+    /// is off until `hold_normal_stress(true)`, and no liquid bridges form until
+    /// `let_bridges_form(true)`.
     ShearCell(Sample sample, const Material& material, const Flow& flow,
               const BridgeLaw& bridges = {}, int parts = 1, const GrainEffects& effects = {});
 
@@ -78,8 +79,9 @@ class ShearCell {
     /// @throws SimulationError if the stress is not finite or an overlap exceeds half a diameter
     void step(EnergyAccounting accounting = EnergyAccounting::off);
 
-    /// Lowers the height of the initial cell at a constant rate until the normal stress first
-    /// reaches its imposed value. From then on the servo keeps it, and liquid bridges form.
+    /// Compresses the initial sample: lowers the height of the cell at a constant rate until the
+    /// normal stress first reaches its imposed value. From then on a servo keeps this normal
+    /// stress, and liquid bridges form.
     /// @return false if the solid fraction reaches 0.8 before the normal stress is reached
     /// @throws Interrupted if a stop is requested
     /// @throws SimulationError if the stress is not finite or an overlap exceeds half a diameter
@@ -92,8 +94,8 @@ class ShearCell {
     /// Law of the liquid bridges, as the effects on grains change it.
     const BridgeLaw& bridges() const { return bridges_; }
     const GrainEffects& effects() const { return effects_; }
-    /// Mean stress of the sample in the last time step, divided by the imposed normal stress [1].
-    /// It belongs to the positions at the beginning of that step.
+    /// Mean stress of the sample in the last time step, divided by the imposed normal stress [1],
+    /// at the positions before the step.
     const Stress& stress() const { return stress_; }
     const Flow& flow() const { return flow_; }
     double shear_rate() const { return flow_.shear_rate; }
@@ -101,18 +103,18 @@ class ShearCell {
     /// diameter, s22: imposed normal stress); zero if that step was made without energy accounting.
     const PairEnergy& energy() const { return energy_; }
     /// Kinetic energy of all grains, from their velocities without the imposed flow and their
-    /// rotation, in units of a^3 s22 (a: grain diameter, s22: imposed normal stress). It belongs to
-    /// a time half a step after the last forces.
+    /// rotation, half a time step after the last forces, in units of a^3 s22 (a: grain diameter,
+    /// s22: imposed normal stress).
     double kinetic_energy() const { return motion_.energy(); }
     double strain() const { return strain_; }
     double time_step() const { return time_step_; }
     std::uint64_t steps() const { return steps_; }
     double solid_fraction() const;
 
-    /// Sets the imposed velocity gradient. While the servo is on, the servo changes its
-    /// `height_rate`.
+    /// Sets the imposed velocity gradient. While the servo that keeps the normal stress is on, it
+    /// changes the rate of height change.
     void set_flow(const Flow& flow) { flow_ = flow; }
-    /// Switches the servo on or off that keeps the normal stress at its imposed value by changing
+    /// Switches the servo on or off, which keeps the normal stress at its imposed value by changing
     /// the height of the cell.
     void hold_normal_stress(bool held) { servo_ = held; }
     /// Switches the liquid bridges on or off. Bridges form when grains touch.
@@ -139,8 +141,8 @@ class ShearCell {
     /// `moved`.
     PairSums sum_forces(const Share& share, std::vector<Grains::ForceAndTorque>& net_forces,
                         const PairLaws& laws, MotionSums* moved = nullptr);
-    /// Adds to the net forces on the grains of thread `part` the forces on them that other threads
-    /// summed, and sets these to zero.
+    /// Adds the forces that other threads summed for the grains of thread `part` to the net forces
+    /// on these grains, and sets the sums of the other threads to zero.
     void collect_net_forces(int part);
     std::vector<Grains::ForceAndTorque>& net_forces_of(int part);
     std::vector<Grains::ForceAndTorque> all_net_forces();

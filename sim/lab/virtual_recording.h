@@ -25,7 +25,8 @@ struct TrueState {
     Condition condition;  ///< requested condition
     Mean stress_ratio;    ///< true stress ratio [1]
     Mean solid_fraction;  ///< true solid fraction [1]
-    /// State of the cell that the instrument shows without noise; empty: it equals the true state.
+    /// State of the cell that the instrument shows without noise; empty if it equals the true
+    /// state.
     std::optional<CellState> shown = {};
 };
 

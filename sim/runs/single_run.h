@@ -16,9 +16,9 @@ struct RunScale {
     Liquid liquid{.surface_tension = 20.6e-3};
     double normal_stress = 1000;  ///< normal stress on dry grains [Pa]
 
-    /// Returns the grains, liquid and normal stress with which values of a run are converted. The
-    /// normal stress of a wet run follows from its reduced pressure P*, s22 = P* F0/a^2 [Pa], with
-    /// pull-off force F0 and grain diameter a; that of a dry run stays.
+    /// Returns the grains, liquid and normal stress with which values of a given run are converted.
+    /// The normal stress of a wet run follows from its reduced pressure P*: s22 = P* F0/a^2 [Pa],
+    /// with pull-off force F0 and grain diameter a. That of a dry run is `normal_stress`.
     RunScale of(const dem::RunParameters& run) const;
 };
 

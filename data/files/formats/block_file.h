@@ -29,13 +29,13 @@ struct Fact {
 
 /// Rows of a file under one header, such as an interval of a rheometer's test.
 struct Block {
-    /// name of the test that the interval belongs to; empty if the file names none
+    /// Name of the test to which the interval belongs; empty if the file names none.
     std::string test;
     std::string name;  ///< name of the interval, "Peak hold - 1"; empty if the file names none
     int number = 0;    ///< number of the interval in its test, from 1; 0: the file gives none
-    /// role of the interval in the file; empty if the file states none
+    /// Role of the interval in the test, such as "failure", if the file states it; else empty.
     std::string stated_role = {};
-    /// Bulk density of the sample, with liquid [kg/m^3], if the file states it.
+    /// Bulk density of the sample, with its liquid [kg/m^3]; empty if the file does not state it.
     std::optional<double> bulk_density = {};
     /// Number of rows that the file declares for the interval; empty if it declares none.
     std::optional<std::size_t> declared_rows;

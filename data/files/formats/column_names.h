@@ -6,7 +6,7 @@ namespace pendular {
 
 /// Quantity that a column in the export of a rheometer measures.
 struct ColumnMeaning {
-    /// name of the quantity; empty if the program does not use the column
+    /// Name of the quantity; empty if the program does not use the column.
     std::string_view quantity;
     /// Order of preference if several columns have the quantity: 0 for the most specific name,
     /// larger for others.

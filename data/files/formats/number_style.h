@@ -20,7 +20,7 @@ struct NumberStyle {
 /// separators.
 class NumberStyleFinder {
   public:
-    /// Examines the cells of a table.
+    /// Examines the numbers in the cells of a table, to determine their decimal mark.
     void look_at(const Table& table);
 
     /// Returns the style of the numbers in all tables examined so far.

@@ -10,7 +10,7 @@ namespace pendular {
 /// Fault that the rows of recordings show, such as a wobble of the lid. The result of a test for
 /// such a fault has this type too, whether significant or not.
 struct RecordingFinding {
-    /// Kind of fault.
+    /// Kind of fault that the rows of recordings can show.
     enum class Kind {
         saturation,  ///< torque or force is limited by the largest value that the instrument gives
         level_change,      ///< from one recording on, repeated conditions give other values

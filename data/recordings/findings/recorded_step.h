@@ -22,8 +22,8 @@ struct RecordedStep {
     std::string why_unsteady = {};
     /// Periodic parts of the columns after the transient; empty if this part is too short.
     std::vector<PeriodicColumn> periodic = {};
-    /// Number of samples at the beginning of the steady part that means leave out, so that they
-    /// cover whole turns and a wobble does not bias them.
+    /// Number of samples at the beginning of the steady part that are not averaged, so that the
+    /// average covers whole turns of the lid and a wobble does not bias it.
     std::size_t beyond_whole_turns = 0;
 };
 

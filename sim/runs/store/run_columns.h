@@ -21,7 +21,7 @@ struct RunColumn {
     Type type = Type::real;
     bool determines = false;  ///< whether the column is an input of the run, not a result
     std::function<RunCell(const dem::RunResult&)> get;  ///< returns the cell of a run
-    /// Sets the value of a run from its cell.
+    /// Sets the value of this column in a run to that of a cell.
     std::function<void(dem::RunResult&, const RunCell&)> set;
 };
 

@@ -73,15 +73,16 @@ class RunStore {
     /// "friction = 0.09". Corrupt runs, which cannot be read, are included.
     /// @throws InputError for a condition that SQLite does not understand
     std::vector<std::int64_t> numbers(const std::string& condition) const;
-    /// Returns the run with a number (`StoredRun::id`), with trace and final state.
+    /// Returns the run with the number `id` (`StoredRun::id`), with its time series (trace) and
+    /// final state.
     /// @throws InputError if the store has no run with this number
     StoredRun get(std::int64_t id) const;
     /// Removes runs from the store, and returns the number of removed runs.
     /// @param ids numbers of the runs (`StoredRun::id`); numbers that the store does not have are
     ///         ignored
     std::size_t remove(const std::vector<std::int64_t>& ids);
-    /// Adds the runs of another store that this store lacks, with traces and final states. Returns
-    /// the number of added runs.
+    /// Adds the runs of another store that this store lacks, with their traces and final states,
+    /// and returns the number of added runs.
     std::size_t merge(const RunStore& other);
 
     /// Path of the user's store (SQLite file of runs): the environment variable PENDULAR_STORE,
