@@ -21,9 +21,9 @@ struct CellFromColumns {
 };
 
 /// Returns the constants of the cell from the most frequent ratios of shear stress to torque and of
-/// normal stress to normal force in the rows of a file. If a commercial cup has the ratio of normal
-/// stress to force, its radii are returned with its ratio of stress to torque, provided that rows
-/// of the file have this ratio.
+/// normal stress to normal force in the rows of a file. If a commercial cup has these ratios, its
+/// radii are returned too. If only the ratio of normal stress to force belongs to a cup, but some
+/// rows have the cup's ratio of shear stress to torque, the latter is returned.
 /// @param series columns of each interval of the file
 CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series);
 

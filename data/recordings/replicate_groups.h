@@ -7,8 +7,9 @@
 
 namespace pendular {
 
-/// Whether two readings were taken at the same condition: their liquid contents are equal, and
-/// their normal stresses, inertial numbers and volumes of grains agree within 2 %.
+/// Whether two readings were taken at the same condition: their liquid contents are equal, both are
+/// steady shear or both are points of failure, and their normal stresses, inertial numbers,
+/// preshear stresses and volumes of grains agree within 2 %.
 bool are_replicates(const Reading& a, const Reading& b);
 
 /// Groups readings by condition. Returns for each condition the indices of its readings in

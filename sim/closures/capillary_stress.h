@@ -2,10 +2,12 @@
 
 #include "sim/closures/state.h"
 
-// Capillary stresses and mean stress from averages over contacts and bridges, all derived from
-//     s_ab = (1/volume) sum over pairs of F_a r_b,   pairs per volume = 3 Phi Z/(pi a^3)
-// where Z is the number of pairs per grain, each pair counted for both grains. Source of all
-// equations: Badetti et al. (2018).
+// Capillary stresses and mean stress from averages over contacts and bridges. All formulas follow
+// from the stress as a sum over pairs of grains, with F the force on the second grain of a pair and
+// r the vector from the first to the second centre:
+//     s_ab = (1/volume) sum of F_a r_b,   number of pairs per volume = 3 Phi Z/(pi a^3)
+// Phi is the solid fraction, a the grain diameter, and Z the number of pairs per grain, where each
+// pair counts for both grains. Source of all equations: Badetti et al. (2018).
 namespace pendular::closures {
 
 /// Mean force of bridges without contact over the pull-off force [1] that Badetti et al. (2018)

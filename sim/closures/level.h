@@ -13,11 +13,12 @@ enum class Level {
     /// Stress ratio of dry grains plus c*/P*, with reduced pressure P* and a constant reduced
     /// cohesion c* that is fitted to measured stress ratios (eq:mohrcoulomb2).
     mohr_coulomb,
-    /// Stress ratio with Rumpf's cohesion: mu*_0 [1 + Phi Z/(pi P*)] with Z = Z_c + 0.5 Z_d
-    /// (eq:cohesion3).
+    /// Stress ratio with Rumpf's cohesion, from the approximate coordination number Z
+    /// (eq:cohesion3):
+    ///     mu*_0 [1 + Phi Z/(pi P*)],   Z = Z_c + 0.5 Z_d
     rumpf,
-    /// Stress ratio with the effective coordination number Z* = Z_c + Z_d F_d/F0: mu*_0 [1 + Phi
-    /// Z*/(pi P*)] (eq:strength3).
+    /// Stress ratio from the effective coordination number Z* (eq:strength3):
+    ///     mu*_0 [1 + Phi Z*/(pi P*)],   Z* = Z_c + Z_d F_d/F0
     strength3,
     /// Stress ratio of level `strength3` minus the capillary shear stress over the normal stress
     /// (eq:strength2).

@@ -2,9 +2,9 @@
 
 #include "sim/closures/state.h"
 
-// Shear strength and cohesion of wet grains from the stress ratio mu*_0 of dry grains at the same
-// friction and inertial number. All formulas assume effective stress: capillary forces load the
-// contact network as external stresses would. Source of all equations: Badetti et al. (2018).
+// Stress ratio and cohesion of wet grains from the stress ratio of dry grains at the same friction
+// and inertial number. All formulas assume effective stress: capillary forces load the network of
+// contacts as external stresses do. Source of all equations: Badetti et al. (2018).
 namespace pendular::closures {
 
 /// Stress ratio of the contact forces alone [1], without the capillary stresses.

@@ -68,8 +68,8 @@ struct ChangePairs {
     /// forces.
     Stage add = nullptr;
     /// Returns the largest damping coefficient (force over relative velocity) of the forces that
-    /// `add` adds, divided by the mass of a grain, in reduced units. It limits the time step. Null:
-    /// 0.
+    /// `add` adds, divided by the mass of a grain, in reduced units (grain diameter, grain mass and
+    /// imposed normal stress are 1). It limits the time step. If null, the coefficient is 0.
     double (*damping_rate)(const BridgeLaw&, const Values&) = nullptr;
 };
 

@@ -57,7 +57,6 @@ class GrainEffects {
     /// @param gap gap between the surfaces; negative: overlap [grain diameters]
     /// @param diameter 2 d1 d2/(d1 + d2) of the diameters d1 and d2 of the grains, over the mean
     ///         grain diameter [1]
-    /// @param bridges law of the bridges without effects on their force
     double attraction(double gap, double diameter, const Material& material,
                       const BridgeLaw& bridges) const;
 

@@ -20,7 +20,7 @@ constexpr std::array observable_names = std::to_array<std::string_view>({
 });
 constexpr std::size_t observable_count = observable_names.size();
 
-/// Whether an observable is defined only for grains with liquid bridges.
+/// Whether an observable is a property of liquid bridges, such as their number per grain.
 bool needs_bridges(Observable which);
 
 /// Returns the observable with a given name.

@@ -7,9 +7,10 @@
 #include "sim/dem/flow.h"
 #include "sim/dem/pair_sizes.h"
 
-// Contact and bridge of one pair of grains in reduced units. The loops over pairs (pair_forces.cpp,
-// viscous_loss.cpp) inline these functions and process many pairs at a time. No function here may
-// therefore branch, or call a function that has no vector instruction.
+// Laws of contact and bridge for one pair of grains, in reduced units (grain diameter, grain mass
+// and imposed normal stress are 1). The loops over pairs (pair_forces.cpp, viscous_loss.cpp) inline
+// these functions and process many pairs at once in vector lanes. Functions here must therefore not
+// branch, nor call a function that has no vector instruction.
 namespace pendular::dem {
 
 /// Vector of three numbers, which the compiler keeps in SIMD lanes in a loop over pairs of grains.

@@ -5,7 +5,8 @@
 #include "sim/dem/change_pairs.h"
 #include "sim/dem/pair_lanes.h"
 
-// Data of the force loop where it is split into two stages, between which effects change forces.
+// Data of the force loop in runs with effects on grains. The loop is then split into two stages,
+// and effects change the forces between the stages.
 namespace pendular::dem {
 
 /// Kinematics and forces of a batch of pairs between the two stages of the force loop, where

@@ -49,8 +49,9 @@ struct RunParameters {
     /// Standard errors at which averaging may end before `strain`, once all of them are reached.
     /// Empty: averaging never ends before `strain`.
     std::vector<Precision> precision = {};
-    /// Effects on grains that act in the run, with parameter values in reduced units. The solver
-    /// does not read this list: it receives the effects as `GrainEffects`.
+    /// Effects on grains that act in the run, with parameter values in reduced units (grain
+    /// diameter, grain mass and imposed normal stress are 1). The solver does not read this list:
+    /// it receives the effects as `GrainEffects`.
     std::vector<EffectValues> effects = {};
 };
 

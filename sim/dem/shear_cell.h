@@ -114,7 +114,7 @@ class ShearCell {
     /// Sets the imposed velocity gradient. While the servo that keeps the normal stress is on, it
     /// changes the rate of height change.
     void set_flow(const Flow& flow) { flow_ = flow; }
-    /// Switches the servo on or off, which keeps the normal stress at its imposed value by changing
+    /// Switches on or off the servo that keeps the normal stress at its imposed value by changing
     /// the height of the cell.
     void hold_normal_stress(bool held) { servo_ = held; }
     /// Switches the liquid bridges on or off. Bridges form when grains touch.

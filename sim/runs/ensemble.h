@@ -49,7 +49,9 @@ std::vector<dem::RunResult> run_all(const std::vector<dem::RunParameters>& runs,
 /// Carries out one simulation in the calling thread and returns its time averages. If the
 /// simulation fails (dem::SimulationError), the result has only the parameters of the run and
 /// `RunResult::failure`.
-/// @throws std::invalid_argument, dem::Interrupted, InputError as `simulate` does
+/// @throws std::invalid_argument for a run that cannot be simulated
+/// @throws dem::Interrupted if a stop is requested
+/// @throws InputError if the checkpoint belongs to another run or version, or is corrupt
 dem::RunResult run_one(const dem::RunParameters& run, const dem::RunOptions& options);
 
 /// Returns the indices of `runs` in the order of decreasing expected computing time. Runs that are

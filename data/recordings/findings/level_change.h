@@ -10,7 +10,7 @@ namespace pendular {
 /// Tests torque and gap for a sudden change between two recordings: from one recording on, in the
 /// order of time, all readings at repeated conditions differ from earlier readings by a common
 /// factor or offset. Returns one entry for each column, at its most significant recording, with the
-/// p value.
+/// p value; nothing if there are too few readings for a test.
 ///
 /// Logarithms of stress ratios (torque at the set normal stress) and gaps, minus their mean at the
 /// condition, are averaged over each recording, since all readings of a filling have an error in
