@@ -40,7 +40,8 @@ EffectParameter on_switch(std::string meaning);
 /// A physical effect, identified by its name, with a value for each of its parameters.
 struct EffectValues {
     std::string effect;  ///< name of the effect
-    /// Value of each parameter in the parameter's unit, in the order of `Effect::parameters`.
+    /// Value of each parameter of the effect, in the parameter's unit and in the order of
+    /// `Effect::parameters`.
     std::vector<double> values;
 
     bool operator==(const EffectValues&) const = default;

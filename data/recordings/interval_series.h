@@ -11,14 +11,14 @@ namespace pendular {
 /// element per row. An element is NaN if its cell is empty; a column that the file lacks is empty.
 struct IntervalSeries {
     std::vector<int> line;                 ///< line of each row in the file, from 1
-    std::vector<double> time;              ///< [s]
-    std::vector<double> torque;            ///< [N m]
-    std::vector<double> normal_force;      ///< [N]
-    std::vector<double> height;            ///< gap [m]
-    std::vector<double> angular_velocity;  ///< [rad/s]
-    std::vector<double> shear_stress;      ///< [Pa]
-    std::vector<double> normal_stress;     ///< [Pa]
-    std::vector<double> shear_rate;        ///< [1/s]
+    std::vector<double> time;              ///< time of each row [s]
+    std::vector<double> torque;            ///< torque on the lid [N m]
+    std::vector<double> normal_force;      ///< normal force on the lid [N]
+    std::vector<double> height;            ///< gap, the height of the sample [m]
+    std::vector<double> angular_velocity;  ///< angular velocity of the lid [rad/s]
+    std::vector<double> shear_stress;      ///< shear stress that the instrument computed [Pa]
+    std::vector<double> normal_stress;     ///< normal stress that the instrument computed [Pa]
+    std::vector<double> shear_rate;        ///< shear rate that the instrument computed [1/s]
 
     std::size_t size() const { return line.size(); }
     /// Column with the name of a quantity, such as "torque", in SI units; empty for any other name.

@@ -80,7 +80,7 @@ std::vector<Step> split_steps(const Recording& recording);
 /// @param marked one element per row
 void erase_rows(Recording& recording, const std::vector<bool>& marked);
 
-/// Smallest number of rows from which a step can be averaged.
+/// Smallest number of rows that a step must have to be averaged.
 constexpr std::size_t shortest_step = 20;
 
 }  // namespace pendular

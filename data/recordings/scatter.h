@@ -9,7 +9,7 @@ namespace pendular {
 /// Deviation of one reading from the mean of its replicates (readings at the same condition), in
 /// stress ratio or in solid fraction.
 struct ReplicatedValue {
-    std::size_t reading = 0;    ///< index of the reading
+    std::size_t reading = 0;    ///< index of the reading among the study's readings
     std::size_t condition = 0;  ///< index of the condition of the reading and its replicates
     std::size_t file = 0;       ///< index of the reading's file; a file counts as one filling
     /// Logarithm of the stress ratio or solid fraction, minus the mean logarithm at the condition
@@ -75,7 +75,7 @@ LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets
 
 /// Mean square of relative deviations, which estimates their variance, with its degrees of freedom.
 struct MeanSquare {
-    double value = 0;    ///< mean square [1]
+    double value = 0;    ///< mean square of the relative deviations [1]
     double freedom = 0;  ///< degrees of freedom of `value`
 };
 

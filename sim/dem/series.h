@@ -98,9 +98,9 @@ class Series {
         }
         return result;
     }
-    /// Returns one value per block, from block `from` on (counted from 0), for the ratio of two
-    /// averages. The mean of the values is the mean of `numerator(block)` over the mean of
-    /// `denominator(block)`; their scatter is the scatter of this ratio to first order.
+    /// Returns a time series of the ratio of two quantities: one value per block, from block `from`
+    /// on (counted from 0). The mean of the values is the mean of `numerator(block)` over the mean
+    /// of `denominator(block)`; their scatter is the scatter of this ratio to first order.
     template <typename Numerator, typename Denominator>
     std::vector<double> ratio(std::size_t from, Numerator numerator,
                               Denominator denominator) const {

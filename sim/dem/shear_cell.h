@@ -32,8 +32,9 @@ struct Sample {
     Cell cell;
 };
 
-/// Returns `count` grains at rest at random positions without contact, at solid fraction 0.3. The
-/// cell is tall; it becomes a cube once the sample is compressed and flows.
+/// Returns a sample of `count` grains at rest, at random positions without contact, at solid
+/// fraction 0.3. The cell is tall; it becomes a cube once the sample is compressed and flows.
+/// @param seed seed of the random positions
 /// @param diameters diameters of the grains over their mean [1]; empty: all are 1
 /// @throws std::invalid_argument for fewer than 64 grains
 Sample random_gas(int count, std::uint64_t seed, const std::vector<double>& diameters = {});

@@ -20,11 +20,14 @@ struct LabPlan {
     GrainProperties grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
     Liquid liquid = {.surface_tension = 20.6e-3};
     AnnularCell cell = {.inner_radius = 21e-3, .outer_radius = 45e-3, .bead_volume = 60e-3 / 1050};
-    std::vector<double> dry_normal_stresses = {300, 1000, 3000};       ///< for dry recordings [Pa]
-    std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};  ///< for wet recordings [Pa]
+    /// normal stresses in dry recordings [Pa]
+    std::vector<double> dry_normal_stresses = {300, 1000, 3000};
+    /// Normal stresses in wet recordings [Pa].
+    std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};
     /// Liquid volume over grain volume in the wet recordings [1]; empty: dry recordings only.
     std::vector<double> liquid_contents = {0.007, 0.03};
-    std::vector<double> inertial_numbers = {3e-3, 3e-2};  ///< for all recordings [1]
+    /// Inertial numbers in all recordings [1].
+    std::vector<double> inertial_numbers = {3e-3, 3e-2};
     std::vector<ActiveEffect> effects;  ///< true effects, which study.toml does not state
     int replicates = 2;  ///< number of recordings for each liquid content, dry included
     Instrument instrument;

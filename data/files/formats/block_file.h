@@ -67,7 +67,7 @@ constexpr std::size_t most_intervals = 10'000, most_header_cells = 1'000'000;
 /// Content of a file of measurements, independent of the layout of the file.
 struct BlockFile {
     std::string file;      ///< path
-    std::string layout;    ///< name of the layout
+    std::string layout;    ///< name of the file's layout, one of `layout_names`
     std::string encoding;  ///< name of the character encoding
     char delimiter = ',';
     NumberStyle numbers;
