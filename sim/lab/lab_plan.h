@@ -20,7 +20,7 @@ struct LabPlan {
     GrainProperties grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
     Liquid liquid = {.surface_tension = 20.6e-3};
     AnnularCell cell = {.inner_radius = 21e-3, .outer_radius = 45e-3, .bead_volume = 60e-3 / 1050};
-    /// normal stresses in dry recordings [Pa]
+    /// Normal stresses in dry recordings [Pa].
     std::vector<double> dry_normal_stresses = {300, 1000, 3000};
     /// Normal stresses in wet recordings [Pa].
     std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};
