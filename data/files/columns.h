@@ -11,75 +11,81 @@
 
 namespace pendular {
 
-/// Access to the columns of a table by the names of their quantities, with numbers in SI units.
+/// Values in a table in SI units, found by the name of a quantity such as "torque".
 ///
 /// Header cells read `name [unit]`, `name (unit)` or `name in unit`; columns may be in any order. A
-/// column `name_sd [unit]` holds standard deviations; without a unit of its own, it has the unit of
-/// `name`. Two conventions are translated: `inertial_number_diameter_density`, rate a
-/// sqrt(density/s22), is divided by sqrt(6/pi) and read as `inertial_number`; `rotational_speed`,
-/// in turns unless the unit says otherwise, is read as `angular_velocity`.
+/// column `name_sd [unit]` has standard deviations; if it states no unit, it has the unit of the
+/// column `name`. Two conventions are converted: `inertial_number_diameter_density`, shear rate a
+/// sqrt(density/s22) with grain diameter a and normal stress s22, is divided by sqrt(6/pi) and read
+/// as `inertial_number`; `rotational_speed`, in turns unless the unit says otherwise, is read as
+/// `angular_velocity`.
 class Columns {
   public:
-    /// Matches the header cells to quantities and keeps a reference to the table. A faulty header
-    /// cell raises an error only when its column is requested, so that unused columns may have any
-    /// header.
+    /// Assigns the header cells to quantities. The table is not copied and must outlive this
+    /// object. A faulty header cell causes an error only when its column is requested, so that
+    /// unused columns may have any header.
     explicit Columns(const Table& table);
 
-    /// Whether the table has a column of this quantity.
+    /// Whether the table has a column of a quantity, such as "torque".
     /// @throws InputError at the header cell if the column's unit is missing, unknown or of the
-    ///         wrong dimension, or if two columns have this quantity. All functions with a
-    ///         parameter `name` throw this error.
+    ///         wrong dimension, or if two columns have this quantity; every function of this class
+    ///         with a parameter `name` throws this error
     bool has(std::string_view name) const { return find(name, false) != nullptr; }
 
-    /// Checks that the table has a column of this quantity.
-    /// @throws InputError if the column is missing, listing the header cells of the table
+    /// Checks that the table has a column of a quantity, such as "torque".
+    /// @throws InputError if the column is missing; the message lists the header cells of the table
     void require(std::string_view name) const;
-    /// Name of the one quantity, `first` or `second`, of which the table has a column.
+    /// Returns which one of two quantities the table has a column of: `first` or `second`.
     /// @throws InputError if the table has columns of both quantities or of neither
     std::string_view require_one_of(std::string_view first, std::string_view second) const;
 
     /// Value of a quantity in a row, in SI units. The table must have a column of this quantity:
     /// call `require` first.
-    /// @throws InputError at the cell if it is not a finite number
+    /// @throws InputError at the cell if it is not a finite number, or is too large for a measured
+    ///         value
     double value(const Row& row, std::string_view name) const;
     /// Value of a quantity in a row, in SI units; empty if the table has no column of this quantity
     /// or the cell is empty.
-    /// @throws InputError at the cell if its text is not a finite number
+    /// @throws InputError at the cell if its text is not a finite number, or is too large for a
+    ///         measured value
     std::optional<double> value_if_any(const Row& row, std::string_view name) const;
-    /// Column that a quantity is read from: a number x in its cell `index`, from 0, is factor x +
-    /// offset in SI units; empty if the table lacks the column.
+    /// Conversion of a column to SI units: a number x in cell `index` of a row, from 0, is the
+    /// value factor x + offset.
     struct Conversion {
         std::size_t index;
         double factor, offset;
     };
+    /// Position of a quantity's column and its conversion to SI units; empty if the table lacks the
+    /// column.
     std::optional<Conversion> conversion(std::string_view name) const;
     /// Standard deviation of a quantity in a row, in SI units, from the column `name_sd`; empty if
     /// this column is missing or the cell is empty.
     /// @throws InputError at the cell if its text is not a positive number
     std::optional<double> deviation(const Row& row, std::string_view name) const;
 
-    /// Rounding step of a quantity's value in each row, in SI units, from the digits in the file; 0
-    /// if the column is missing or the cell is empty.
+    /// Rounding step of a quantity in each row, in SI units, from the number of digits in the file.
+    /// One element per row; 0 if the column is missing or the cell is empty.
     std::vector<double> resolutions(std::string_view name) const;
 
-    /// Position in the file of a row's cell in a quantity's column; if the table lacks the column,
-    /// the line of the row.
+    /// Position in the file of a quantity's cell in a row; if the table lacks the column, the line
+    /// of the row.
     Position at(const Row& row, std::string_view name) const;
 
     /// Indices, from 0, of the header cells that name no quantity of the program.
     const std::vector<std::size_t>& unknown() const { return unknown_; }
-    /// Texts of the non-empty header cells whose columns are not in `used`. `used` holds names of
-    /// quantities ("torque"), with "_sd" for columns of standard deviations ("torque_sd").
+    /// Returns the header cells that are not empty and whose columns are not used.
+    /// @param used names of the used quantities such as "torque", with "_sd" for their standard
+    ///         deviations
     std::vector<std::string> others(const std::vector<std::string_view>& used) const;
 
   private:
-    /// Column of a quantity; a number x in the column is factor x + offset in SI units.
+    /// Column of a quantity. A number x in the column is factor x + offset in SI units.
     struct Column {
         std::string_view name;   ///< name of the quantity
-        bool deviation = false;  ///< whether the column holds standard deviations
+        bool deviation = false;  ///< whether the column contains standard deviations
         double factor = 1;
         double offset = 0;
-        std::size_t index = 0;   ///< place of the column in the table, from 0
+        std::size_t index = 0;   ///< index of the column in the table, from 0
         std::string wrong = {};  ///< error message about the column's unit; empty if there is none
     };
 

@@ -12,7 +12,7 @@ namespace pendular {
 /// Cell of a table that was read from a text file.
 struct Cell {
     std::string text;  ///< content without the blanks and quotes around it
-    int column = 0;    ///< position in its line, in characters from 1
+    int column = 0;    ///< position in the line: number of the first character, from 1
 };
 
 /// Row of a table that was read from a text file.
@@ -21,51 +21,57 @@ struct Row {
     std::vector<Cell> cells;
 };
 
-/// A table of text cells: a header and at least one row, each row as long as the header.
+/// Table of text cells from a file: a header and at least one row, each as long as the header.
 struct Table {
     std::string file;
     Row header;
     std::vector<Row> rows;
     char delimiter = ',';
 
-    /// Position of a cell of a row in the file; cells count from 0.
+    /// Position in the file of cell number `cell`, from 0, of a row.
     Position at(const Row& row, std::size_t cell) const {
         return {file, row.line, row.cells[cell].column};
     }
-    /// Position of a header cell in the file; cells count from 0.
+    /// Position in the file of cell number `cell`, from 0, of the header.
     Position at_header(std::size_t cell) const { return at(header, cell); }
 };
 
-/// Largest number of cells, rows times columns, that are read of one file, and of one line.
+/// Largest number of cells (rows times columns) in one file, and in one line, that is read.
 constexpr std::size_t most_cells = 20'000'000, most_cells_of_line = 2'000'000;
 
-/// Checks the number of cells, rows times columns, of a file up to a line.
-/// @throws InputError if there are more than `most_cells`
+/// Checks that a file does not have more than `most_cells` cells.
+/// @param cells number of cells (rows times columns) up to line `line`
+/// @throws InputError at the line if there are more
 void check_cell_count(std::size_t cells, const std::string& file, int line);
 
-/// Whether a quote inside a cell, as in the header `G"`, is refused or kept as a plain character.
+/// Treatment of a quote inside a cell, as in the header `G"`: it is an error, or it is kept as a
+/// plain character.
 enum class InnerQuotes { refused, kept };
 
 /// Splits a line of a table into cells. A quote at the start of a cell opens a quoted cell, in
-/// which two quotes are one; blanks around a cell are left out.
-/// @param at file and line
-/// @throws InputError at file:line:column if a quoted cell does not close, if a quote is inside a
-///         cell and `inner` refuses it, or if there are more than `most_cells_of_line`
+/// which two quotes mean one. Blanks around a cell are removed.
+/// @param at position of the line: file and line number
+/// @throws InputError at file:line:column if a quoted cell is not closed, if a quote is inside a
+///         cell and `inner` refuses it, or if there are more than `most_cells_of_line` cells
 Row split_cells(std::string_view line, char delimiter, const Position& at, InnerQuotes inner);
 
-/// Reads a text file of delimited cells. The delimiter is the most frequent of comma, semicolon and
-/// tab in the header. Blank lines, lines of empty cells and lines that begin with '#' are skipped.
-/// @throws InputError at file:line:column if the file is empty or has no rows, a row differs in
-///         length from the header, a quote is misplaced or does not close, a column name occurs
-///         twice, the header consists of numbers, or there are more than `most_cells`
+/// Reads a text file of cells that are separated by a delimiter. The delimiter is the most frequent
+/// of comma, semicolon and tab in the header. Blank lines, lines of empty cells and lines that
+/// begin with '#' are skipped.
+/// @throws InputError at file:line:column if the file cannot be read, is empty or has no rows, a
+///         row differs in length from the header, a quote is misplaced or not closed, a column name
+///         occurs twice, the header consists of numbers, or there are more than `most_cells` cells
 Table read_table(const std::filesystem::path& path);
 
-/// Reads a table from the lines of a file, as `read_table` does.
-/// @throws InputError as `read_table` does
+/// Returns the table in the lines of a text, by the rules of `read_table`.
+/// @param file path of the file, for error messages
+/// @throws InputError at file:line:column if there are no rows, a row differs in length from the
+///         header, a quote is misplaced or not closed, a column name occurs twice, the header
+///         consists of numbers, or there are more than `most_cells` cells
 Table table_of(const std::string& file, const std::vector<std::string_view>& lines);
 
-/// Text as one cell of a CSV file: in quotes if it contains a delimiter, a quote or a line end
-/// (LF); in quotes, line ends become blanks.
+/// Returns a text as one cell of a CSV file. A text with a delimiter, a quote or a line end (LF) is
+/// put in quotes; line ends become blanks.
 std::string csv_cell(std::string_view text);
 
 }  // namespace pendular

@@ -5,22 +5,24 @@
 
 namespace pendular {
 
-/// Lock that only one process at a time can hold, by means of the file `file`. The destructor
-/// releases the lock and removes the file. A process that is killed releases the lock but leaves
-/// the file.
+/// Lock that only one process at a time can have, represented by a file. The destructor releases
+/// the lock and removes the file. If a process is killed, the lock is released, but the file
+/// remains.
 class FileLock {
   public:
+    /// Makes a lock that this process does not have yet; the function `take` takes it.
+    /// @param file file that represents the lock; it is created if it does not exist
     explicit FileLock(std::filesystem::path file) : file_(std::move(file)) {}
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
     ~FileLock();
 
-    /// Takes the lock, without waiting.
-    /// @return false where another process has the lock
-    /// @throws std::runtime_error where the file cannot be written or is a symbolic link
+    /// Takes the lock without waiting.
+    /// @return false if another process has the lock
+    /// @throws std::runtime_error if the file cannot be written or locked, or is a symbolic link
     bool take();
-    /// Name of the process that has the lock, as in "process 123 (pendular add my-study)"; "another
-    /// process" where the system does not tell which process it is.
+    /// Returns words for the process that has the lock, such as "process 123 (pendular add
+    /// my-study)", or "another process" if the system does not show which process it is.
     std::string holder() const;
 
   private:

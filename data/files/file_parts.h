@@ -7,9 +7,10 @@
 
 namespace pendular {
 
-/// Reads a regular file from its begin to its end in parts of a few MB, which are handed to `read`
-/// one after the other until it returns false. Returns whether the end was reached; false, too, for
-/// a file of more than `largest` bytes, of which nothing is read.
+/// Reads a regular file from beginning to end in parts of a few MB, and passes each part to `read`
+/// until `read` returns false.
+/// @param largest largest size of the file [bytes]; of a larger file, nothing is read
+/// @return true if the end was reached; false if `read` returned false or the file is too large
 /// @throws InputError if the file cannot be read or is no regular file
 bool read_in_parts(const std::filesystem::path& path, std::uintmax_t largest,
                    const std::function<bool(std::string_view)>& read);

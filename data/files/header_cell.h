@@ -5,14 +5,15 @@
 
 namespace pendular {
 
-/// Parts of a header cell (first line of a table of measurements), such as "Torque_sd [mN m]".
+/// Parts of a cell in the header of a table, such as "Torque_sd [mN m]".
 struct HeaderCell {
-    std::string name;        ///< "Torque"; a mark of standard deviations such as "_sd" is removed
+    std::string name;        ///< "Torque"; without a mark of standard deviations such as "_sd"
     std::string unit;        ///< "mN m"; empty if none is given
-    bool deviation = false;  ///< whether the column holds standard deviations
+    bool deviation = false;  ///< whether the column contains standard deviations
 };
 
-/// Splits a header cell `name [unit]`, `name (unit)`, `name in unit` or `name` into its parts.
+/// Splits a cell in the header of a table into name and unit. The cell reads `name [unit]`, `name
+/// (unit)`, `name in unit` or `name`.
 HeaderCell parse_header_cell(std::string_view text);
 
 }  // namespace pendular

@@ -7,18 +7,20 @@
 
 namespace pendular {
 
-/// Version of all JSON formats that the program writes. It changes only when programs that read the
-/// earlier version would misread the new version. docs/reference has the schemas.
+/// Version of all JSON formats that the program writes. It increases only if programs that read the
+/// earlier version would misread the new one. The schemas are in docs/reference.
 constexpr int json_format = 1;
 
-/// JSON text of an object for a file, with the key "format" before the object's keys. A number that
-/// is not finite is written as null, bytes that are not UTF-8 as U+FFFD.
+/// Returns a JSON object as the text of a file, with the version as first key "format". A number
+/// that is not finite is written as null, bytes that are not UTF-8 as U+FFFD.
+/// @param indent number of blanks per level
 std::string json_text(const nlohmann::ordered_json& object, int indent = 2);
 
-/// Checks that this version of the program can read a JSON file. Files without a key "format" are
-/// accepted.
-/// @throws InputError if the file's format is not `json_format`, naming the file and ending with
-///         `advice`, which says what to do
+/// Checks that a JSON file has the version of the formats that this program reads, `json_format`.
+/// Files without a key "format" are accepted.
+/// @param file path of the file, for the message
+/// @param advice end of the message, which says what to do
+/// @throws InputError if the version is another one
 void check_json_format(const nlohmann::ordered_json& object, const std::filesystem::path& file,
                        std::string_view advice);
 

@@ -5,19 +5,20 @@
 
 namespace pendular {
 
-/// Largest numbers of significant digits and of decimals among the numbers in a column of a table.
+/// Precision to which the numbers in a column of a table are written.
 struct Digits {
-    int significant = 0;  ///< most significant digits, trailing zeros aside
-    int decimals = 0;     ///< most digits after the decimal point, trailing zeros aside
+    int significant = 0;  ///< most significant digits of a number, without trailing zeros
+    int decimals = 0;     ///< most digits after the decimal point, without trailing zeros
 };
 
-/// Largest numbers of significant digits and of decimals among the numbers in a column, from the
-/// texts of its cells. Cells without digits are ignored.
+/// Returns the largest numbers of significant digits and of decimals among the numbers in a column.
+/// Cells without digits are ignored.
+/// @param cells texts of the column's cells
 Digits digits_of(const std::vector<std::string_view>& cells);
 
-/// Step to which a value was rounded in a column with these digits, in the column's unit: the
-/// coarser of the last decimal and the last significant digit. Returns 0 for a value of 0 and for a
-/// column without digits. Rounding to this step makes an error of variance step^2/12.
+/// Step to which a value was rounded, in the unit of its column: the unit of the last decimal or of
+/// the last significant digit, whichever is larger. Returns 0 for a value of 0 and for a column
+/// without digits. Rounding to this step causes an error with the variance step^2/12.
 double resolution_of(double value, const Digits& digits);
 
 }  // namespace pendular

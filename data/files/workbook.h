@@ -6,21 +6,22 @@
 
 namespace pendular {
 
-/// Largest size of the parts of a workbook that are read, once they are unpacked [bytes].
+/// Largest total size, after unpacking, of the parts of a workbook that are read [bytes].
 constexpr std::uintmax_t largest_unpacked = 256u << 20;
 
-/// Whether bytes are those of a ZIP archive, as a workbook (.xlsx) is.
+/// Whether bytes are the beginning of a ZIP archive; a workbook (.xlsx) is one.
 bool is_archive(std::string_view bytes);
 
-/// Rows of a sheet of a workbook (.xlsx) as lines of text, cells separated by tabs, in UTF-8. A
-/// line is a row of the sheet and has as many cells as the widest row; rows without cells are empty
-/// lines. Numbers have a decimal point and all digits that the workbook stores, whatever format it
-/// shows them in; a formula is its stored result; tabs and line ends within a cell are blanks.
+/// Returns a sheet of a workbook (.xlsx) as lines of text in UTF-8, with cells separated by tabs.
+/// Each line is a row of the sheet and has as many cells as the widest row; rows without cells are
+/// empty lines. Numbers have a decimal point and all digits that the workbook stores, whatever
+/// format it displays; a formula is given by its stored result; tabs and line ends within a cell
+/// become blanks; errors such as #DIV/0! are empty cells.
 /// @param bytes content of the file
-/// @param file path of the file, for messages
+/// @param file path of the file, for error messages
 /// @param sheet name of the sheet; empty: the first one
 /// @throws InputError if the bytes are no workbook, have no such sheet, unpack to more than
-///         `largest_unpacked`, or have more than `most_cells`
+///         `largest_unpacked`, or have more than `most_cells` cells
 /// Source: ECMA-376, Office Open XML File Formats, part 1, section 18 (SpreadsheetML).
 std::string sheet_text(const std::string& bytes, const std::string& file, const std::string& sheet);
 

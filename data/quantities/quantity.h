@@ -6,8 +6,8 @@
 
 namespace pendular {
 
-/// Quantity that the program reads, computes or shows. The name, symbol, unit and meaning are used
-/// in JSON keys, CSV headers, axis labels and the manual.
+/// Physical quantity that the program reads, computes or displays. Its name, symbol, unit and
+/// meaning appear in JSON keys, CSV headers, axis labels and the manual.
 struct Quantity {
     std::string_view name;                    ///< JSON key and CSV header
     std::string_view symbol;                  ///< symbol in labels of axes, such as "σ22"
@@ -16,15 +16,15 @@ struct Quantity {
     std::vector<std::string_view> also = {};  ///< other accepted names in headers of tables
 };
 
-/// All quantities that the program reads, computes or shows; each name occurs once.
+/// All physical quantities that the program reads, computes or displays; each name occurs once.
 std::span<const Quantity> quantities();
 
-/// Quantity whose `Quantity::name` is `name`. Aborts the program if there is none, since names are
-/// written in its source code.
+/// Returns the quantity with a given `Quantity::name`. The program aborts if there is none, since
+/// only its source code calls this function with fixed names.
 const Quantity& quantity(std::string_view name);
 
-/// Quantity that a header cell of a table names, regardless of case and separators: "Normal force",
-/// "F_N" and "normalForce" are one quantity. Null if the name is unknown.
+/// Returns the quantity that a header cell of a table names, or null if the name is unknown. Case
+/// and separators are ignored: "Normal force", "F_N" and "normalForce" are one quantity.
 const Quantity* find_quantity(std::string_view spelling);
 
 }  // namespace pendular

@@ -6,25 +6,30 @@
 
 namespace pendular {
 
-/// Plain mean of samples, in the unit of the samples.
+/// Arithmetic mean of samples, in the unit of the samples; NaN if there are none.
 double plain_mean(std::span<const double> samples);
 
-/// Lagged covariances C(t) of two series: covariance of one series with the other t samples later,
-/// averaged over both directions, in the product of the series' units. The lag t is a number of
-/// samples. Each lag is computed when it is first needed, since most are never needed; from
-/// `lags_alone` on, all lags are computed at once, by Fourier transforms.
+/// Lagged covariances C(t) of two series of n samples, in the product of the units of the series.
+/// C(t) is the covariance of one series with the other series t samples later, averaged over both
+/// directions. A lag below `lags_alone` is computed when it is first requested; the first request
+/// from `lags_alone` on computes all lags at once, by Fourier transforms.
 class LaggedCovariances {
   public:
-    /// @param second series as long as `first`
+    /// Prepares the covariances of two series; for the autocovariances of one series, pass it
+    /// twice.
+    /// @param first,second series of equal length, sampled at the same times
     LaggedCovariances(std::span<const double> first, std::span<const double> second);
 
-    /// First lag [samples] from which on all lags are computed at once.
+    /// Lag, as a number of samples, from which on a request causes all lags to be computed at once.
     static constexpr std::size_t lags_alone = 512;
 
-    /// C at a lag [samples], in the product of the series' units.
+    /// Covariance C(lag) of the two series, in the product of their units.
+    /// @param lag number of samples, less than the length of the series
     double operator()(std::size_t lag);
-    /// Sum of the covariances over all lags from -window to window, C(0) + 2 sum_{t=1}^{window}
-    /// C(t), in the product of the series' units; `window` is a number of samples.
+    /// Sum of the covariances C(t) over all lags t from -window to window, in the product of the
+    /// series' units:
+    ///     C(0) + 2 sum_{t=1}^{window} C(t)
+    /// @param window number of samples, less than the length of the series
     double summed(std::size_t window);
 
   private:
@@ -34,25 +39,31 @@ class LaggedCovariances {
     std::vector<double> first_, second_, known_;
 };
 
-/// Autoregression x_t = sum_j a_j x_(t-j) + innovation, a model of the noise of a series.
+/// Autoregressive model of the noise of a series x_t: each sample is a sum of earlier samples, with
+/// coefficients a_1, a_2, ..., and an independent random number, the innovation.
+///     x_t = sum_j a_j x_(t-j) + innovation
 struct Autoregression {
-    std::vector<double> coefficients = {};  ///< a_j [1]
+    std::vector<double> coefficients = {};  ///< coefficients a_1, a_2, ... [1]
     double innovation = 0;  ///< variance of the innovation, in the squared unit of the series
 
+    /// Order of the model: the number of its coefficients.
     double order() const { return static_cast<double>(coefficients.size()); }
-    /// Spectral density at frequency zero for a series of `count` samples: `count` times the
-    /// variance of the mean. The sum a of the coefficients is corrected for its bias -(1 + 3 a)/n
-    /// (Marriott and Pope 1954, for order 1) and kept below 1 - 2/n.
+    /// Spectral density of the series at frequency zero, in the squared unit of the series: `count`
+    /// times the variance of the mean of `count` samples. The sum a of the coefficients is
+    /// corrected for its bias, -(1 + 3 a)/count (Marriott and Pope 1954, for order 1), and kept
+    /// below 1 - 2/count.
     double spectrum_at_zero(double count) const;
-    /// Spectral density at a frequency in cycles per sample, in the squared unit of the series:
-    ///     innovation/|1 - sum_j a_j exp(-2 pi i j frequency)|^2
-    /// It is the variance for independent samples.
+    /// Spectral density of the series at a frequency in cycles per sample, in the squared unit of
+    /// the series; for independent samples, it equals their variance.
+    ///     (variance of the innovation)/|1 - sum_j a_j exp(-2 pi i j frequency)|^2,   a_j:
+    ///     coefficients
     double spectrum(double frequency) const;
 };
 
-/// Autoregression of order up to 10, and at most a tenth of the n samples, that fits a series best
-/// by the Bayesian information criterion. `covariance`: lagged covariances of the series with
-/// itself. The innovation is 0 if the series is constant.
+/// Autoregressive model that describes a series of n samples best by the Bayesian information
+/// criterion. Its order is at most 10 and at most n/10. The variance of the innovation is 0 if the
+/// series is constant.
+/// @param covariance lagged covariances of the series with itself
 Autoregression best_autoregression(LaggedCovariances& covariance, std::size_t n);
 
 }  // namespace pendular

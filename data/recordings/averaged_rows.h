@@ -7,21 +7,24 @@
 
 namespace pendular {
 
-/// Fills a recording with rows in bounded memory. As soon as it holds `most` rows, each row and the
-/// next of the same interval become their mean, and from then on each new row is the mean of twice
-/// as many rows of the file (`Recording::averaged_rows`).
+/// Adds the rows of a file to a recording and bounds the memory. Once the recording has `most`
+/// rows, neighbouring rows of the same interval (step of constant set points) are averaged in
+/// pairs, and each further row is the mean of twice as many rows of the file as before
+/// (`Recording::averaged_rows`).
 class AveragedRows {
   public:
-    /// @param columns columns of the recording, in the order of the values of a row
-    /// @param most number of rows at which they are averaged, at least 2
+    /// Prepares to add rows to an empty recording, which must outlive this object.
+    /// @param columns columns of the recording, in the order of the values passed to `add`
+    /// @param most number of rows at which rows are averaged in pairs, at least 2
     AveragedRows(Recording& recording, std::vector<std::vector<double> Recording::*> columns,
                  std::size_t most);
 
-    /// Adds a row of the file, its values in SI units.
-    /// @return false if averages make the recording no shorter, since nearly every row has another
-    ///         interval than the row before
+    /// Adds a row of the file: its line number from 1, and the value of each column in SI units.
+    /// @return false if averaging does not make the recording shorter, because nearly every row
+    ///         belongs to another interval than the row before
     bool add(int line, const std::vector<double>& values);
-    /// Adds the rows that are not averaged yet.
+    /// Adds the mean of the last rows, which are too few for a complete mean. To be called after
+    /// the last row.
     void finish();
 
   private:
@@ -32,10 +35,10 @@ class AveragedRows {
     Recording& recording_;
     std::vector<std::vector<double> Recording::*> columns_;
     std::size_t most_;
-    std::ptrdiff_t interval_ = -1;  ///< place of the interval among the columns; -1: none
-    int first_line_ = 0;            ///< line of the first row of the mean
-    int count_ = 0;                 ///< number of rows in the mean
-    std::vector<double> sums_;      ///< sum of these rows for each column
+    std::ptrdiff_t interval_ = -1;  ///< index of the interval among the columns; -1: none
+    int first_line_ = 0;            ///< line of the first row that is not averaged yet
+    int count_ = 0;                 ///< number of rows that are not averaged yet
+    std::vector<double> sums_;      ///< sum of the values of these rows for each column
 };
 
 }  // namespace pendular

@@ -7,21 +7,22 @@
 
 namespace pendular {
 
-/// Means of readings at neighbouring conditions, in place of many readings: tests on the means cost
-/// no more for many readings than for few. Readings are averaged only if they have equal liquid
-/// content, are of the same kind (steady shear or failure after the same preshear), and share the
-/// estimate of their scatter; readings of different tables only where there are more than `most`/2
-/// combinations of these, and readings of different recordings never, since each is of a filling of
-/// its own. Bins are divided where their conditions differ most, as long as there are
-/// fewer than `most`.
+/// Averages many readings in bins of similar conditions, so that statistical tests take no longer
+/// for many readings than for few. Returns one mean reading per bin, in the order of the first
+/// members of the bins. The position in the file is that of the first member. `most` or fewer
+/// readings are returned unchanged.
 ///
-/// The mean is taken of stress ratios and solid fractions, at the means of 1/(normal stress) and of
-/// sqrt(inertial number), in which models are about linear: with a spread w of these in a bin, the
-/// mean deviates from the model by about its second derivative times w^2/2. Errors of single
-/// readings average out; errors that readings share do not.
-/// @param most largest number of bins; fewer readings are returned as they are
-/// @return readings in the order of the first members of their bins; the origin of each is that of
-///         its first member
+/// Readings are averaged only if they have equal liquid content and volume of grains, are all
+/// steady shear or all failure after the same preshear, and share the estimate of their scatter.
+/// Readings of different recordings are never averaged, since each recording has its own filling of
+/// the cell; readings of different tables only if more than `most`/2 such groups exist. Bins are
+/// divided where their conditions differ most, until there are `most` bins.
+///
+/// Stress ratios and solid fractions are averaged at the means of 1/(normal stress) and of
+/// sqrt(inertial number), in which models are nearly linear: a spread w of these coordinates shifts
+/// the mean from the model by about its second derivative times w^2/2. Averaging reduces the
+/// independent errors of the readings, but not the errors that readings have in common.
+/// @param most largest number of bins
 std::vector<Reading> binned_readings(const std::vector<Reading>& readings, std::size_t most);
 
 }  // namespace pendular

@@ -11,30 +11,34 @@
 
 namespace pendular {
 
-/// Contradictions between columns of one recording that hold the same quantity.
+/// Rows of one recording in which two columns of the same quantity, such as shear stress and
+/// torque, contradict each other.
 struct Contradictions {
-    std::set<int> lines;    ///< lines in the file of the rows that were removed
-    int averaged_rows = 1;  ///< `Recording::averaged_rows` of the recording
-    /// Reason to use no reading of the recording's file; empty if there is none.
+    std::set<int> lines;  ///< line numbers in the file of the rows that were removed
+    /// Number of rows of the file whose mean is one row of the recording
+    /// (`Recording::averaged_rows`).
+    int averaged_rows = 1;
+    /// Reason why no reading of this file can be used; empty if readings can be used.
     std::optional<std::string> file;
 };
 
-/// Removes the rows of a recording whose columns contradict each other, and returns the
-/// contradictions found. Doubts (reasons not to believe values) and notes are added to `result`. If
-/// `choice` keeps implausible values, no row is removed.
+/// Compares the columns of a recording that measure the same quantity, removes the rows in which
+/// they contradict each other, and returns what was found. The pairs are shear stress and torque,
+/// normal stress and normal force, shear rate and angular velocity, converted with the radii of the
+/// cell. Messages about the contradictions are added to `result.doubts` and `result.notes`. If
+/// `choice.keep_implausible` is set, no row is removed.
 ///
-/// Compared are the columns shear stress with torque, normal stress with normal force and shear
-/// rate with angular velocity, converted with the cell. A row contradicts itself if the two values
-/// differ by more than 5 % and by more than the resolution of the columns. A median ratio that
-/// differs from 1 by more than 2 % means that the instrument used another cell or formula, so the
-/// whole file is doubtful. For shear rates, a ratio between 0.5 and 2 only makes a note, since
-/// instruments define the shear rate at different radii.
+/// A row contradicts itself if its two values differ by more than 5 % and by more than the
+/// resolution of the columns. If the median ratio of two columns differs from 1 by more than 2 %,
+/// the instrument used another cell or formula, and the whole file is doubtful. A ratio of shear
+/// rates between 0.5 and 2 causes only a note, since instruments define the shear rate at different
+/// radii.
 Contradictions take_out_contradictions(Recording& recording, const AnnularCell& cell,
                                        const ImportSettings& choice, Measurements& result);
 
-/// Moves the readings that contradictions make unusable to `part.excluded`: all readings if the
-/// whole file is doubtful, else the readings that lost more than 1 in 100 of their rows, since the
-/// remaining rows are a biased sample.
+/// Moves readings that are affected by contradictions between columns from `part.readings` to
+/// `part.excluded`. If the whole file is doubtful, all readings are moved; otherwise readings that
+/// lost more than 1 in 100 of their rows, since the remaining rows are a biased sample.
 void set_aside_contradicted(const Contradictions& contradictions, Measurements& part);
 
 }  // namespace pendular

@@ -10,25 +10,26 @@
 
 namespace pendular {
 
-/// Rows of all recordings read so far, to detect copies, so that no measurement counts twice.
+/// Detects rows that were copied from an earlier row of the study's recordings, so that no
+/// measurement counts twice. The object keeps the rows of all recordings examined so far.
 ///
 /// A row is a copy if torque, normal force and gap agree with an earlier row within half the
 /// resolution of the coarser column, and if the times of all copied rows differ from the earlier
-/// times by one constant. The earlier row may be in another recording or, before a restart of time,
-/// in the same recording. Copies must form runs of at least `shortest_step` rows with at least five
+/// times by one constant. Copies must form runs of at least `shortest_step` rows with at least five
 /// different torques, since single rows of replicates agree by chance. This finds copies that were
-/// renamed, linked, reformatted, rounded, thinned out, cut or shifted in time; replicates are not
-/// taken for copies.
+/// renamed, linked, reformatted, rounded, thinned out, cut or shifted in time, also within one
+/// recording whose time restarts.
 class KnownRows {
   public:
-    /// Removes copied rows from a recording and lists them in `result.excluded`, naming the
-    /// original rows. Adds a doubt to `result` if the study states another liquid content or volume
-    /// of grains for the copy than for the original.
+    /// Removes copied rows from a recording. `result.excluded` lists the copied rows with the
+    /// original rows, and `result.notes` names the files. If the study gives the copy another
+    /// liquid content or volume of grains than the original, a message is added to `result.doubts`.
+    /// @param source entry of study.toml to which the recording belongs
     void take_out_copies(Recording& recording, const Source& source, Measurements& result);
 
   private:
     /// Rows of a recording between two restarts of its time column, in SI units, with the liquid
-    /// content and volume of grains that the study states.
+    /// content [1] and the volume of grains [m^3] that study.toml states.
     struct Stretch {
         std::string file;
         std::vector<int> line;
@@ -37,8 +38,8 @@ class KnownRows {
 
         std::size_t size() const { return time.size(); }
     };
-    /// For each row of a later stretch (rows between two restarts of time), the index of the row of
-    /// an earlier stretch that it copies, if any.
+    /// For each row of a later stretch (rows between two restarts of time): index of the row of an
+    /// earlier stretch of which it is a copy, or empty.
     using Matches = std::vector<std::optional<std::size_t>>;
 
     static Stretch stretch(const Recording& recording, const Step& rows, const Source& source);
@@ -52,9 +53,10 @@ class KnownRows {
     std::vector<Stretch> known_;
 };
 
-/// Moves readings that repeat an earlier reading to `measurements.excluded`. A reading is a
-/// repetition if its values, time and errors equal those of the earlier reading, or if it is from
-/// another file and its values are equal and have more than six digits, which excludes chance.
+/// Moves readings that repeat an earlier reading from `measurements.readings` to
+/// `measurements.excluded`. A reading is a repetition if its values, time and errors equal those of
+/// an earlier reading. A reading of another file is also a repetition if its values are equal and
+/// have more than six digits, which excludes chance.
 void count_readings_once(Measurements& measurements);
 
 }  // namespace pendular

@@ -10,23 +10,30 @@
 
 namespace pendular {
 
-/// Constants of an annular cell, from the ratios of a file's own columns.
+/// Constants of an annular cell that follow from the columns of a file, with which an instrument
+/// converts torque and force to stresses.
 struct CellFromColumns {
     double stress_per_torque = 0;  ///< shear stress over torque [Pa/(N m)]; 0: unknown
     double stress_per_force = 0;   ///< normal stress over normal force [1/m^2]; 0: unknown
-    /// Radii [m] of a common cup with these constants; empty if none has them.
+    /// Inner and outer radius [m] of the commercial cup that has these constants; empty if no known
+    /// cup has them.
     std::optional<double> inner_radius, outer_radius;
 };
 
-/// Constants of the cell from the ratios of shear stress to torque and of normal stress to normal
-/// force. If the rows show several ratios of shear stress to torque, that of the cup with the
-/// file's ratio of normal stress to force decides, or else the most frequent ratio.
+/// Returns the constants of the cell from the most frequent ratios of shear stress to torque and of
+/// normal stress to normal force in the rows of a file. If a commercial cup has these ratios, its
+/// radii are returned too. If only the ratio of normal stress to force belongs to a cup, but some
+/// rows have the cup's ratio of shear stress to torque, the latter is returned.
+/// @param series columns of each interval of the file
 CellFromColumns cell_from_columns(const std::vector<IntervalSeries>& series);
 
-/// Checks of a file of measurements by itself: torque against shear stress and normal force against
-/// normal stress (ratio constant to 5 %), columns in each other's place, declared against found
-/// rows, time that goes back, repeated rows, intervals of several tests, constants and radii of the
-/// header against the columns, measured values against their set points.
+/// Checks a file of measurements for contradictions within the file, and returns one finding for
+/// each kind that it has: ratio of shear stress to torque or of normal stress to normal force not
+/// constant to 5 %, two columns with exchanged headers, declared number of rows not found, time
+/// that goes back, repeated rows, several tests in one file, constants and radii in the header that
+/// contradict the columns, measured values that do not follow their set points.
+/// @param series columns of each interval of the file, in the order of its blocks
+/// @param cell constants of the cell, from `cell_from_columns`
 std::vector<FileFinding> check_file(const BlockFile& file,
                                     const std::vector<IntervalSeries>& series,
                                     const CellFromColumns& cell);

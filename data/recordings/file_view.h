@@ -12,22 +12,29 @@
 
 namespace pendular {
 
-/// File of measurements as the program understands it by itself, without a study.
+/// Content of one file of measurements with everything that the program finds in it without a
+/// study.
 struct FileView {
-    BlockFile file;
-    std::vector<IntervalSeries> series;  ///< one for each block of the file
-    std::vector<IntervalRole> roles;     ///< one for each block of the file
-    CellFromColumns cell;
-    StatedCell stated;  ///< what the header states about the cell
-    std::vector<FileFinding> findings;
-    std::vector<YieldLocus> loci;
-    /// Quantities that steady shear needs and no interval has: "height" for example.
+    BlockFile file;  ///< content of the file
+    /// Columns of each block (interval) of the file, in SI units.
+    std::vector<IntervalSeries> series;
+    std::vector<IntervalRole> roles;    ///< role of each block (interval) of the file in the test
+    CellFromColumns cell;               ///< constants of the cell that follow from the columns
+    StatedCell stated;                  ///< radii and constants of the cell in the file's header
+    std::vector<FileFinding> findings;  ///< faults of the file, such as contradictory columns
+    std::vector<YieldLocus> loci;  ///< points of failure by preshear, with the lines through them
+    /// Quantities that steady shear needs and that no interval has, as words for the user, such as
+    /// "gap" or "torque or shear stress".
     std::vector<std::string> missing;
 };
 
-/// Reads a file of measurements and everything that it shows by itself.
-/// @param study_cell cell of a study beside the file, with which the header is compared
-/// @throws InputError as `read_blocks` and `series_of` do
+/// Reads a file of measurements and examines it without a study: columns, roles of its intervals,
+/// cell, faults and yield loci. A table with a column of interval numbers is divided into
+/// intervals.
+/// @param format settings of the user for the layout, encoding and decimal mark
+/// @param study_cell cell of a study, with which the header of the file is compared; empty: none
+/// @throws InputError if the file cannot be read, its layout or a cell is malformed, or a unit is
+///         missing or wrong
 FileView view_of_file(const std::filesystem::path& path, const FileFormat& format = {},
                       const std::optional<AnnularCell>& study_cell = std::nullopt);
 

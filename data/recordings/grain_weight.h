@@ -9,10 +9,10 @@
 
 namespace pendular {
 
-/// Note on readings of recordings in which the weight of the grains per area exceeds 10 % of the
-/// normal stress, so that shear may localize under the lid; it names files and normal stresses.
-/// Empty if there are no such readings, if the study has no cell, or if the study's model has the
-/// effect grain-weight.
+/// Returns a note for the user if the weight of the grains per area exceeds 10 % of the normal
+/// stress in some readings of recordings, since shear may then localize under the lid. The note
+/// names files and normal stresses. Empty if there are no such readings, if the study has no cell,
+/// or if its model already has the effect grain-weight.
 std::optional<std::string> grain_weight_note(const Study& study,
                                              const std::vector<Reading>& readings);
 

@@ -9,26 +9,34 @@
 
 namespace pendular {
 
-/// Role of an interval in a test, with the reason why it was given this role.
+/// Role of an interval (step of constant set points) in a test, with the reason for the choice.
 struct IntervalRole {
-    std::string role;    ///< one of `interval_roles`
-    std::string reason;  ///< "normal stress 0.40 of that of interval 2 before it"
+    std::string role;    ///< one of the names that the function `interval_roles` returns
+    std::string reason;  ///< such as "normal stress 0.40 times that of interval 2 before it"
 };
 
-/// Roles of all intervals of a file: filling, preshear, unloading, failure, reloading, steady or
-/// other. Stated roles come first. An interval in which the lid turns by more than 1 rad is steady.
-/// Others have the roles that a yield-locus test shows: an interval is sheared to failure if it
-/// follows a sheared interval with a normal stress at least 5 % higher, which is its preshear; if
-/// only intervals 4, 8, 12, ... of a powder cell were exported; or if the lid turns by less than
-/// 0.3 rad, which is no strain for steady shear. Other sheared intervals are called steady.
-/// Intervals without shear are filling, unloading or reloading by their place.
+/// Returns the role of each interval of a file: "filling", "preshear", "unloading", "failure",
+/// "reloading", "steady" or "other". Roles that the user or the file states come first. Intervals
+/// without values of shear stress or of normal stress are "other".
+///
+/// A sheared interval is "steady" if the lid turns by more than 1 rad, or if no normal stress
+/// presses the sample (its shear stress reaches three times the normal stress). Otherwise it is
+/// "failure" if the sheared interval before it has a normal stress at least 5 % higher, if the file
+/// has only the intervals 4, 8, 12 and so on of a powder cell, or if the lid turns by less than 0.3
+/// rad, too little for steady shear. It is "preshear" if the next sheared interval at another
+/// normal stress has a lower one, and "steady" in all other cases. An interval without shear is
+/// "filling" before the first sheared interval; later, it is "unloading" if its normal stress is at
+/// least 5 % lower than that of the sheared interval before it, else "reloading".
+/// @param series columns of each interval, in the order of the file's blocks
+/// @param format settings of the user, with the roles that the user states
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const FileFormat& format);
 
-/// Role that the user stated for an interval, by its number, its name or its test; empty: none.
+/// Returns the role that the user states for an interval, by the interval's number, its name or the
+/// name of its test; empty if the user states none.
 std::string stated_role(const Block& block, const FileFormat& format);
 
-/// Median of the finite values of a column, in its unit; NaN if there are none.
+/// Median of the finite values in a column, in the unit of the values; NaN if no value is finite.
 double median_of_known(const std::vector<double>& values);
 
 }  // namespace pendular

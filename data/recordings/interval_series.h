@@ -7,36 +7,38 @@
 
 namespace pendular {
 
-/// Columns of one interval of a file as numbers in SI units, one element per row; NaN where a cell
-/// is empty. Columns that the interval lacks are empty.
+/// Columns of one interval of a file (step of constant set points) as numbers in SI units, one
+/// element per row. An element is NaN if its cell is empty; a column that the file lacks is empty.
 struct IntervalSeries {
     std::vector<int> line;                 ///< line of each row in the file, from 1
-    std::vector<double> time;              ///< [s]
-    std::vector<double> torque;            ///< [N m]
-    std::vector<double> normal_force;      ///< [N]
-    std::vector<double> height;            ///< gap [m]
-    std::vector<double> angular_velocity;  ///< [rad/s]
-    std::vector<double> shear_stress;      ///< [Pa]
-    std::vector<double> normal_stress;     ///< [Pa]
-    std::vector<double> shear_rate;        ///< [1/s]
+    std::vector<double> time;              ///< time of each row [s]
+    std::vector<double> torque;            ///< torque on the lid [N m]
+    std::vector<double> normal_force;      ///< normal force on the lid [N]
+    std::vector<double> height;            ///< gap, the height of the sample [m]
+    std::vector<double> angular_velocity;  ///< angular velocity of the lid [rad/s]
+    std::vector<double> shear_stress;      ///< shear stress that the instrument computed [Pa]
+    std::vector<double> normal_stress;     ///< normal stress that the instrument computed [Pa]
+    std::vector<double> shear_rate;        ///< shear rate that the instrument computed [1/s]
 
     std::size_t size() const { return line.size(); }
-    /// Column of a quantity by its name.
+    /// Column with the name of a quantity, such as "torque", in SI units; empty for any other name.
     const std::vector<double>& column(std::string_view quantity) const;
-    /// Shear stress [Pa], or else torque [N m]; empty if the interval has neither.
+    /// Shear stress [Pa] of each row or, if the file has none, torque [N m]; empty if it has
+    /// neither.
     const std::vector<double>& shear() const {
         return shear_stress.empty() ? torque : shear_stress;
     }
-    /// Normal stress [Pa], or else normal force [N]; empty if the interval has neither.
+    /// Normal stress [Pa] of each row or, if the file has none, normal force [N]; empty if it has
+    /// neither.
     const std::vector<double>& normal() const {
         return normal_stress.empty() ? normal_force : normal_stress;
     }
 };
 
-/// Names of the quantities that `IntervalSeries` has columns of.
+/// Names of the quantities for which `IntervalSeries` has a column: "time", "torque" and so on.
 const std::vector<std::string_view>& series_quantities();
 
-/// Reads the columns of a block as numbers.
+/// Returns the columns of an interval as numbers in SI units, NaN where a cell is empty.
 /// @throws InputError at a cell that is neither empty nor a number, and at a header cell whose unit
 ///         is missing or wrong
 IntervalSeries series_of(const Block& block);

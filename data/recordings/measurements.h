@@ -5,9 +5,9 @@
 
 namespace pendular {
 
-/// Reads all files of a study and converts them to readings, in the order of study.toml. Readings
-/// that are physically impossible make a doubt and, unless the study keeps them, are moved to
-/// `excluded`.
+/// Reads all files of a study and returns their readings, in the order of the entries of
+/// study.toml. Readings that are physically impossible are listed in `Measurements::doubts` and,
+/// unless the study keeps implausible readings, moved to `Measurements::excluded`.
 /// @throws InputError at file:line:column if a file cannot be read, is malformed or has invalid
 ///         values
 Measurements read_measurements(const Study& study);

@@ -9,18 +9,17 @@
 
 namespace pendular {
 
-/// Largest size of a recording that is read row by row [bytes].
+/// Largest size of a file that `quick_recording` reads [bytes].
 constexpr std::uintmax_t largest_quick_recording = std::uintmax_t(1) << 34;
-/// Number of rows from which on the rows of a recording are averaged, so that memory does not grow
-/// with the file (`AveragedRows`).
+/// Number of rows at which `quick_recording` begins to average rows, which bounds the memory.
 constexpr std::size_t most_kept_rows = 1 << 20;
 
-/// Reads a plain recording row by row, without keeping its text: the result is that of
-/// `read_recording`, in a fraction of the time and memory, but that rows of files with more than
-/// `most_rows` rows are averages. Read so are tables in UTF-8 with one header, in which every cell
-/// is a number with a decimal point. Empty for all other files, which `read_recording` reads or
-/// refuses: files of instruments, other encodings and decimal marks, quotes, comments, empty cells,
-/// columns of set points, and rows that are wrong.
+/// Reads a simple recording row by row, without keeping its text. The result is that of
+/// `read_recording`, in a fraction of the time and memory; rows of files with more than `most_rows`
+/// rows are averaged (`AveragedRows`). A file is simple if it is a UTF-8 table with one header in
+/// which every cell is a number with a decimal point. Empty for all other files, such as exports of
+/// instruments, files with decimal commas, quotes, comments or empty cells, and files with invalid
+/// rows: they need `read_recording`.
 /// @throws InputError if the file cannot be read
 std::optional<Recording> quick_recording(const std::filesystem::path& path,
                                          const FileFormat& format,

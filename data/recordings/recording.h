@@ -12,12 +12,12 @@
 
 namespace pendular {
 
-/// Raw time series of an annular cell, one element per row of the file.
+/// Raw time series of an annular shear cell, one element per row of the file.
 struct Recording {
     std::string file;       ///< path of the file
     std::vector<int> line;  ///< line of each row in the file, from 1
-    /// Number of consecutive rows of the file that each row is the mean of, from the row of `line`
-    /// on; 1 but for very long files.
+    /// Number of consecutive rows of the file whose mean is one row here, beginning with the row of
+    /// `line`. It exceeds 1 only for very long files.
     int averaged_rows = 1;
     std::vector<double> time;              ///< time as recorded [s]
     std::vector<double> torque;            ///< torque on the lid [N m]
@@ -38,42 +38,49 @@ struct Recording {
     std::size_t size() const { return time.size(); }
 };
 
-/// Rows [begin, end) of a recording, taken at constant set points.
+/// Step of constant set points: the rows from `begin` to `end` - 1 of a recording, counted from 0.
 struct Step {
     std::size_t begin = 0;
     std::size_t end = 0;
 };
 
-/// Reads a recording from a table with the columns time, torque, normal force, gap and angular
+/// Reads a recording from a file with the columns time, torque, normal force, gap and angular
 /// velocity in any common spelling, order and unit. Optional columns are the interval (number of
 /// the step) and the shear stress, normal stress and shear rate that the instrument computed.
-/// Where the file has no torque but a shear stress, or no normal force but a normal stress, the
-/// column stays empty for `fill_from_stresses`. Files of rheometers may be in any layout that
-/// `read_blocks` knows: intervals that lack a column, and rows that lack a value, are left out and
-/// listed. So are intervals to which `format` gives another role than steady.
+/// Without a torque column a shear stress is needed, without a normal force a normal stress; the
+/// missing column stays empty until `fill_from_stresses` computes it.
+///
+/// Exports of rheometers may have any layout that `read_blocks` knows. Intervals that lack a
+/// column, rows that lack a value, and intervals to which `format` gives another role than steady
+/// are left out and listed in `Recording::left_out`.
 /// @throws InputError at file:line:column if a required column is missing, a unit or number is
 ///         invalid, a gap is not positive, an interval is not a whole number, time goes back within
-///         an interval, or `read_blocks` fails
+///         an interval, or the layout cannot be read
 Recording read_recording(const std::filesystem::path& path, const FileFormat& format = {});
 
-/// Makes a recording of the content of a file, as `read_recording` does.
-/// @throws InputError as `read_recording` does, once the file is read
+/// Returns the recording that a file contains, by the rules of `read_recording`.
+/// @throws InputError at file:line:column if a required column is missing, a unit or number is
+///         invalid, a gap is not positive, an interval is not a whole number, or time goes back
+///         within an interval
 Recording recording_of(const BlockFile& file, const FileFormat& format);
 
-/// Computes torque [N m] and normal force [N] of a recording that has only the stresses, with the
-/// formulas by which the program converts them to stresses.
+/// Computes the torque [N m] of a recording that has only shear stresses, and the normal force [N]
+/// of a recording that has only normal stresses. The formulas are the inverse of those by which the
+/// program computes stresses.
 void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 
-/// Splits a recording into steps of constant set points. Steps begin where the column interval
-/// changes; without this column, where the angular velocity or the normal force reaches a new
-/// level. Levels last at least `shortest_step` rows and differ by more than 5 % and more than the
-/// noise. Rows between two levels belong to the later step, as its transient.
+/// Splits a recording into steps of constant set points, in the order of the rows. A step begins
+/// where the column interval changes; without this column, where the angular velocity or the normal
+/// force reaches a new level. A level lasts at least `shortest_step` rows and differs from the
+/// level before by more than 5 % and by more than the noise. Rows between two levels belong to the
+/// later step, as its transient.
 std::vector<Step> split_steps(const Recording& recording);
 
 /// Removes the rows whose element of `marked` is true from all columns of a recording.
+/// @param marked one element per row
 void erase_rows(Recording& recording, const std::vector<bool>& marked);
 
-/// Smallest number of rows of a step that can be averaged.
+/// Smallest number of rows that a step must have to be averaged.
 constexpr std::size_t shortest_step = 20;
 
 }  // namespace pendular

@@ -6,10 +6,11 @@
 
 namespace pendular {
 
-/// Replaces torques that lost a decimal or thousands mark by the torque of the row's shear stress:
-/// those that differ from it by a power of ten, within 5 %, while other rows agree with it. Adds a
-/// doubt that lists the rows to `result`. Does nothing for a recording without shear stresses, and
-/// where no row agrees: there the unit of a column is wrong.
+/// Repairs torques of a recording that lost a decimal or thousands mark. A torque that differs from
+/// the torque of its row's shear stress by a power of ten, within 5 %, is replaced by the latter,
+/// and a message that lists the rows is added to `result.doubts`. Nothing is changed if the
+/// recording has no shear stresses, or if the two columns agree in no row, since then a unit is
+/// wrong.
 void repair_torques(Recording& recording, const AnnularCell& cell, Measurements& result);
 
 }  // namespace pendular

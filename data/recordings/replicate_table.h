@@ -8,39 +8,39 @@
 
 namespace pendular {
 
-/// Cluster of files that are connected, directly or through other files, by conditions they have in
-/// common.
+/// Cluster of files that are connected by common conditions, directly or through other files.
 struct ReplicateCluster {
-    std::vector<std::size_t> files;  ///< indices into ReplicateTable::files
-    /// Values of the readings that have replicates: of the stress ratio (index 0) and of the solid
-    /// fraction (index 1).
+    std::vector<std::size_t> files;  ///< indices in `ReplicateTable::files`
+    /// Values of the readings that have replicates (readings at the same condition): stress ratios
+    /// at index 0, solid fractions at index 1.
     std::array<std::vector<ReplicatedValue>, 2> values;
 };
 
-/// Readings of a study classified by file, by condition and by cluster of files that are connected
+/// Readings of a study, grouped by file, by condition, and by cluster of files that are connected
 /// by common conditions.
 struct ReplicateTable {
     std::vector<std::string> files;       ///< paths of files, in the order of their first readings
-    std::vector<std::size_t> file_of;     ///< index of each reading's file
-    std::vector<std::size_t> cluster_of;  ///< index of each reading's cluster
+    std::vector<std::size_t> file_of;     ///< index in `files` of each reading's file
+    std::vector<std::size_t> cluster_of;  ///< index in `clusters` of each reading's cluster
     std::vector<std::vector<std::size_t>> groups;  ///< indices of the readings of each condition
     std::vector<ReplicateCluster> clusters;        ///< every file is in one cluster
     double reference_stress = 1;  ///< geometric mean of the readings' normal stresses [Pa]
-    /// Smallest normal stress of a reading with replicates, over `reference_stress` [1].
+    /// Smallest normal stress of the readings with replicates, divided by `reference_stress` [1].
     double least_load = 1;
-    /// Largest normal stress of a reading with replicates, over `reference_stress` [1].
+    /// Largest normal stress of the readings with replicates, divided by `reference_stress` [1].
     double greatest_load = 1;
 
-    /// Name of the file with this index in `files`, without its folder.
+    /// Name, without its folder, of the file with index `file` in `files`.
     std::string name_of(std::size_t file) const;
 };
 
-/// Classifies readings by file, condition and cluster of files, and computes the deviations of
-/// replicates from their mean: of the logarithms of stress ratio and solid fraction [1], which
-/// hardly change if a normal stress is 2 % off its set point.
+/// Groups readings by file, condition and cluster of files, and computes how far replicates
+/// (readings at the same condition) deviate from their mean. Deviations are differences of the
+/// logarithms of stress ratio and solid fraction [1], which hardly change if a normal stress is 2 %
+/// off its set point.
 ReplicateTable replicate_table(const std::vector<Reading>& readings);
 
-/// Variance of a reading's shear stress (i = 0) or solid fraction (i = 1) over the squared
+/// Variance of a reading's shear stress (i = 0) or solid fraction (i = 1), divided by the squared
 /// value [1].
 double relative_variance(const Reading& reading, Eigen::Index i);
 

@@ -6,25 +6,25 @@
 
 namespace pendular {
 
-/// Correlation [1] of the rounding errors of two values with the same mean, averaged over the
-/// position of the mean between two rounded values:
-///     6/pi^2 sum_k exp(-(2 pi k scatter)^2)/k^2,
-/// from the Fourier series of the rounding error.
-/// @param scatter standard deviation of the unrounded values over the rounding step [1]
+/// Correlation [1] between the rounding errors of two measured values with the same mean, averaged
+/// over the position of the mean between two rounded values:
+///     6/pi^2 sum_k exp(-(2 pi k scatter)^2)/k^2      (Fourier series of the rounding error)
+/// @param scatter standard deviation of the values before rounding, over the rounding step [1]
 double rounding_correlation(double scatter);
 
-/// Sets `ReplicatedValue::rounding` of the rounded values in the table: variance of the rounding
-/// error that differs between replicates, over the variance between repetitions of a step, T, both
-/// relative to the squared value [1]. T is found for stress ratio and for solid fraction such that
-/// the squared deviations, each over T plus the variance of rounding, have a mean of 1.
+/// Sets `ReplicatedValue::rounding` [1] of the rounded values in a table: variance of the part of
+/// the rounding error that differs between replicates, divided by the variance T between
+/// repetitions of a step. Both variances are relative to the squared value. T is determined for
+/// stress ratio and for solid fraction so that the squared deviations, each divided by T plus the
+/// variance of rounding, have a mean of 1.
 /// Source: Paule and Mandel, J. Res. Natl. Bur. Stand. 87 (1982) 377.
 void weigh_rounding(ReplicateTable& table, const std::vector<Reading>& readings);
 
-/// Adds the variance of rounding, resolution^2/12, to the variances of shear stress and solid
-/// fraction of each reading, unless the stated variance is at least as large. The part of the
-/// rounding error that replicates have in common is also added to `Reading::shared`.
+/// Adds the variance of rounding, (rounding step)^2/12, to the variances of shear stress and solid
+/// fraction of each reading, unless the variance given with the reading is at least as large. The
+/// part of the rounding error that replicates have in common is also added to `Reading::shared`.
 /// @param stated variances of (shear stress [Pa^2], solid fraction [1]) given with each reading,
-///        rounding included; 0 if none was given
+///         rounding included; 0 if none was given
 void add_rounding(const ReplicateTable& table, const std::vector<Eigen::Vector2d>& stated,
                   std::vector<Reading>& readings);
 

@@ -2,13 +2,14 @@
 
 namespace pendular {
 
-/// Clock that converts the time columns of successive recordings to the time since the first
-/// recording began [s]. Times that keep increasing are used as recorded. If the times restart, the
-/// recording is taken to follow the previous recording without a pause.
+/// Converts the times in successive recordings to the time since the first recording began [s].
+/// Times that keep increasing from recording to recording are used as recorded. If the times
+/// restart, the recording counts as following the previous recording without a pause.
 class RunClock {
   public:
-    /// Offset [s] to add to the recorded times of the next step, from its first and last recorded
-    /// time [s]. To be called once for each step, in the order of measurement.
+    /// Returns the offset [s] to add to the recorded times of the next step. To be called once for
+    /// each step, in the order of measurement.
+    /// @param first,last first and last recorded time of the step [s]
     double shift(double first, double last) {
         if (first < last_) shift_ += last_;
         last_ = last;

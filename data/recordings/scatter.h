@@ -6,73 +6,84 @@
 
 namespace pendular {
 
-/// Stress ratio or solid fraction of a reading that has replicates (readings at the same
-/// condition), as deviation from their mean.
+/// Deviation of one reading from the mean of its replicates (readings at the same condition), in
+/// stress ratio or in solid fraction.
 struct ReplicatedValue {
-    std::size_t reading = 0;    ///< index of the reading
-    std::size_t condition = 0;  ///< index of the condition that the replicates share
-    std::size_t file = 0;       ///< index of the file; its readings are of one filling of the cell
-    double deviation = 0;       ///< logarithm of the value less its mean at the condition [1]
-    /// Variance of the value from the scatter within its recorded step, over the squared value [1].
+    std::size_t reading = 0;    ///< index of the reading among the study's readings
+    std::size_t condition = 0;  ///< index of the condition of the reading and its replicates
+    std::size_t file = 0;       ///< index of the reading's file; a file counts as one filling
+    /// Logarithm of the stress ratio or solid fraction, minus the mean logarithm at the condition
+    /// [1].
+    double deviation = 0;
+    /// Variance of the stress ratio or solid fraction that follows from the scatter within the
+    /// recorded step of the reading, divided by the squared value [1].
     double within = 0;
     double load = 1;  ///< normal stress over the reference stress of the study [1]
-    /// Variance of the rounding error that differs between replicates, over the variance between
-    /// repetitions of a step at load 1 [1].
+    /// Variance of the part of the rounding error that differs between replicates, divided by the
+    /// variance between repetitions of a step at load 1 [1].
     double rounding = 0;
 };
 
-/// Result of a two-way analysis of variance (conditions and files) of relative deviations [1], each
-/// divided by sqrt(load^(-2 exponent) + rounding).
+/// Result of a two-way analysis of variance (conditions, files) of relative deviations [1]. Before
+/// the analysis, each deviation is divided by sqrt(load^(-2 exponent) + rounding), with the members
+/// `load` and `rounding` of its `ReplicatedValue`.
 struct ScatterSums {
-    double within = 0;           ///< residual sum of squares after conditions and files
-    double freedom_within = 0;   ///< degrees of freedom of `within`
-    double between = 0;          ///< reduction of the sum of squares by files, after conditions
+    double within = 0;  ///< residual sum of squares after removal of condition and file means
+    double freedom_within = 0;  ///< degrees of freedom of `within`
+    double between = 0;         ///< reduction of the sum of squares by file means, after conditions
     double freedom_between = 0;  ///< degrees of freedom of `between`
-    double steps = 0;            ///< squared norm of the files' design matrix, after conditions
-    /// Expected part of `within` that the variances within the recorded steps explain.
+    /// Squared norm of the design matrix of the files, after removal of the condition means.
+    double steps = 0;
+    /// Part of `within` that is expected from the scatter within the recorded steps.
     double run_variance = 0;
-    /// Residual of each deviation after conditions and files, divided as the deviations are [1].
+    /// Residual of each deviation after removal of condition and file means [1], in the order of
+    /// the values, scaled like the deviations.
     Eigen::VectorXd left_over;
-    /// Shift of each file, by index of the file, less the mean shift of all files [1]; 0 for files
-    /// without values.
+    /// Mean deviation of each file from the mean of all files [1], by index of the file; 0 for
+    /// files without values.
     std::vector<double> of_file;
 };
 
-/// Two-way analysis of variance (conditions, files) of values from files that are connected by
-/// common conditions. If conditions and files leave no degree of freedom, all scatter is attributed
-/// to steps.
-/// Source: Searle, Casella and McCulloch, Variance Components (1992), chapter 5.
+/// Two-way analysis of variance (conditions, files) of deviations between replicates, for files
+/// that are connected by common conditions. If conditions and files leave no degree of freedom, all
+/// scatter is attributed to steps.
 /// @param exponent load exponent of the scatter: standard deviation ~ load^-exponent [1]
-/// @param tell_files whether scatter is attributed to files too; false: to steps only
+/// @param tell_files true: scatter is attributed to steps and files; false: to steps only
+/// Source: Searle, Casella and McCulloch, Variance Components (1992), chapter 5.
 ScatterSums analyse_scatter(const std::vector<ReplicatedValue>& values, double exponent,
                             bool tell_files = true);
 
-/// Dependence of the scatter between replicates on the normal stress: standard deviation ~
-/// load^-value, with load the normal stress over a reference stress.
+/// Dependence of the scatter between replicates on the load, the normal stress over a reference
+/// stress:
+///     standard deviation ~ load^-value
 struct LoadExponent {
     double value = 0;           ///< most probable exponent [1]
     double standard_error = 0;  ///< standard error of the exponent [1]
-    /// Increase of -2 log(likelihood times prior) from the most probable exponent to 0 [1].
+    /// Difference of -2 log(likelihood times prior) between exponent 0 and the most probable
+    /// exponent [1]; large values speak against a constant relative scatter.
     double evidence = 0;
 };
 
-/// Most probable exponent in standard deviation ~ load^-exponent, common to several sets of values,
-/// each set with a variance of its own. The prior is normal with mean 0 and standard deviation 0.5
-/// [1], without exponents below 0 and above 1: errors of an instrument are constant or
-/// proportional, so relative errors fall at most as 1/load. Returns zeros for fewer than 10 degrees
-/// of freedom.
+/// Most probable exponent in standard deviation ~ load^-exponent [1] of the scatter between
+/// replicates, common to several sets of values with a variance of their own. Returns zeros for
+/// fewer than 10 degrees of freedom.
+///
+/// The prior of the exponent is normal with mean 0 and standard deviation 0.5, limited to the range
+/// from 0 to 1: errors of an instrument are constant or proportional to the load, so that relative
+/// errors decrease at most as 1/load.
 LoadExponent load_exponent(const std::vector<std::vector<ReplicatedValue>>& sets);
 
-/// Mean square of relative deviations, an estimate of their variance.
+/// Mean square of relative deviations, which estimates their variance, with its degrees of freedom.
 struct MeanSquare {
-    double value = 0;    ///< mean square [1]
+    double value = 0;    ///< mean square of the relative deviations [1]
     double freedom = 0;  ///< degrees of freedom of `value`
 };
 
-/// Improved estimates of the mean squares of several sets. All sets get the pooled mean square if
-/// Bartlett's test finds no difference (p > 0.02). Otherwise a set with at least 5 degrees of
-/// freedom keeps its own mean square, and the mean squares of smaller sets are shrunk towards the
-/// common value, the more the better the sets agree.
+/// Improved estimates of the mean squares of several sets, in the order of the sets. All sets get
+/// the pooled mean square if Bartlett's test finds no difference (p > 0.005) or if the sets differ
+/// no more than by chance. Otherwise a set with at least 5 degrees of freedom keeps its own mean
+/// square, and the mean squares of smaller sets are shrunk towards a common value; the better the
+/// sets agree, the stronger they are shrunk.
 /// Source: Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3, moderated variances.
 std::vector<MeanSquare> moderated(const std::vector<MeanSquare>& own);
 

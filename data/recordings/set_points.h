@@ -7,10 +7,11 @@
 
 namespace pendular {
 
-/// Adds findings on measured columns that do not follow their set points, such as "Normal Force"
-/// beside "Normal Force set": one finding per quantity. Compared are the medians over the second
-/// half of each stretch of at least 20 rows with a constant set point other than 0. They differ if
-/// they are more than 2 % and more than two steps of the column's resolution apart.
+/// Adds a finding for each quantity whose measured column does not follow its column of set points,
+/// such as "Normal Force" and "Normal Force set". In each stretch of at least 20 rows with a
+/// constant set point other than 0, the median of the measured values in the second half is
+/// compared with the set point. They disagree if they differ by more than 2 % and by more than two
+/// steps of the resolution.
 void check_set_points(const BlockFile& file, std::vector<FileFinding>& findings);
 
 }  // namespace pendular

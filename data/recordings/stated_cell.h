@@ -10,34 +10,34 @@
 
 namespace pendular {
 
-/// Number that the header of a file states.
+/// Number in the header of a file, with its position and text.
 struct StatedValue {
-    double value = 0;  ///< in SI units
-    int line = 0;      ///< line of the file
-    std::string key;   ///< name of the number in the file: "Inner radius"
-    std::string text;  ///< number and unit as the file writes them: "21 mm"
+    double value = 0;  ///< number in SI units
+    int line = 0;      ///< line number in the file, from 1
+    std::string key;   ///< name of the number in the file, such as "Inner radius"
+    std::string text;  ///< number and unit as the file writes them, such as "21 mm"
 };
 
-/// Radii and constants of the cell that the header of a file states.
+/// Radii and constants of the annular cell in the header of a file; empty if the header lacks them.
 struct StatedCell {
-    std::optional<StatedValue> inner_radius, outer_radius;  ///< [m]; half of a stated diameter
-    std::optional<StatedValue> stress_per_torque;           ///< [Pa/(N m)]
-    std::optional<StatedValue> stress_per_force;            ///< [1/m^2]
+    /// Inner and outer radius [m]; a diameter in the header is halved.
+    std::optional<StatedValue> inner_radius, outer_radius;
+    std::optional<StatedValue> stress_per_torque;  ///< shear stress over torque [Pa/(N m)]
+    std::optional<StatedValue> stress_per_force;   ///< normal stress over normal force [1/m^2]
 };
 
-/// Radii and constants of the cell that the header of a file states, in English, French or German.
-/// Numbers without a unit, or of 0, are left out.
+/// Returns the radii and constants of the cell in the header of a file, whose keys may be in
+/// English, French or German. Numbers that are not positive or have no unit are left out.
 StatedCell stated_cell(const BlockFile& file);
 
-/// Adds findings on numbers of the header that differ from the constants that the columns of the
-/// file show by more than 5 %, the accuracy of these constants.
-/// @param stress_per_torque shear stress over torque in the columns [Pa/(N m)]; 0: unknown
-/// @param stress_per_force normal stress over normal force in the columns [1/m^2]; 0: unknown
+/// Adds a finding for each constant of the cell in a file's header that differs by more than 5 %
+/// from the constant that the columns of the file show. Constants that the header lacks are
+/// computed from its radii.
 void check_stated_cell(const StatedCell& stated, double stress_per_torque, double stress_per_force,
                        std::vector<FileFinding>& findings);
 
-/// Findings on numbers of the header that differ by more than 1 % from those of the cell that
-/// study.toml states.
+/// Returns a finding for each radius or constant of the cell in a file's header that differs by
+/// more than 1 % from the cell in study.toml.
 std::vector<FileFinding> compare_with_study(const BlockFile& file, const AnnularCell& cell);
 
 }  // namespace pendular

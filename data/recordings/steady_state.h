@@ -10,42 +10,41 @@
 namespace pendular {
 
 /// Converts each step of a recording to a reading, the mean over the steady part of the step.
+/// Returns the readings in the order of the steps; `Measurements::excluded` lists transients and
+/// unusable steps; notes report spikes, negative torques whose sign was flipped, interpolation,
+/// errors that the resolution of a column limits, and columns that were not read.
 ///
-/// Spikes (`take_out_spikes`) are replaced first. Unevenly sampled steps are interpolated linearly
+/// Spikes are replaced first (`take_out_spikes`). Unevenly sampled steps are interpolated linearly
 /// to even spacing, since the transient and the autocorrelation are computed from evenly spaced
-/// samples. The transient, until torque and gap are both steady, and unusable steps are listed in
-/// `excluded`. Notes report spikes, negative torques whose sign was flipped, interpolation, errors
-/// that the resolution of a column limits, and columns that were not read.
+/// samples. The transient ends when torque and gap are both steady. A step whose steady part covers
+/// less strain than `choice.least_strain` is excluded, with a description of the step
+/// (`looks_like`): grains lose their initial arrangement only over strains of order 1, so the step
+/// may not be in steady shear even if torque and gap are constant. If a wobble of torque, force or
+/// gap with the rotation of the lid would bias the mean, the mean is taken over whole turns
+/// (`whole_turns_begin`).
 ///
-/// The covariance is that of the means within the run, with autocorrelation and with the
-/// correlation of torque and gap. It includes the error of the mean normal force: since a model
-/// predicts the shear stress at the measured mean normal stress, the variance is that of the mean
-/// of T - (T/F) F_N, not of T. Fluctuations of the force that the torque follows cancel out; errors
-/// of the force alone add up. (T/F is the slope of a cohesionless material; with cohesion the slope
-/// is smaller, and this error a little too large.)
+/// The covariance of a reading is that of the means within the run, with autocorrelation and with
+/// the correlation of torque T and gap. It includes the error of the mean normal force F_N: a model
+/// predicts the shear stress at the measured mean normal stress, so the variance is that of the
+/// mean of T - (T/F) F_N, with T/F the ratio of the means. Fluctuations of the force that the
+/// torque follows cancel out; errors of the force alone add up. (T/F is the slope of a cohesionless
+/// material; with cohesion the slope is smaller, and this error a little too large.)
 ///
-/// A step whose steady part covers less strain than `choice.least_strain` is excluded, with a
-/// description of the step (`looks_like`): grains lose their initial arrangement only over strains
-/// of order 1, so the step may not be in steady shear even if torque and gap are constant.
-///
-/// If torque, force or gap vary periodically with the rotation of the lid, and the mean would be
-/// biased by it, the mean is taken over a whole number of turns (`whole_turns_begin`).
-///
-/// The time of a reading is the mean time of the steady part, by `clock`.
 /// @param liquid_content volume of liquid over volume of grains [1]
+/// @param clock converts the mean time of a steady part to the time of the reading
 /// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,
                               const GrainProperties& grains, double liquid_content, RunClock& clock,
                               const ImportSettings& choice = {});
 
-/// Converts the steps of a recording, as `recorded_steps` returns them, to readings, with the
-/// parameters and results of `reduce_recording`.
+/// Converts the steps of a recording, as `recorded_steps` returns them, to readings by the rules of
+/// `reduce_recording`, with the same parameters.
 Measurements reduce_steps(const std::vector<RecordedStep>& steps, const Recording& recording,
                           const AnnularCell& cell, const GrainProperties& grains,
                           double liquid_content, RunClock& clock, const ImportSettings& choice);
 
 /// Converts each step of the first recording of a study to a reading, with the default settings of
-/// import: the clock starts at 0.
+/// import and times that begin at 0.
 /// @param liquid_content volume of liquid over volume of grains [1]
 /// @throws InputError if the torque has both signs within a step
 Measurements reduce_recording(const Recording& recording, const AnnularCell& cell,

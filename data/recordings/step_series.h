@@ -9,7 +9,7 @@
 
 namespace pendular {
 
-/// One step of a recording as series that are evenly spaced in time.
+/// Samples of one step of a recording, evenly spaced in time.
 struct StepSeries {
     std::vector<double> time;              ///< time on the recording's clock [s]
     std::vector<double> torque;            ///< torque on the lid [N m]
@@ -21,24 +21,24 @@ struct StepSeries {
     bool flipped = false;                  ///< whether the sign of a negative torque was changed
 
     std::size_t size() const { return time.size(); }
-    /// Returns the series without the samples before index `begin`.
+    /// Returns the series without the samples before index `begin`, which counts from 0.
     StepSeries from(std::size_t begin) const;
 };
 
-/// Converts the rows of a step to evenly spaced series. All columns are interpolated linearly if a
-/// spacing in time is less than 0.5 or more than 1.5 times the median spacing. If the lid turns and
-/// the torque is mostly negative, its sign is changed.
+/// Converts the rows of a step to evenly spaced samples. All columns are interpolated linearly if
+/// any two neighbouring times are less than 0.5 or more than 1.5 times the median spacing apart. If
+/// the lid turns and the torque is mostly negative, the sign of the torque is changed.
 /// @throws InputError at the first row whose torque has the rarer sign, if the lid turns and the
-///         torque has both signs by more than noise around zero
+///         torque has both signs by more than noise
 StepSeries step_series(const Recording& recording, const Step& step);
 
-/// Whether the lid turns: its mean angular velocity [rad/s] differs from 0 by more than 3 standard
-/// errors of this mean.
+/// Whether the lid turns: its mean angular velocity differs from 0 by more than 3 standard errors.
+/// @param angular_velocity mean angular velocity with its standard error [rad/s]
 bool turns(const Mean& angular_velocity);
 
-/// Number of leading samples before torque and gap are both steady; empty, with the reason in
-/// `why`, if one of them never becomes steady. The last half of a series counts as steady if its
-/// last two quarters differ by less than 0.1 %.
+/// Number of samples at the beginning of a step that are not steady in torque or gap. Empty if
+/// torque or gap never becomes steady; `why` is then set to the reason. A series whose last two
+/// quarters differ by less than 0.1 % counts as steady in its second half.
 std::optional<std::size_t> end_of_transient(const StepSeries& series, std::string& why);
 
 }  // namespace pendular

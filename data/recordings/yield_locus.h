@@ -8,44 +8,50 @@
 
 namespace pendular {
 
-/// Point of failure of one interval that was sheared to failure.
+/// Peak of the shear stress in an interval in which the sample was sheared to failure. The peak is
+/// given twice: at the sample with the largest shear stress, and after smoothing.
 struct FailurePoint {
-    int interval = 0;                   ///< number of the interval in the file
-    int line = 0;                       ///< line of the sample with the largest shear stress
-    double normal_stress = 0;           ///< normal stress of this sample [Pa]
-    double shear_stress = 0;            ///< largest shear stress of a sample [Pa]
+    int interval = 0;          ///< number of the interval in the file
+    int line = 0;              ///< line in the file of the sample with the largest shear stress
+    double normal_stress = 0;  ///< normal stress at this sample [Pa]
+    double shear_stress = 0;   ///< shear stress at this sample, the largest one [Pa]
     double smoothed_normal_stress = 0;  ///< mean normal stress around the smoothed peak [Pa]
     double smoothed_shear_stress = 0;   ///< largest shear stress after smoothing [Pa]
-    /// Rows, from 0, that the smoothed peak averages: [smoothed_begin, smoothed_end).
+    /// Rows that are averaged for the smoothed peak, from `smoothed_begin` to `smoothed_end` - 1,
+    /// counted from 0 in the interval.
     std::size_t smoothed_begin = 0, smoothed_end = 0;
-    /// Whether the largest shear stress is in the last 5 % of the rows, so that failure may not
-    /// have been reached.
+    /// Whether the largest shear stress is in the last 5 % of the rows: failure may not have been
+    /// reached.
     bool at_end = false;
-    std::optional<double> height;  ///< gap at the sample [m], if recorded
+    /// Gap at the sample with the largest shear stress [m], if recorded.
+    std::optional<double> height;
 };
 
-/// State of steady shear before the intervals that are sheared to failure.
+/// State at the end of a preshear, the steady shear that consolidates the sample before it is
+/// sheared to failure.
 struct PreshearPoint {
     double normal_stress = 0;  ///< mean over the last tenth of the preshear's rows [Pa]
     double shear_stress = 0;   ///< mean over the last tenth of the preshear's rows [Pa]
-    /// Standard deviation of the shear stress over these rows [Pa].
+    /// Standard deviation of the shear stress over the last tenth of the preshear's rows [Pa].
     double shear_stress_deviation = 0;
-    std::size_t begin = 0;  ///< first of these rows, from 0
-    /// Whether the shear stress has reached a plateau: its mean over these rows differs by at most
-    /// 2 % from that over as many rows before them.
+    /// Index of the first row of the last tenth of the preshear, from 0.
+    std::size_t begin = 0;
+    /// Whether the shear stress has reached a plateau: its mean over the last tenth of the rows
+    /// differs by at most 2 % from its mean over the tenth before.
     bool plateau = true;
-    std::optional<double> bulk_density = {};  ///< stated by the file, with liquid [kg/m^3]
+    /// Bulk density of the sample with liquid [kg/m^3], if the file states it.
+    std::optional<double> bulk_density = {};
 };
 
-/// Straight line through points of failure, with what follows from it.
+/// Straight line of shear stress against normal stress through points of failure, with the
+/// strengths and flow properties that follow from the line.
 struct LinearYieldLocus {
-    double cohesion = 0;             ///< intercept [Pa]; 0 where it is negative
+    double cohesion = 0;             ///< intercept of the line [Pa]; 0 if the intercept is negative
     double intercept = 0;            ///< intercept of the fitted line [Pa]
     double slope_angle = 0;          ///< angle of the fitted line [rad]
     double tensile_strength = 0;     ///< -cohesion/slope [Pa]; -infinity for a slope <= 0
     double unconfined_strength = 0;  ///< unconfined yield strength [Pa]
-    /// Centre of the Mohr circle of the preshear on the axis of normal stress [Pa]; empty without a
-    /// preshear.
+    /// Centre of the Mohr circle of the preshear, a normal stress [Pa]; empty without a preshear.
     std::optional<double> preshear_centre;
     /// Major principal stress of the preshear [Pa]; empty without a preshear.
     std::optional<double> major_principal_stress;
@@ -54,14 +60,16 @@ struct LinearYieldLocus {
     std::string flow_class;                 ///< class of flowability; empty without a preshear
 };
 
-/// Fits a line to points (normal stress, shear stress) [Pa] by ordinary least squares.
+/// Fits a straight line to points of failure (normal stress, shear stress) [Pa] by ordinary least
+/// squares, and derives strengths and flow properties. With cohesion c and slope angle phi:
 ///     unconfined strength = 2 c cos(phi)/(1 - sin(phi))
-/// The Mohr circle of the preshear (normal stress s, shear stress t) is tangent to the line: its
-/// centre C is the smaller root of (s - C)^2 + t^2 = (C sin(phi) + c cos(phi))^2, its radius is
-/// r = C sin(phi) + c cos(phi), the major principal stress C + r, and sin(effective angle) = r/C.
-/// If the preshear is above the line, the circle touches the line at the normal stress s instead.
-/// A negative intercept means cohesion 0. Classes of flowability: below 1 not flowing, 2 very
-/// cohesive, 4 cohesive, 10 easy-flowing, else free-flowing.
+///     (s - C)^2 + t^2 = (C sin(phi) + c cos(phi))^2 = r^2
+/// The second line determines the Mohr circle of the preshear (normal stress s, shear stress t),
+/// which is tangent to the line. Its centre C is the smaller root, r its radius, C + r the major
+/// principal stress, and sin(effective angle) = r/C. If the preshear is above the line, the circle
+/// touches the line at the normal stress s instead. A negative intercept means c = 0. Classes of
+/// flowability: below 1 not flowing, below 2 very cohesive, below 4 cohesive, below 10
+/// easy-flowing, else free-flowing.
 /// @throws std::invalid_argument if there are fewer than two different normal stresses
 /// Source: Jenike, Bulletin 123, University of Utah (1964); Schulze, Powders and Bulk Solids
 /// (2008).
@@ -69,25 +77,29 @@ LinearYieldLocus linear_yield_locus(const std::vector<double>& normal_stress,
                                     const std::vector<double>& shear_stress,
                                     const std::optional<PreshearPoint>& preshear);
 
-/// Points of failure that share a preshear, with the lines through them.
+/// Points of failure after the same preshear, with the straight lines through them.
 struct YieldLocus {
-    std::string test;                       ///< test of the file that the points belong to
+    std::string test;                       ///< name of the test in the file
     std::optional<PreshearPoint> preshear;  ///< preshear of the first point, if it was recorded
     std::vector<FailurePoint> points;
-    std::optional<LinearYieldLocus> line;      ///< through the samples of largest shear stress
-    std::optional<LinearYieldLocus> smoothed;  ///< through the smoothed peaks
+    std::optional<LinearYieldLocus> line;      ///< line through the samples of largest shear stress
+    std::optional<LinearYieldLocus> smoothed;  ///< line through the smoothed peaks
 };
 
-/// State at the end of a preshear, which has shear and normal stress.
+/// Returns the state at the end of a preshear: means over the last tenth of its rows.
+/// @param series columns of the preshear, with shear stress and normal stress
 PreshearPoint preshear_point(const IntervalSeries& series);
 
-/// Point of failure of an interval with shear and normal stress. The smoothed peak is that of the
-/// mean over a window of 1/30 of the rows, at least five.
+/// Returns the point of failure of an interval: the sample with the largest shear stress, and the
+/// largest mean shear stress over a window of 1/30 of the rows, at least five.
+/// @param series columns of the interval, with shear stress and normal stress
 /// @throws std::invalid_argument if the interval has no row with both stresses
 FailurePoint failure_point(const Block& block, const IntervalSeries& series);
 
-/// Yield loci of a file: intervals with role failure, grouped by test and by the normal stress of
-/// the preshear before them (within 5 %). Intervals without stresses are left out.
+/// Returns the yield loci of a file. Each locus has the points of failure of one test after
+/// preshears with the same normal stress (within 5 %). Intervals without stresses are left out.
+/// @param series columns of each interval, in the order of the file's blocks
+/// @param roles role of each interval, in the order of the file's blocks
 std::vector<YieldLocus> yield_loci(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const std::vector<IntervalRole>& roles);
 

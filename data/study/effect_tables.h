@@ -9,21 +9,22 @@ namespace pendular {
 
 class StudyTable;
 
-/// A formula of an effect that a user defines in [[effect]] of study.toml.
+/// Formula of an effect that a user defines in a table [[effect]] of study.toml.
 struct Formula {
-    std::string target;  ///< quantity that the formula sets, "torque" for example
+    std::string target;  ///< quantity that the formula sets, such as "torque"
     std::string text;    ///< the formula, not yet compiled
     Position position;   ///< position of the formula in study.toml
 };
 
 /// A physical effect that a user defines by formulas in a table [[effect]] of study.toml.
 struct WrittenEffect {
-    std::string name;             ///< name of the effect, "torque-offset" for example
+    std::string name;             ///< name of the effect, such as "torque-offset"
     std::string parameter;        ///< name of its parameter; "on": the effect is only on or off
     std::string unit = "1";       ///< SI unit of the parameter
     double lower = 0, upper = 1;  ///< smallest and largest allowed value [unit]
     double neutral = 0;           ///< value at which the effect vanishes [unit]
-    /// Smallest difference from `neutral` that matters to the user [unit].
+    /// Smallest difference between the parameter's value and `neutral` that is large enough to
+    /// matter to the user, in the parameter's unit.
     double smallest_of_interest = 1;
     std::string summary = {};       ///< description in one line; empty if the user gave none
     std::vector<Formula> formulas;  ///< one formula for each quantity that the effect changes
@@ -31,33 +32,34 @@ struct WrittenEffect {
     /// Positions of the values of the keys `name` and `parameter` in study.toml.
     Position name_position = {}, parameter_position = {};
 
-    /// Kind of quantities that a formula can set.
+    /// Kind of quantities that the formulas of an effect set.
     enum class Kind {
         instrument,  ///< quantities that the instrument shows (`instrument_targets`)
         flow,        ///< quantities of the flow of the grains (`flow_targets`)
         condition    ///< properties of the grains and of their liquid (`condition_targets`)
     };
-    /// Kind of quantities that the formulas set; all formulas of an effect have the same kind.
+    /// Kind of quantities that the formulas of this effect set; all its formulas set the same kind.
     Kind kind() const;
 };
 
-/// Quantities of the instrument that formulas of an [[effect]] of study.toml can set: "torque",
-/// "normal_force", "height" and "angular_velocity". An effect sets quantities of one kind only:
-/// quantities of the instrument, of the flow (`flow_targets`) or of the condition
+/// Quantities of the instrument that formulas in a table [[effect]] of study.toml can set:
+/// "torque", "normal_force", "height" and "angular_velocity". One effect sets quantities of one
+/// kind only: of the instrument, of the flow (`flow_targets`) or of the condition
 /// (`condition_targets`).
 const std::vector<std::string>& instrument_targets();
-/// Quantities of the flow of the grains that formulas of an [[effect]] of study.toml can set:
+/// Quantities of the flow of the grains that formulas in a table [[effect]] of study.toml can set:
 /// "stress_ratio" and "solid_fraction".
 const std::vector<std::string>& flow_targets();
-/// Properties of the grains and of their liquid that formulas of an [[effect]] of study.toml can
-/// set: "friction_difference" (friction coefficient of the grains minus the fitted friction of the
-/// model [1]) and "surface_tension" [N/m].
+/// Properties of the grains and of their liquid that formulas in a table [[effect]] of study.toml
+/// can set: "friction_difference" (friction coefficient between grains minus the fitted friction of
+/// the model [1]) and "surface_tension" [N/m].
 const std::vector<std::string>& condition_targets();
 
-/// Reads the effects that a user defines in the tables [[effect]] of study.toml.
+/// Reads the effects that a user defines in the tables [[effect]] of study.toml, in the order of
+/// the file.
 /// @throws InputError if a key is missing, unknown or has an invalid value, if two effects have the
-///         same name, or if an effect has no formula, or formulas for quantities of two
-///         kinds (`WrittenEffect::Kind`)
+///         same name, or if an effect has no formula, or formulas for quantities of two kinds
+///         (`WrittenEffect::Kind`)
 std::vector<WrittenEffect> read_written_effects(const StudyTable& root);
 
 }  // namespace pendular

@@ -6,17 +6,17 @@
 
 namespace pendular {
 
-/// Pattern that matches one path only: special characters of patterns are escaped.
+/// Returns a pattern that matches only this path: the special characters of patterns are escaped.
 std::string as_pattern(const std::string& path);
 
-/// Existing files whose path matches a pattern with '*', '?' and '[...]', sorted by path. The
-/// pattern is relative to the folder unless it is an absolute path.
-/// @throws std::invalid_argument for a pattern that opens more than 10,000 folders
+/// Existing files whose path matches a pattern with '*', '?' and '[...]', sorted by path.
+/// @param folder folder to which the pattern is relative, unless it is an absolute path
+/// @throws std::invalid_argument if more than 10,000 folders would have to be searched
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& folder,
                                                   const std::string& pattern);
 
-/// Whether the path of a file matches a pattern with '*', '?' and '[...]', relative to `folder`
-/// unless it is an absolute path; the file need not exist.
+/// Whether the path of a file matches a pattern with '*', '?' and '[...]'. The file need not exist.
+/// @param folder folder to which the pattern is relative, unless it is an absolute path
 bool matches(const std::filesystem::path& file, const std::filesystem::path& folder,
              const std::string& pattern);
 

@@ -10,30 +10,31 @@ namespace pendular {
 
 class StudyTable;
 
-/// Range of values that a measuring rig can be set to, in the unit of the quantity.
+/// Range of values to which a measuring rig can set a quantity, in the SI unit of the quantity.
 struct Span {
     double least = 0, greatest = 0;
 };
 
-/// Conditions at which a measuring rig can take further readings, and their costs: [rig] of
-/// study.toml. Costs are in units of a dry reading.
+/// Conditions at which a measuring rig can take further readings, and what they cost: table [rig]
+/// of study.toml. Costs are relative to the cost of a dry reading.
 struct Rig {
-    Span normal_stress;  ///< possible normal stresses [Pa]
-    /// Possible inertial numbers [1]; empty if the rig sets the shear rate.
+    Span normal_stress;  ///< normal stresses that the rig can impose [Pa]
+    /// Inertial numbers [1] to which the rig can be set; empty if it sets the shear rate.
     std::optional<Span> inertial_number;
-    /// Possible shear rates [1/s]; empty if the rig sets the inertial number.
+    /// Shear rates [1/s] to which the rig can be set; empty if it sets the inertial number.
     std::optional<Span> shear_rate;
-    /// Possible liquid contents, volume of liquid over volume of grains [1]; 0: dry.
+    /// Liquid contents (volume of liquid over volume of grains [1]) at which the rig can measure;
+    /// 0: dry.
     std::vector<double> liquid_contents = {0};
-    /// Possible solid volumes of the grains in the cell [m^3]; empty: the volume of the study's
-    /// cell.
+    /// Solid volumes of the grains [m^3] with which the cell can be filled; empty: only the volume
+    /// in the study's cell.
     std::vector<double> bead_volumes = {};
-    int repeats = 5;      ///< largest number of readings at one condition
-    int readings = 12;    ///< largest number of readings at several conditions together
+    int repeats = 5;      ///< largest number of further readings at one condition
+    int readings = 12;    ///< largest total number of further readings at several conditions
     double wet_cost = 1;  ///< cost of a wet reading over the cost of a dry reading [1]
     /// Cost of filling the cell with another amount of grains, over the cost of a dry reading [1].
     double filling_cost = 0;
-    /// Possible waiting times between the last reading and the next reading [s].
+    /// Times [s] that the user may wait between the last reading and the next one.
     std::vector<double> waits = {0};
     double hour_cost = 1;  ///< cost of an hour of waiting over the cost of a dry reading [1]
     /// Direct measurements of effect parameters, such as the torque of the empty cell, that the rig

@@ -4,13 +4,14 @@
 
 namespace pendular {
 
-/// Scatter of an instrument as stated by its user: standard deviations relative to the values of
-/// (shear stress, solid fraction) [1].
+/// Scatter of an instrument that the user states in [scatter] of study.toml: standard deviations
+/// relative to the values of (shear stress, solid fraction) [1].
 struct StatedScatter {
-    /// Relative standard deviations between repetitions of one step, (shear stress, solid
-    /// fraction).
+    /// Standard deviations between repetitions of one step, relative to the values of (shear
+    /// stress, solid fraction) [1].
     Eigen::Vector2d step = Eigen::Vector2d::Zero();
-    /// Relative standard deviations between fillings of the cell, (shear stress, solid fraction).
+    /// Standard deviations between fillings of the cell, relative to the values of (shear stress,
+    /// solid fraction) [1].
     Eigen::Vector2d filling = Eigen::Vector2d::Zero();
 };
 

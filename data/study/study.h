@@ -18,14 +18,14 @@
 
 namespace pendular {
 
-/// An entry [[recording]] (raw time series) or [[readings]] (table of readings) of study.toml, with
+/// Entry [[recording]] (raw time series) or [[readings]] (table of readings) of study.toml, with
 /// the files that it names.
 struct Source {
     enum class Kind { recording, readings };
     Kind kind = Kind::recording;
     std::string pattern;  ///< pattern of file paths, relative to the study's folder
     std::vector<std::filesystem::path> files;  ///< files that match the pattern, sorted by path
-    /// Volume of liquid over volume of grains [1], if the entry has it.
+    /// Volume of liquid over volume of grains [1], if the entry states it.
     std::optional<double> liquid_content;
     /// Solid volume of the grains in the cell [m^3], if the entry overrides the value in [cell].
     std::optional<double> bead_volume;
@@ -35,13 +35,13 @@ struct Source {
     Position position;       ///< position of the entry in study.toml
 };
 
-/// An effect in the list `effects` of [model] in study.toml: it is part of the study's model.
+/// Effect in the list `effects` of [model] in study.toml, which makes it part of the study's model.
 struct ListedEffect {
     std::string name;
     Position position;  ///< position of the effect's name in study.toml
 };
 
-/// Stress ratio of a wet reading, to which a constant cohesion may be fitted.
+/// Stress ratio of a wet reading, from which a constant cohesion can be fitted.
 struct MeasuredStrength {
     Condition condition;        ///< wet condition of the reading
     double stress_ratio = 0;    ///< measured stress ratio [1]
@@ -50,16 +50,16 @@ struct MeasuredStrength {
 
 /// Settings of the model: [model] in study.toml.
 struct ModelSettings {
-    /// Model of wet grains: "dem" (simulations), "rumpf" (law of dry grains with Rumpf's cohesion)
-    /// or "mohr-coulomb" (law of dry grains with constant cohesions fitted to `strengths`).
+    /// Model of wet grains: "dem" (simulations), "rumpf" (law of dry grains with the cohesion by
+    /// Rumpf's formula) or "mohr-coulomb" (law of dry grains with constant cohesions fitted to
+    /// `strengths`).
     std::string base = "dem";
-    /// Strengths of the study's wet readings, which base "mohr-coulomb" needs (`with_strengths`);
-    /// not part of study.toml.
+    /// Stress ratios of the study's wet readings, needed for the base "mohr-coulomb". They are not
+    /// part of study.toml; `with_strengths` sets them.
     std::vector<MeasuredStrength> strengths = {};
-    std::vector<std::string> calibrate = {"friction"};  ///< parameters to fit
-    std::string fit_to = "dry";                         ///< readings to fit, "dry" or "all"
-    /// Effects listed as part of the model, each once. Whether effects of these names exist is not
-    /// checked.
+    std::vector<std::string> calibrate = {"friction"};  ///< names of the parameters to fit
+    std::string fit_to = "dry";                         ///< readings to fit: "dry" or "all"
+    /// Effects of the model, each once. The names may be unknown, since they are not checked here.
     std::vector<ListedEffect> effects;
     FormulaVariant bridge_force = FormulaVariant::derived;  ///< formula of the bridge force
     /// Expected standard error of the model's predictions, relative to the values of (stress ratio,
@@ -67,14 +67,15 @@ struct ModelSettings {
     std::array<double, 2> discrepancy = {0, 0};
 };
 
-/// Settings for the conversion of recordings to readings: [import] in study.toml.
+/// Settings for the conversion of recordings to readings: table [import] of study.toml.
 struct ImportSettings {
-    bool keep_implausible = false;  ///< whether implausible readings are used all the same
-    /// Smallest strain of the steady part of a step [1]; shorter steps are excluded.
+    bool keep_implausible = false;  ///< whether implausible readings are used nevertheless
+    /// Smallest shear strain of the steady part of a step [1]; a step with a shorter steady part is
+    /// excluded.
     double least_strain = 1;
 };
 
-/// Content of a study's file study.toml: grains, liquid, cell, measured files and model.
+/// Content of the file study.toml of a study: grains, liquid, cell, measured files and model.
 struct Study {
     std::filesystem::path folder;  ///< folder of the study, to which paths are relative
     std::filesystem::path file;    ///< path of study.toml
@@ -90,28 +91,33 @@ struct Study {
     std::optional<Rig> rig;                      ///< possible further measurements and their costs
 };
 
-/// Reads a study from its folder or from its file study.toml, and checks every key. Quantities are
-/// texts with a unit, or plain numbers if dimensionless.
+/// Reads the file study.toml of a study and checks every key. Quantities are texts with a unit, or
+/// plain numbers if dimensionless.
+/// @param study folder of the study, or its study.toml
 /// @throws InputError at file:line:column for a key that is missing or unknown (suggesting the
-///         nearest known key), a unit of the wrong dimension, an invalid value (Ri >= Re for
-///         example), and a pattern that matches no file
+///         nearest known key), a unit of the wrong dimension, an invalid value (an inner radius
+///         above the outer radius for example), and a pattern that matches no file
 Study read_study(const std::filesystem::path& study);
 
-/// Pattern of an entry [[recording]] or [[readings]] of study.toml, whether or not files match it.
+/// Pattern of file paths in an entry [[recording]] or [[readings]] of study.toml. Matching files
+/// need not exist.
 struct FilePattern {
     Source::Kind kind = Source::Kind::recording;
     std::string pattern;     ///< pattern of file paths, relative to the study's folder
     FileFormat format = {};  ///< how the files are to be read, where the entry states it
 };
 
-/// Reads only the patterns of the files of a study, in a study without any measurement for example.
+/// Reads only the patterns of file paths from study.toml, without the files, for a study in which
+/// nothing has been measured yet.
 /// @param study folder of the study, or its study.toml
-/// @throws InputError at file:line:column for a syntax error, an unknown key of the top level or of
-///         an entry, and a wrong value of a key that says how files are read
+/// @throws InputError at file:line:column if the file cannot be read, for a syntax error, an
+///         unknown key of the top level or of an entry, and a wrong value of a key that says how
+///         files are read
 std::vector<FilePattern> read_patterns(const std::filesystem::path& study);
 
-/// Warning that a liquid content [1] is outside of the pendular range, in which the liquid forms
-/// separate bridges; empty inside the range and for dry grains.
+/// Returns a warning for the user if a liquid content is outside of the pendular range, in which
+/// the liquid forms separate bridges; empty inside this range and for dry grains.
+/// @param liquid_content volume of liquid over volume of grains [1]
 std::optional<std::string> pendular_range_warning(double liquid_content);
 
 }  // namespace pendular

@@ -6,22 +6,30 @@
 
 namespace pendular {
 
-/// Returns the text of study.toml with an effect added at the end of the list `effects`
-/// in [model]; [model] and the list are added if missing. All other bytes, comments and the style
-/// of line ends are preserved. `file` names the file in error messages.
+/// Returns the text of study.toml with an effect added at the end of the list `effects` in [model].
+/// If [model] or the list is missing, it is added. All other text, comments and line ends are
+/// preserved.
+/// @param text text of study.toml
+/// @param file path of study.toml, for error messages
+/// @param name name of the effect
 /// @throws InputError if the text is not TOML, if the effect is in the list already, or if the
 ///         layout of the list cannot be edited safely; the message says what to write by hand
 std::string with_effect(const std::string& text, const std::string& file, std::string_view name);
 
 /// Returns the text of study.toml with an effect removed from the list `effects` in [model]. All
-/// other bytes and comments are preserved. `file` names the file in error messages.
+/// other text and comments are preserved.
+/// @param text text of study.toml
+/// @param file path of study.toml, for error messages
+/// @param name name of the effect
 /// @throws InputError if the text is not TOML, if the effect is not in the list, or if the layout
 ///         of the list cannot be edited safely
 std::string without_effect(const std::string& text, const std::string& file, std::string_view name);
 
-/// Replaces the text of a study's file study.toml by `text`, as a whole or not at all.
-/// @throws std::runtime_error if the file cannot be written, naming the file and the system's
-///         reason
+/// Replaces the content of a study's file study.toml by a new text, completely or not at all.
+/// @param file path of study.toml
+/// @throws InputError if the path is a symbolic link out of its folder
+/// @throws std::runtime_error if the file cannot be written; the message names the file and the
+///         system's reason
 void replace_study(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace pendular

@@ -2,15 +2,15 @@
 
 namespace pendular {
 
-/// State of an annular cell, either the true state or the state that the instrument shows; SI
-/// units. Torque and normal force are magnitudes: positive where the grains are sheared and
-/// compressed.
+/// State of an annular shear cell in SI units: either the true state or the state that the
+/// instrument shows. Torque and normal force are magnitudes, positive when the grains are sheared
+/// and compressed.
 struct CellState {
     double torque = 0;            ///< torque on the lid [N m]
     double normal_force = 0;      ///< normal force on the sample at mid-height [N]
     double height = 0;            ///< height of the sample [m]
     double angular_velocity = 0;  ///< angular velocity of the lid [rad/s]
-    double liquid_content = 0;    ///< liquid volume over grain volume, Phi_L/Phi_S [1]
+    double liquid_content = 0;    ///< liquid volume over grain volume [1]
     double bead_volume = 0;       ///< volume of the beads in the cell [m^3]
     double time = 0;              ///< time since the first recording began [s]
 
@@ -19,11 +19,11 @@ struct CellState {
     double density = 0;                         ///< density of the grain material [kg/m^3]
     double diameter = 0;                        ///< mean diameter of the grains [m]
 
-    /// Area of the annulus between the inner and outer radius, on which the lid presses [m^2].
+    /// Area of the annulus on which the lid presses [m^2].
     double area() const;
-    /// Distance between the inner and outer side wall [m]: outer_radius - inner_radius.
+    /// Width of the annulus [m]: distance between the inner and outer side wall.
     double width() const { return outer_radius - inner_radius; }
-    /// Weight of the beads in the cell [N].
+    /// Weight of the dry grains in the cell [N].
     double weight() const;
 };
 

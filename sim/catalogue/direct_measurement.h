@@ -8,28 +8,30 @@
 
 namespace pendular {
 
-/// Direct measurement of an effect's parameter, made without shearing the grains. Examples: the
-/// drag from the torque of the empty cell, the contact angle from a drop. A model without the
-/// effect predicts the value at which the effect vanishes.
+/// Direct measurement of an effect's parameter without shearing grains, such as the drag from the
+/// torque of the empty cell, or the contact angle from a drop. A model without the effect predicts
+/// the value at which the effect vanishes.
 struct DirectMeasurement {
-    std::string parameter;      ///< "EFFECT.PARAMETER", as in "torque-offset.torque"
+    std::string parameter;      ///< "EFFECT.PARAMETER", such as "torque-offset.torque"
     std::string unit;           ///< SI unit of the parameter
-    std::string by = {};        ///< how it is measured, as "a viscometer"; empty: unknown
+    std::string by = {};        ///< how it is measured, such as "a viscometer"; empty: unknown
     double neutral = 0;         ///< prediction of a model without the effect [unit]
-    double value = 0;           ///< measured value [unit]; 0 if not measured yet
+    double value = 0;           ///< measured value [unit]; 0 if it was not measured yet
     double standard_error = 0;  ///< standard error of `value` [unit]
 };
 
-/// Returns a direct measurement that a study or its rig ([[direct]] or [[rig.direct]] of
-/// study.toml) states, converted to the SI unit of the effect's parameter.
+/// Converts a direct measurement from study.toml ([[direct]] or [[rig.direct]]) to the SI unit of
+/// the effect's parameter.
+/// @param catalogue all effects available to the study
 /// @throws InputError for an effect that is unknown, is a switch or does not apply to the study, a
 ///         value or error in a unit that does not fit the parameter, or an error that is not
 ///         positive
 DirectMeasurement direct_measurement(const StatedDirect& stated, const Study& study,
                                      const EffectCatalogue& catalogue);
 
-/// Returns the direct measurements of effect parameters that a study states in the [[direct]]
-/// tables of study.toml, in their order, in the SI unit of each parameter.
+/// Returns the direct measurements in the tables [[direct]] of study.toml, in their order, in the
+/// SI unit of each parameter.
+/// @param catalogue all effects available to the study
 /// @throws InputError for a table that `direct_measurement` does not accept
 std::vector<DirectMeasurement> direct_measurements(const Study& study,
                                                    const EffectCatalogue& catalogue);

@@ -10,14 +10,14 @@
 
 namespace pendular {
 
-/// All effects available to a study: the effects that come with the program and the effects that
-/// the user defines in study.toml. Returned references and pointers are valid as long as the
+/// All effects available to a study: the effects that come with the program, and the effects that
+/// the user defines in study.toml. References and pointers to effects are valid as long as the
 /// catalogue.
 class EffectCatalogue {
   public:
-    /// Constructs a catalogue of the built-in effects only.
+    /// Makes a catalogue of the built-in effects only.
     EffectCatalogue();
-    /// Constructs a catalogue of the built-in effects and of the effects that the study defines.
+    /// Makes a catalogue of the built-in effects and of the effects that a study defines.
     /// @throws InputError at the line of study.toml for a user-defined effect that cannot be used
     ///         or has the name of a built-in effect
     explicit EffectCatalogue(const Study& study);
@@ -27,31 +27,32 @@ class EffectCatalogue {
     EffectCatalogue& operator=(EffectCatalogue&&) = default;
     ~EffectCatalogue() = default;
 
-    /// All effects: the built-in ones sorted by name, then the user's in the order of study.toml.
+    /// All effects: the built-in effects sorted by name, then the user's in the order of
+    /// study.toml.
     const std::vector<Effect>& all() const { return effects_; }
-    /// Returns the effect, built-in or user-defined, with this name.
-    /// @throws std::invalid_argument where there is none, naming the effect with the nearest name
+    /// Returns the effect, built-in or user-defined, with a given name.
+    /// @throws std::invalid_argument if there is none; the message names the nearest name
     const Effect& find(std::string_view name) const;
-    /// Whether the user defined this effect in study.toml: no built-in effect has its name.
+    /// Whether an effect was defined by the user in study.toml rather than built in.
     bool is_written(const Effect& effect) const;
 
-    /// Returns the effects that the study lists under `effects` in [model] of study.toml, in the
-    /// order of that list.
-    /// @throws InputError at a name in the list that is unknown, naming the nearest known name, or
-    ///         whose effect does not apply to the study
+    /// Returns the effects of a study's model, which are in the list `effects` of [model] in
+    /// study.toml, in the order of the list.
+    /// @throws InputError at a name that is unknown (the message names the nearest name), or whose
+    ///         effect does not apply to the study
     std::vector<const Effect*> active(const Study& study) const;
 
   private:
     std::vector<Effect> effects_;
 };
 
-/// Returns the level of the ladder of closures (formulas for the strength of wet grains) that a
-/// study's model is on: the highest of its base model and of the effects that it lists.
+/// Level of formulas for the strength of wet grains that a study's model uses: the highest level of
+/// its base model and of the effects that it lists.
 closures::Level level_of(const Study& study);
 
-/// Returns the reason, with a remedy, why an effect does not apply to a study: the study has no
-/// readings that it changes, or lacks the liquid, cell, bead volume or base model that it needs.
-/// Returns an empty optional where the effect applies.
+/// Returns the reason, with a remedy, why an effect does not apply to a study; empty if it applies.
+/// A study may lack readings that the effect changes, or the liquid, cell, volume of grains or base
+/// model that the effect needs.
 std::optional<std::string> why_not(const Effect& effect, const Study& study);
 
 }  // namespace pendular

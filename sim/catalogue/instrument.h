@@ -10,65 +10,72 @@
 
 namespace pendular {
 
-/// The instrument map: all instrument effects of a study, combined into one map from the true state
-/// of the cell to the shown state. Effects on the grains in the cell are applied first, then
-/// effects on the transducers, each group sorted by name.
+/// All effects on the instrument in a study, combined into one map from the true state of the cell
+/// to the state that the instrument shows. Effects on the grains in the cell are applied first,
+/// then effects on the transducers, each group sorted by name.
 class InstrumentMap {
   public:
     InstrumentMap() = default;
-    /// Constructs the map from the effects on the instrument among `effects` whose parameters are
-    /// not all at their neutral values; other effects are ignored.
+    /// Combines those of the given effects that act on the instrument and whose parameters are not
+    /// all at their neutral values. Other effects are ignored.
     explicit InstrumentMap(const std::vector<ActiveEffect>& effects);
 
-    /// Whether no effect acts, so that the instrument shows the true state.
+    /// Whether no effect acts: the instrument shows the true state.
     bool empty() const { return effects_.empty(); }
 
-    /// Returns the state that the instrument shows where `truth` is the true state of the cell.
-    /// Without effects returns `truth`, bit for bit.
+    /// State of the cell that the instrument shows if `truth` is the true state. Without effects,
+    /// the true state is returned bit for bit.
     CellState show(CellState truth) const;
 
-    /// Returns the true state of the cell for which the instrument shows `shown`, the inverse of
-    /// `show`. Newton's method solves for torque, normal force, height, angular velocity, liquid
-    /// content and bead volume, until `show` gives the values of `shown` to 1e-11 of their size or
-    /// better. Cell radii, grain properties and time are unchanged. Without effects returns
-    /// `shown`, bit for bit.
-    /// @throws std::domain_error, naming the effects, where no state with a positive normal force,
-    ///         height and bead volume is shown as `shown`
+    /// True state of the cell if the instrument shows the state `shown`; the inverse of `show`.
+    /// Newton's method solves for torque, normal force, height, angular velocity, liquid content
+    /// and volume of grains, until `show` returns the given values to a relative accuracy of 1e-11
+    /// or better. Radii, grain properties and time do not change. Without effects, `shown` is
+    /// returned bit for bit.
+    /// @throws std::domain_error if the instrument shows no state with positive normal force,
+    ///         height and volume of grains in this way; the message names the effects
     CellState truth(const CellState& shown) const;
 
   private:
     std::vector<ActiveEffect> effects_;
 };
 
-/// Returns the state of the cell that the instrument showed at a recorded condition, from the
-/// reading's shear stress [Pa] and solid fraction [1]: the inverse of `import`, which converts
-/// torque and gap to shear stress and solid fraction. If the condition states no bead volume, the
-/// cell's is used; if it states no height, the height follows from the solid fraction. At I = 0 the
-/// lid is at rest.
+/// Returns the state of the cell that the instrument showed for a reading: the inverse of the
+/// conversion of torque and gap to shear stress and solid fraction by `import`. If the condition
+/// has no volume of grains, the cell's is used; if it has no height, the height follows from the
+/// solid fraction. At inertial number 0 the lid is at rest.
+/// @param shown recorded condition
+/// @param shear_stress shear stress of the reading [Pa]
+/// @param solid_fraction solid fraction of the reading [1]
 CellState shown_state(const Condition& shown, double shear_stress, double solid_fraction,
                       AnnularCell cell, const GrainProperties& grains);
 
-/// Returns the condition that is truly imposed (normal stress, inertial number, liquid content,
-/// height and bead volume) where `shown` is recorded and `truth` is the true state of the cell. The
-/// inertial number follows from the true shear rate omega (Ri + Re)/(2 H) and normal stress,
+/// Returns the true condition of the grains (normal stress, inertial number, liquid content, height
+/// and volume of grains) for a recorded condition. The inertial number I follows from the true
+/// angular velocity omega of the lid, sample height H and normal stress s22,
 ///     I/I_shown = (omega/omega_shown) (H_shown/H) sqrt(s22_shown/s22)
-/// A shown inertial number of 0 remains 0. Quantities that no effect changes are returned as shown,
-/// bit for bit.
+/// An inertial number of 0 stays 0. Quantities that no effect changes stay equal bit for bit.
+/// @param shown recorded condition
+/// @param truth true state of the cell
 Condition true_condition(const Condition& shown, const CellState& truth, const InstrumentMap& map);
 
-/// Returns the reading (shear stress [Pa], solid fraction [1]) that the instrument shows where
-/// `predicted` is the true reading, at the true normal force, angular velocity, liquid content and
-/// bead volume of `truth`. The true height follows from the predicted solid fraction and the true
-/// bead volume. Shown torque and gap are converted to a reading as by `import`, with the shown bead
-/// volume. Returns `predicted`, bit for bit, if the map is empty.
+/// Returns the reading (shear stress [Pa], solid fraction [1]) that the instrument shows if
+/// `predicted` is the true reading. The true height follows from the predicted solid fraction and
+/// the true volume of grains. The torque and gap that the instrument shows are converted to a
+/// reading as `import` does, with the volume of grains that the instrument shows. If no effect
+/// acts, the prediction is returned bit for bit.
+/// @param predicted true reading (shear stress [Pa], solid fraction [1])
+/// @param truth true normal force, angular velocity, liquid content and volume of grains
 Eigen::Vector2d shown_reading(const Eigen::Vector2d& predicted, CellState truth,
                               const InstrumentMap& map, const AnnularCell& cell);
 
-/// Returns the true state of the cell where the grains have the stress ratio and solid fraction of
-/// `flow` and the instrument shows the normal stress, inertial number, liquid content and time of
-/// `asked`. The gap follows from the solid fraction of `flow`, and the lid turns at the angular
-/// velocity that gives the inertial number of `asked` at the shown gap.
-/// @throws std::domain_error where InstrumentMap::truth finds no true state
+/// Returns the true state of the cell at which the instrument shows the requested normal stress,
+/// inertial number, liquid content and time. The gap follows from the true solid fraction; the
+/// angular velocity of the lid gives the requested inertial number at the gap that the instrument
+/// shows.
+/// @param asked requested condition
+/// @param flow true stress ratio and solid fraction of the grains [1]
+/// @throws std::domain_error if the instrument shows the requested values for no true state
 CellState truth_at_set_points(const Condition& asked, const FlowPoint& flow,
                               const InstrumentMap& map, const AnnularCell& cell,
                               const GrainProperties& grains);

@@ -9,19 +9,20 @@
 
 namespace pendular {
 
-/// A study together with its catalogue of effects, the effects that it lists and its direct
-/// measurements, all checked. Copies share the catalogue, which is constructed once.
+/// Study with its catalogue of effects, the effects that it lists and its direct measurements, all
+/// checked. Copies share the catalogue, which is made once.
 class ResolvedStudy {
   public:
-    /// Constructs the study's catalogue of effects, and checks the effects that the study lists and
-    /// its direct measurements. The conversion is implicit, since a study has only one catalogue.
-    /// @throws InputError where an effect that the study defines or lists, or a direct measurement,
+    /// Makes the study's catalogue of effects, and checks the effects that the study lists and its
+    /// direct measurements. The conversion is implicit, since a study has only one catalogue.
+    /// @throws InputError if an effect that the study defines or lists, or a direct measurement,
     ///         cannot be used
     ResolvedStudy(Study study);
-    /// Returns `changed`, an edited copy of this study, with this study's catalogue of effects and
-    /// its own listed effects and direct measurements, checked. The edit must not change the
-    /// effects that the user defines in study.toml.
-    /// @throws InputError where an effect that `changed` lists, or a direct measurement, cannot be
+    /// Returns an edited copy of this study with the same catalogue of effects. Its listed effects
+    /// and direct measurements are checked. The edit must not change the effects that the user
+    /// defines in study.toml.
+    /// @param changed the edited study
+    /// @throws InputError if an effect that `changed` lists, or a direct measurement, cannot be
     ///         used
     ResolvedStudy changed_to(Study changed) const;
 
@@ -30,11 +31,11 @@ class ResolvedStudy {
 
     /// All effects available to the study, built-in and user-defined.
     const EffectCatalogue& catalogue() const { return *catalogue_; }
-    /// Effects that the study lists, in the order of its list. The pointers are valid as long as
+    /// Effects that the study lists, in the order of the list. The pointers are valid as long as
     /// any copy of this object exists.
     const std::vector<const Effect*>& effects() const { return effects_; }
-    /// Measurements of effect parameters made without shearing the grains, as the study states them
-    /// in its [[direct]] tables; SI units.
+    /// Direct measurements of effect parameters that the study states in its tables [[direct]], in
+    /// SI units.
     const std::vector<DirectMeasurement>& direct() const { return direct_; }
 
   private:

@@ -6,23 +6,28 @@
 
 namespace pendular::closures {
 
-/// Values that the closures (analytical formulas) of Badetti et al. (2018) give for one state of
-/// wet grains. All are dimensionless; F0 is the pull-off force, a the grain diameter.
+/// Values of the closures (analytical formulas) of Badetti et al. (2018) for one state of wet
+/// grains. All are dimensionless. Z_c: contacts per grain, Z_d: bridges without contact per grain,
+/// F_d: their mean force, F0: pull-off force, a: grain diameter, c: cohesion.
 struct ClosureValues {
-    /// Stress ratio mu*_0 of dry grains at the same friction and inertial number.
+    /// Stress ratio of dry grains at the same friction and inertial number.
     double dry_stress_ratio = 0;
     double contact_stress_ratio = 0;  ///< stress ratio of the contact forces alone (eq:coulombeff)
-    double effective_coordination = 0;    ///< Z* = Z_c + Z_d F_d/F0 (eq:defzstar)
-    double approximate_coordination = 0;  ///< Z_c + 0.5 Z_d
-    double rumpf_cohesion = 0;        ///< a^2 c/F0 with the approximate coordination (eq:cohesion3)
-    double generalised_cohesion = 0;  ///< a^2 c/F0 with the capillary shear stress (eq:cohgen)
+    /// Effective coordination number Z* = Z_c + Z_d F_d/F0 (eq:defzstar).
+    double effective_coordination = 0;
+    /// Approximate effective coordination number Z_c + 0.5 Z_d.
+    double approximate_coordination = 0;
+    /// Reduced cohesion a^2 c/F0 from the approximate coordination number (eq:cohesion3).
+    double rumpf_cohesion = 0;
+    /// Reduced cohesion a^2 c/F0 with the capillary shear stress (eq:cohgen).
+    double generalised_cohesion = 0;
     double strength1 = 0;   ///< stress ratio from the measured capillary stresses (eq:strength1)
     double strength2 = 0;   ///< stress ratio from Z* and the capillary shear stress (eq:strength2)
     double strength3 = 0;   ///< stress ratio from Z* alone (eq:strength3)
-    double saturation = 0;  ///< share of the pores that liquid fills, Phi_L/(1 - Phi_S)
+    double saturation = 0;  ///< share of the pore volume that liquid fills
 };
 
-/// Name, text and axis label of a member of ClosureValues.
+/// Name, text and axis label of a member of `ClosureValues`.
 struct ClosureQuantity {
     const char* name;   ///< key in JSON and CSV
     const char* text;   ///< name in printed tables
@@ -30,7 +35,7 @@ struct ClosureQuantity {
     double ClosureValues::*value;
 };
 
-/// The members of ClosureValues in the order in which they are printed.
+/// All members of `ClosureValues`, in the order in which they are printed.
 inline constexpr std::array<ClosureQuantity, 10> closure_quantities = {{
     {"dry_stress_ratio", "stress ratio of dry grains", "stress ratio μ*_0 of dry grains",
      &ClosureValues::dry_stress_ratio},
@@ -54,16 +59,17 @@ inline constexpr std::array<ClosureQuantity, 10> closure_quantities = {{
      &ClosureValues::saturation},
 }};
 
-/// Returns the values of all closures for one state.
-/// @param capillary capillary stresses of the state over F0/a^2 [1]
+/// Returns the values of all closures (analytical formulas) for one state of wet grains.
+/// @param capillary capillary stresses of the state in units of F0/a^2 [1], with pull-off force F0
+///         and grain diameter a
 /// @param stress_ratio stress ratio of the state [1]
 /// @param dry_stress_ratio stress ratio of dry grains at the same friction and inertial number [1]
 /// @param liquid_content liquid volume over grain volume [1]
 ClosureValues closure_values(const State& state, const CapillaryStress& capillary,
                              double stress_ratio, double dry_stress_ratio, double liquid_content);
 
-/// Returns the values of all closures for the state of a wet run, from the averages that the run
-/// measured.
+/// Returns the values of all closures (analytical formulas) for the averages of a wet simulation
+/// run.
 /// @param dry_stress_ratio stress ratio of dry grains at the same friction and inertial number [1]
 ClosureValues closure_values(const dem::RunResult& run, double dry_stress_ratio);
 

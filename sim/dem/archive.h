@@ -23,9 +23,9 @@ void load(Archive& archive, Vector& v) {
     archive(cereal::binary_data(&v, sizeof v));
 }
 
-/// Input archive for the bytes that `cereal::BinaryOutputArchive` wrote. In contrast to
-/// `cereal::BinaryInputArchive`, a number of elements that the remaining bytes cannot hold is an
-/// error instead of a request for memory.
+/// Reads the bytes that `cereal::BinaryOutputArchive` wrote. In contrast to
+/// `cereal::BinaryInputArchive`, it throws an error for a number of elements that the remaining
+/// bytes cannot contain, instead of allocating memory.
 class ByteReader : public cereal::InputArchive<ByteReader, cereal::AllowEmptyClassElision> {
   public:
     explicit ByteReader(std::string_view bytes) : InputArchive(this), bytes_(bytes) {}
@@ -86,8 +86,8 @@ void load(ByteReader& reader, std::vector<T, Allocator>& elements) {
     }
 }
 
-/// Returns the bytes of a state that has a `serialize` member. Only a program of the same memory
-/// layout can read them (`restore`).
+/// Returns the bytes of a state that has a member function `serialize`. The function `restore`
+/// reads them, only in a program with the same memory layout.
 template <typename State>
 std::string archived(const State& state) {
     std::ostringstream stream(std::ios::binary);
@@ -97,7 +97,7 @@ std::string archived(const State& state) {
 }
 
 /// Reads a state from the bytes that `archived` returned.
-/// @return false where the bytes are too few or too many for this state
+/// @return false if the bytes are too few or too many for this state
 template <typename State>
 bool restore(std::string_view bytes, State& state) {
     ByteReader reader(bytes);
@@ -111,7 +111,7 @@ bool restore(std::string_view bytes, State& state) {
 
 }  // namespace pendular::dem
 
-/// Tells cereal that `ByteReader` reads the bytes that `cereal::BinaryOutputArchive` writes.
+/// Declares that `ByteReader` reads the bytes that `cereal::BinaryOutputArchive` writes.
 template <>
 struct cereal::traits::detail::get_output_from_input<pendular::dem::ByteReader> {
     using type = cereal::BinaryOutputArchive;

@@ -9,20 +9,20 @@
 
 namespace pendular::dem {
 
-/// Bins of a periodic cell with the grains in each, for the search of neighbours. The bins are
-/// sheared with the cell's lattice and at least `range` [diameters] thick in every direction: all
-/// centres within `range` of a grain's centre lie in its bin or one of the 26 bins around it.
+/// Bins of a periodic cell with the grains in each bin, for the search of neighbours. The bins are
+/// sheared with the lattice of the cell and at least `range` [grain diameters] thick in every
+/// direction, so that all grains whose centres are closer than `range` are in the same or in
+/// adjacent bins.
 class Bins {
   public:
     Bins(const Grains& grains, const Cell& cell, double range);
 
-    /// Whether every direction has at least three bins; with fewer, a neighbour bin would be
-    /// searched twice.
+    /// Whether there are at least three bins in every direction. With fewer, a neighbouring bin
+    /// would be searched twice.
     bool enough() const;
 
-    /// Indices, along the three lattice vectors, of the bin that holds a position inside the cell.
-    /// A position that rounding puts outside belongs to the last bin before that face, not to the
-    /// bin on the opposite side.
+    /// Indices, along the three lattice vectors, of the bin that contains a position inside the
+    /// cell. A position that rounding puts outside of a face belongs to the last bin at this face.
     std::array<int, 3> bin_of(const Vector& position) const;
     int count(int direction) const { return count_[direction]; }
     std::size_t index(int b1, int b2, int b3) const {
@@ -45,10 +45,10 @@ class Bins {
     std::vector<Entry> entries_;
 };
 
-/// Returns the grains' numbers, sorted by rows along the flow that are one diameter wide: row by
-/// row along the gradient, then plane by plane along the vorticity. A loop over grains stored in
-/// this order reads memory at a few places that advance side by side, which a processor prefetches
-/// by itself: samples larger than its cache run a third faster than in the order of a Morton curve.
+/// Returns the numbers of all grains, sorted by rows along the flow that are one diameter wide: row
+/// by row along the velocity gradient, then plane by plane along the vorticity. A loop over grains
+/// in this order reads memory at a few addresses that advance together, which processors prefetch:
+/// samples larger than the cache run a third faster than in the order of a Morton curve.
 std::vector<std::int32_t> order_in_rows(const Grains& grains, const Cell& cell);
 
 }  // namespace pendular::dem

@@ -7,48 +7,53 @@
 
 namespace pendular::dem {
 
-/// Parameters of the liquid bridges as a user states them, dimensionless; a is the grain diameter,
-/// s22 the imposed normal stress.
+/// Parameters of the liquid bridges that a user gives for a simulation. All are dimensionless.
 struct Wetting {
-    double reduced_pressure = 0;  ///< P* = a^2 s22/F0, F0 being the pull-off force [1]
-    double bridge_volume = 0;     ///< volume V0 of one liquid bridge over a^3 [1]
+    /// Reduced pressure a^2 s22/F0 [1], with grain diameter a, imposed normal stress s22 and
+    /// pull-off force F0.
+    double reduced_pressure = 0;
+    double bridge_volume = 0;  ///< volume of one bridge over the cubed grain diameter [1]
+    /// Formula of the bridge force: as derived, or as Badetti et al. (2018) print it.
     FormulaVariant bridge_force = FormulaVariant::derived;
 };
 
-/// Largest volume V0/a^3 of one liquid bridge [1] in the pendular range, in which bridges stay
-/// separate: larger bridges between three grains in contact with each other merge; a is the grain
-/// diameter. Source: Badetti et al. (2018), section 3.1.
+/// Largest volume of one liquid bridge over the cubed grain diameter [1] at which bridges stay
+/// separate (pendular range): larger bridges between three grains in contact with each other merge.
+/// Source: Badetti et al. (2018), section 3.1.
 constexpr double largest_pendular_volume = 8e-3;
 
-/// First guess of the mean number of liquid bridges of a grain [1], with and without contact. At
-/// friction 0.09 this number is 7 to 8 over the pendular range, from the liquid contents and bridge
-/// volumes that Badetti et al. (2018) print.
+/// Typical number of liquid bridges per grain [1], with and without contact, to begin a search
+/// with. At friction 0.09 the number is 7 to 8 over the pendular range, from the liquid contents
+/// and bridge volumes that Badetti et al. (2018) print.
 constexpr double typical_coordination = 7.5;
 
-/// Liquid content Phi_L/Phi_S, volume of liquid over volume of grains [1], of a sample with on
-/// average Z = `coordination` bridges per grain, each of the volume V0 = `bridge_volume` [a^3]:
-/// 3 Z V0/(pi a^3). Source: Badetti et al. (2018), eq:lcont.
+/// Liquid content [1] of a sample: volume of liquid over volume of grains.
+///     liquid content = 3 Z (V0/a^3)/pi
+/// @param bridge_volume volume V0 of one liquid bridge over the cubed grain diameter a^3 [1]
+/// @param coordination mean number Z of bridges per grain [1]
+/// Source: Badetti et al. (2018), eq:lcont.
 inline double liquid_content(double bridge_volume, double coordination) {
     return 3 * coordination * bridge_volume / std::numbers::pi;
 }
-/// Volume V0 of one liquid bridge over the cubed grain diameter [1], in a sample whose volume of
-/// liquid over volume of grains is `liquid_content` [1], with on average `coordination` bridges per
-/// grain.
+/// Volume of one liquid bridge over the cubed grain diameter [1] in a sample with a given liquid
+/// content (volume of liquid over volume of grains [1]); the inverse of `liquid_content`.
+/// @param coordination mean number of bridges per grain [1]
 inline double bridge_volume(double liquid_content, double coordination) {
     return std::numbers::pi * liquid_content / (3 * coordination);
 }
 
-/// Capillary attraction of two equal grains joined by a bridge, in reduced units.
+/// Attraction of two equal grains by a liquid bridge, in reduced units: lengths in grain diameters
+/// a, forces in a^2 s22 with the imposed normal stress s22.
 ///     F = F0 [1 - 1/sqrt(1 + c/h^2)] = F0 [1 - h/sqrt(h^2 + c)],  c = 4 V0/(pi a)
-/// at a gap h of zero or more; F = F0 = pi a Gamma cos(theta) in contact; a: grain diameter, V0:
-/// bridge volume, Gamma: surface tension, theta: contact angle. A bridge forms on contact and
-/// breaks when the gap exceeds D0 = V0^(1/3). Source: Maugis, J. Adhesion Sci. Technol. 1
-/// (1987) 105, with the grain radius in c; Badetti et al. (2018), eq:Maugis, print half of this c
-/// (FormulaVariant::as_printed).
+/// h >= 0 is the gap between the grains, V0 the volume of the bridge, F0 = pi a Gamma cos(theta)
+/// the force in contact with surface tension Gamma and contact angle theta. A bridge forms on
+/// contact and breaks if the gap exceeds V0^(1/3).
+/// Source: Maugis, J. Adhesion Sci. Technol. 1 (1987) 105, with the grain radius in c; Badetti et
+/// al. (2018), eq:Maugis, print half of this c (FormulaVariant::as_printed).
 struct BridgeLaw {
-    double pull_off_force = 0;    ///< pull-off force F0 [a^2 s22]; 0: dry
-    double rupture_distance = 0;  ///< largest gap D0 that a bridge spans without breaking [a]
-    double curvature = 1;         ///< constant c in the attraction F(h) at the gap h [a^2]
+    double pull_off_force = 0;    ///< pull-off force F0 [a^2 s22]; 0: dry grains
+    double rupture_distance = 0;  ///< largest gap V0^(1/3) that a bridge spans [a]
+    double curvature = 1;         ///< constant c in the attraction [a^2]
     double volume = 0;            ///< volume V0 of one bridge [a^3]
 
     BridgeLaw() = default;
@@ -61,31 +66,37 @@ struct BridgeLaw {
 
     bool wet() const { return pull_off_force > 0; }
 
-    /// Capillary attraction of two grains joined by a bridge at a gap of zero or more [diameters],
-    /// over the pull-off force F0 [1].
+    /// Attraction of two grains by a bridge, divided by the pull-off force [1].
+    /// @param gap gap between the grains, zero or more [grain diameters]
     double relative_force(double gap) const { return 1 - gap / std::sqrt(gap * gap + curvature); }
-    /// Capillary attraction [a^2 s22] of two grains joined by a bridge at a gap of zero or more
-    /// [diameters].
+    /// Attraction of two grains by a bridge, in units of a^2 s22 (a: grain diameter, s22: imposed
+    /// normal stress).
+    /// @param gap gap between the grains, zero or more [grain diameters]
     double attraction(double gap) const { return pull_off_force * relative_force(gap); }
-    /// Returns the bridge law between grains of the unequal diameters d1 and d2, given `diameter`
-    /// d = 2 d1 d2/(d1 + d2) over the mean grain diameter [1], in Derjaguin's approximation: the
-    /// pull-off force grows as d, the constant c as 1/d; the bridge volume stays.
+    /// Returns the bridge law between two grains of unequal diameters d1 and d2, in Derjaguin's
+    /// approximation: the pull-off force grows as d = 2 d1 d2/(d1 + d2), the constant c as 1/d; the
+    /// volume of the bridge stays.
+    /// @param diameter d over the mean grain diameter [1]
     BridgeLaw of(double diameter) const {
         BridgeLaw law = *this;
         law.pull_off_force *= diameter;
         law.curvature /= diameter;
         return law;
     }
-    /// Potential energy of a liquid bridge at a gap of zero or more [diameters]; zero at the gap at
-    /// which it ruptures [a^3 s22].
+    /// Potential energy of a liquid bridge, zero at the gap at which it breaks, in units of a^3 s22
+    /// (a: grain diameter, s22: imposed normal stress).
+    /// @param gap gap between the grains, zero or more [grain diameters]
     double potential(double gap) const {
         const double root = std::sqrt(gap * gap + curvature);
         const double root_at_rupture = std::sqrt(rupture_distance * rupture_distance + curvature);
         return -pull_off_force * (rupture_distance - gap - (root_at_rupture - root));
     }
-    /// Returns 1 where a bridge joins two grains after a step, else 0: 1 at an overlap above 0, 0
-    /// at a gap beyond the rupture distance (both in diameters), otherwise `before` (1 or 0), the
-    /// state of the pair at the step before.
+    /// Returns 1 if a bridge joins two grains after a time step, else 0. A bridge exists if the
+    /// grains overlap, or if it existed before the step and the gap does not exceed the rupture
+    /// distance.
+    /// @param overlap,gap overlap of the grains and gap between them, one of which is 0 [grain
+    ///         diameters]
+    /// @param before 1 if a bridge joined the grains before the step, else 0
     double joined(double overlap, double gap, double before) const {
         return overlap > 0 ? 1.0 : gap > rupture_distance ? 0.0 : before;
     }

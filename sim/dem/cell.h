@@ -6,10 +6,11 @@
 
 namespace pendular::dem {
 
-/// Periodic cell of a Lees-Edwards shear flow, in grain diameters. Its lattice vectors are
-/// (length, 0, 0), (offset, height, 0) and (0, 0, width): direction 1 is the flow, 2 the gradient,
-/// 3 the vorticity. The offset grows with the shear and is taken modulo the length only when the
-/// neighbour list is rebuilt, so that the images stored in the list remain valid in between.
+/// Periodic cell of a sheared sample (Lees-Edwards boundary conditions), in grain diameters. Its
+/// lattice vectors are (length, 0, 0), (offset, height, 0) and (0, 0, width); direction 1 is the
+/// flow, 2 the velocity gradient, 3 the vorticity. The offset grows with the shear. It is reduced
+/// by whole lengths only when the neighbour list is rebuilt, so that the images in the list stay
+/// valid.
 struct Cell {
     double length = 0;
     double height = 0;
@@ -23,16 +24,17 @@ struct Cell {
 
     double volume() const { return length * height * width; }
 
-    /// Changes `offset`, by whole cell lengths, to a value in [-length/2, length/2) [diameters];
-    /// the periodic lattice stays the same.
+    /// Reduces the offset by whole cell lengths to the range from -length/2 to length/2 [grain
+    /// diameters]. The periodic lattice stays the same.
     void reduce_offset() { offset -= length * std::floor(offset / length + 0.5); }
 
-    /// Fractional coordinates of a position along the lattice vectors; in [0, 1) inside the cell.
+    /// Coordinates of a position in multiples of the three lattice vectors [1]; from 0 to 1 inside
+    /// the cell.
     Vector fractions(const Vector& r) const {
         const double up = r[1] / height;
         return {(r[0] - up * offset) / length, up, r[2] / width};
     }
-    /// Returns the position `r` [diameters], moved into the cell by whole lattice vectors.
+    /// Returns a position [grain diameters] moved into the cell by whole lattice vectors.
     Vector wrapped(const Vector& r) const {
         const Vector at = fractions(r);
         const double n1 = std::floor(at[0]), n2 = std::floor(at[1]), n3 = std::floor(at[2]);
@@ -40,8 +42,7 @@ struct Cell {
     }
 };
 
-/// Periodic image of the cell: the cell shifted by n1 a1 + n2 a2 + n3 a3, a1 to a3 being its
-/// lattice vectors.
+/// Periodic image of the cell: the cell shifted by n1, n2 and n3 times its three lattice vectors.
 struct Image {
     int n1 = 0, n2 = 0, n3 = 0;
 
@@ -50,8 +51,8 @@ struct Image {
     }
 };
 
-/// Codes of periodic images: small numbers, so that a pair of the neighbour list stores its image
-/// in one byte.
+/// Codes of periodic images: numbers from 0 to 125, so that the neighbour list needs one byte per
+/// pair for the image of the second grain.
 namespace image_code {
 constexpr int reach = 2;
 constexpr int per_direction = 2 * reach + 1;

@@ -10,61 +10,72 @@
 
 namespace pendular::dem {
 
-/// Batch of pairs of grains as passed to an effect on grains: arrays of `size` entries, one per
-/// pair, in reduced units. Vectors point from the first to the second grain.
+/// Batch of pairs of grains that the force loop passes to an effect on grains: arrays of `size`
+/// elements, one per pair, in reduced units (grain diameter, grain mass and imposed normal stress
+/// are 1). Vectors point from the first to the second grain.
 struct PairBatch {
     std::size_t size = 0;
     double time_step = 0;
     const double *nx, *ny, *nz;  ///< unit vector from the first to the second centre
-    const double* gap;           ///< gap between the grains' surfaces; negative: overlap
-    const double* diameter;      ///< mean 2 d1 d2/(d1 + d2) of the two grains' diameters
-    const double* normal_speed;  ///< rate at which the gap between the surfaces opens
+    const double* gap;           ///< gap between the surfaces; negative: overlap
+    const double* diameter;  ///< 2 d1 d2/(d1 + d2), d1 and d2 being the diameters of the two grains
+    const double* normal_speed;  ///< rate at which the gap grows
     const double *rolling_x, *rolling_y,
         *rolling_z;  ///< angular velocity of the second grain minus that of the first
     const double *pair_rotation_x, *pair_rotation_y,
         *pair_rotation_z;     ///< angular velocity at which the pair turns as a whole
-    const double* elastic;    ///< elastic normal force F_N of the contact
-    const double* stiffness;  ///< tangential stiffness K_T of the contact
-    const double* joined;     ///< 1 where a liquid bridge joins the grains, else 0
-    double* capillary;      ///< attraction by the bridge, preset by the base law; 0 without bridge
-    double* coulomb_limit;  ///< largest tangential force, preset to friction times `elastic`
-    double *fx, *fy, *fz;   ///< force on the second grain; the first gets the opposite force
-    double *tx, *ty, *tz;   ///< torque on the second grain; the first gets the opposite torque
-    /// Values that the effect stores from step to step for each pair: contact_history[value][pair].
+    const double* elastic;    ///< elastic normal force of the contact
+    const double* stiffness;  ///< tangential stiffness of the contact
+    const double* joined;     ///< 1 if a liquid bridge joins the grains, else 0
+    /// Attraction by the liquid bridge, 0 without bridge. The effect may change it; initially it
+    /// has the value without the effect.
+    double* capillary;
+    /// Largest tangential force of the contact. The effect may change it; initially it is the
+    /// friction coefficient times `elastic`.
+    double* coulomb_limit;
+    double *fx, *fy, *fz;  ///< force on the second grain; the first gets the opposite force
+    double *tx, *ty, *tz;  ///< torque on the second grain; the first gets the opposite torque
+    /// Values that the effect keeps from step to step for each pair: contact_history[value][pair].
     double* const* contact_history = nullptr;
 };
 
-/// Material, bridge law and effect parameters, which all pairs of a run share.
+/// Quantities that are equal for all pairs of a run: material, bridge law and parameter values of
+/// the effect.
 struct PairContext {
     const Material& material;
     const BridgeLaw& bridges;
-    const Values& values;  ///< values of the effect's parameters, reduced units
+    const Values& values;  ///< values of the effect's parameters, in reduced units
 };
 
-/// Physical effect on the forces between grains. The force loop calls its functions `bridge`,
-/// `limit` and `add` once per batch of pairs, in this order; a null function changes nothing.
+/// Physical effect on the forces between grains. The force loop calls the functions `bridge`,
+/// `limit` and `add` of the effect once per batch of pairs, in this order. A null function changes
+/// nothing.
 struct ChangePairs {
     using Stage = void (*)(const PairBatch&, const PairContext&);
 
-    /// Number of values that the effect stores per pair (PairBatch::contact_history). They are kept
-    /// when the neighbour lists are renewed, and change sign when the two grains of a pair swap, as
-    /// components of the force on the second grain do.
+    /// Number of values that the effect keeps per pair (`PairBatch::contact_history`). They are
+    /// preserved when the neighbour lists are renewed. If the two grains of a pair swap, the values
+    /// change sign, as the components of the force on the second grain do.
     std::size_t contact_history = 0;
-    /// Whether bridges form without contact, at any gap below the rupture distance.
+    /// Whether bridges also form without contact, at any gap below the rupture distance.
     bool bridges_without_contact = false;
-    /// Returns the law of the liquid bridges, given without the effect, as the effect changes it;
-    /// called before a run. Null: unchanged.
+    /// Returns the law of the liquid bridges as the effect changes it, given the law without the
+    /// effect. Called before a run. Null: unchanged.
     BridgeLaw (*bridge_law)(BridgeLaw, const Values&) = nullptr;
-    Stage bridge = nullptr;  ///< overwrites PairBatch::capillary where a bridge joins the grains
-    Stage limit = nullptr;   ///< overwrites PairBatch::coulomb_limit
-    Stage add = nullptr;  ///< adds forces and torques, which count as contact forces, not capillary
+    Stage bridge = nullptr;  ///< sets `PairBatch::capillary` of pairs with a bridge
+    Stage limit = nullptr;   ///< sets `PairBatch::coulomb_limit`
+    /// Adds forces and torques between grains, which count as contact forces and not as capillary
+    /// forces.
+    Stage add = nullptr;
     /// Returns the largest damping coefficient (force over relative velocity) of the forces that
-    /// `add` adds, over the mass of a grain, reduced units. It limits the time step. Null: 0.
+    /// `add` adds, divided by the mass of a grain, in reduced units (grain diameter, grain mass and
+    /// imposed normal stress are 1). It limits the time step. If null, the coefficient is 0.
     double (*damping_rate)(const BridgeLaw&, const Values&) = nullptr;
 };
 
-/// Physical effect on the sizes of the grains. The function `diameters` draws the grains' diameters
-/// before a run; the solver then rescales the mean diameter to 1.
+/// Physical effect on the sizes of the grains. Before a run, the function `diameters` sets the
+/// diameters of all grains from random numbers and the effect's parameter values; the solver then
+/// rescales the mean diameter to 1.
 struct ChangeSample {
     void (*diameters)(std::span<double>, std::mt19937_64&, const Values&) = nullptr;
 };

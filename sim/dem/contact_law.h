@@ -6,80 +6,95 @@
 namespace pendular::dem {
 
 /// Material parameters of the grains in reduced units (grain diameter, grain mass and imposed
-/// normal stress s22 are 1).
+/// normal stress are 1).
 struct Material {
-    /// E~ = E/(1 - nu^2) over s22 [1], E being Young's modulus and nu the Poisson ratio; equals
-    /// kappa^(3/2), kappa being the stiffness number.
+    /// E/(1 - nu^2) over the imposed normal stress [1], with Young's modulus E and Poisson ratio
+    /// nu; equal to the stiffness number to the power 3/2.
     double modulus = 0;
-    double poisson_ratio = 0.3;
-    double friction = 0;    ///< intergranular friction coefficient mu
-    double damping = 0.98;  ///< zeta, fraction of critical damping of a contact's normal motion
+    double poisson_ratio = 0.3;  ///< Poisson ratio nu [1]
+    double friction = 0;         ///< friction coefficient between grains [1]
+    double damping = 0.98;       ///< normal damping as a fraction of critical damping [1]
 };
 
-/// Ratio of tangential to normal stiffness of a Mindlin contact of two grains of the Poisson ratio
-/// nu [1]: (2 - 2 nu)/(2 - nu).
+/// Ratio of tangential to normal stiffness of a Mindlin contact [1]: (2 - 2 nu)/(2 - nu), with the
+/// Poisson ratio nu of the grains.
 inline double tangential_ratio(double poisson_ratio) {
     return (2 - 2 * poisson_ratio) / (2 - poisson_ratio);
 }
 
-/// Hertz-Mindlin contact of two equal grains at an overlap h, reduced units. Without contact the
-/// overlap is zero, and so is every force, without a branch in the code.
+/// Normal force and stiffness of a contact of two equal grains, by the laws of Hertz and Mindlin,
+/// in reduced units (grain diameter, grain mass and imposed normal stress are 1). Without contact
+/// the overlap h is zero, and so is every force.
 ///     F_N = (E~/3) h^(3/2),  K_N = dF_N/dh = (E~/2) h^(1/2),  K_T = K_N (2 - 2 nu)/(2 - nu)
-///     F_viscous = zeta sqrt(2 m K_N) dh/dt                    (not clamped: it may pull)
-/// E~, nu and zeta are modulus, Poisson ratio and damping of Material, m is the mass of a grain.
-/// Source: Badetti et al. (2018), section 2.2, and the works it cites for the simplified
+///     F_viscous = zeta sqrt(2 m K_N) dh/dt                    (not limited: it may attract)
+/// F_N is the elastic normal force, K_N and K_T are normal and tangential stiffness, E~ = E/(1 -
+/// nu^2) with Young's modulus E and Poisson ratio nu, zeta is the fraction of critical damping, and
+/// m the mass of a grain.
+/// Source: Badetti et al. (2018), section 2.2, and the works cited there for the simplified
 /// Hertz-Mindlin law.
 struct Hertz {
-    double root;              ///< square root of the overlap, sqrt(h)
-    double elastic;           ///< elastic normal force F_N
-    double normal_stiffness;  ///< normal stiffness K_N
+    double root;              ///< square root of the overlap
+    double elastic;           ///< elastic normal force
+    double normal_stiffness;  ///< normal stiffness
 
     static Hertz at(double overlap, double modulus) {
         const double root = std::sqrt(overlap);
         return {root, modulus / 3 * overlap * root, modulus / 2 * root};
     }
-    /// Elastic energy stored by the normal force of a contact with the overlap h [diameters],
-    /// (2/15) E~ h^(5/2) [a^3 s22].
+    /// Elastic energy that the normal force of a contact stores, (2/15) E~ h^(5/2), in units of a^3
+    /// s22 (a: grain diameter, s22: imposed normal stress).
+    /// @param overlap overlap h of the contact [grain diameters]
     double energy(double overlap) const { return 0.4 * overlap * elastic; }
-    /// Viscous normal force of a contact whose overlap h grows at the rate dh/dt, for grains of
-    /// unit mass [a^2 s22]; `damping` is the fraction of critical damping.
+    /// Viscous normal force of a contact between grains of unit mass, positive for repulsion, in
+    /// units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
+    /// @param overlap_rate rate at which the overlap grows, reduced units
+    /// @param damping fraction of critical damping [1]
     double viscous(double overlap_rate, double damping) const {
         return damping * std::sqrt(2 * normal_stiffness) * overlap_rate;
     }
 };
 
-/// Factor [1], at most 1, that scales a tangential force of squared length `squared` down to
-/// `limit`, Coulomb's limit mu F_N with the ELASTIC normal force F_N. The factor is 1 below the
-/// limit.
+/// Factor [1], at most 1, by which a tangential force must be multiplied so that it does not exceed
+/// Coulomb's limit.
+/// @param squared squared magnitude of the tangential force
+/// @param limit friction coefficient times the elastic normal force (without the viscous force)
 inline double coulomb_factor(double squared, double limit) {
     return squared > limit * limit ? limit / std::sqrt(squared) : 1.0;
 }
 
-/// Factor [1], at most 1, by which the tangential force of a contact is scaled in a step in which
-/// the contact unloads: tangential stiffness after the step over tangential stiffness before it.
-/// `root_new` and `root_old` are the square roots of the overlap after and before the step. Without
+/// Factor [1], at most 1, by which the tangential force of a contact is multiplied in a time step
+/// in which the contact unloads: tangential stiffness after the step over that before it. Without
 /// this factor a contact that opens would create elastic energy.
-/// Source: the simplified Hertz-Mindlin law of `Hertz`.
+/// @param root_new,root_old square root of the overlap after and before the step
+/// Source: Badetti et al. (2018), section 2.2 (simplified Hertz-Mindlin law).
 inline double unloading_factor(double root_new, double root_old) {
     return root_new < root_old ? root_new / root_old : 1.0;
 }
 
-/// Energy stored in the tangential spring of a contact of the tangential stiffness `stiffness`,
-/// whose tangential force has the squared length `squared` [a^3 s22]; 0 if the stiffness is 0
-/// (no contact).
+/// Energy stored in the tangential spring of a contact, in units of a^3 s22 (a: grain diameter,
+/// s22: imposed normal stress); 0 if the stiffness is 0 (no contact).
+/// @param squared squared magnitude of the tangential force
+/// @param stiffness tangential stiffness of the contact
 inline double tangential_energy(double squared, double stiffness) {
     return stiffness > 0 ? squared / (2 * stiffness) : 0.0;
 }
 
-/// Energy lost by sliding in a step that cuts the tangential force p, of squared length `squared`,
-/// to `allowed` p [a^3 s22]: the sliding displacement (1 - allowed) p/K_T times the mean of the
-/// force q before the step and the force `allowed` p after it. `along` is the scalar product p q.
+/// Energy that a contact loses by sliding in a time step, in units of a^3 s22 (a: grain diameter,
+/// s22: imposed normal stress). The tangential force p would exceed Coulomb's limit and is reduced
+/// to allowed p. The loss is the sliding displacement, (1 - allowed) p over the stiffness, times
+/// the mean of the force q before the step and the force allowed p after it.
+/// @param squared squared magnitude of p
+/// @param along scalar product of p and q
+/// @param allowed factor by which p is reduced [1]
+/// @param stiffness tangential stiffness of the contact
 inline double sliding_loss(double squared, double along, double allowed, double stiffness) {
     return stiffness > 0 ? 0.5 * (1 - allowed) * (allowed * squared + along) / stiffness : 0.0;
 }
 
-/// Overlap [diameters] at which a Hertz contact of two equal grains carries the elastic normal
-/// force `force` [a^2 s22]; `modulus` is Material::modulus.
+/// Overlap [grain diameters] at which a Hertz contact of two equal grains has a given elastic
+/// normal force.
+/// @param force normal force in units of a^2 s22 (a: grain diameter, s22: imposed normal stress)
+/// @param modulus E/(1 - nu^2) over s22 [1], with Young's modulus E and Poisson ratio nu
 inline double overlap_at(double force, double modulus) {
     return std::cbrt(3 * force / modulus * (3 * force / modulus));
 }

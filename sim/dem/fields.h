@@ -14,12 +14,12 @@
 
 namespace pendular::dem {
 
-/// Coordinate on which a field depends. A field is a quantity that a run measures; `coordinates`
-/// lists the name, unit and meaning of each coordinate.
+/// Coordinate on which a field depends. A field is a quantity that a run measures as a function of
+/// a coordinate. `coordinates` lists the name, unit and meaning of each coordinate.
 enum class Coordinate { height, angle, relative_force, gap };
 
-/// Quantity that a run measures as a function of one coordinate; `fields` lists the name, unit and
-/// meaning of each quantity.
+/// Field: quantity that a run measures as a function of one coordinate, such as a velocity profile.
+/// `fields` lists the name, unit and meaning of each field.
 enum class Field {
     velocity,
     solid_fraction,
@@ -81,38 +81,44 @@ constexpr const FieldAbout& about(Field which) {
 constexpr const CoordinateAbout& about(Coordinate which) {
     return coordinates[static_cast<std::size_t>(which)];
 }
-/// Whether a field is a profile over the sample's height, not a statistic of pairs.
+/// Whether a field is a profile over the height of the sample rather than a distribution over pairs
+/// of grains.
 constexpr bool is_profile(Field which) {
     return about(which).coordinate == Coordinate::height;
 }
 
-/// Bins of equal width between 0 and `end`, in the unit of the coordinate that is binned.
+/// Bins of equal width between 0 and `end`, in the unit of the coordinate that is divided into
+/// bins.
 struct Bins1d {
     std::size_t count = 0;
     double end = 1;
 
     double width() const { return end / static_cast<double>(count); }
     double middle(std::size_t bin) const { return (static_cast<double>(bin) + 0.5) * width(); }
-    /// Index of the bin that holds a value; 0 for negative values, `count` beyond the last bin.
+    /// Index, from 0, of the bin of a value; 0 for negative values, `count` for values beyond the
+    /// last bin.
     std::size_t of(double value) const {
         const double bin = value < 0 ? 0 : value / width();
         return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count;
     }
 };
 
-/// Bins of a coordinate, in its unit, for a sample of `grains` grains. Height: one bin per grain
-/// diameter. Angle: bins of 5 degrees from 0 to 180. Relative force: bins of 0.2 from 0 to 8. Gap:
-/// 30 bins from 0 to the rupture distance of bridges [diameters], or to 1 if that is 0.
+/// Bins of a coordinate, in its unit. Height: one bin per grain diameter, from 0 to 1. Angle: bins
+/// of 5 degrees from 0 to 180. Relative force: bins of 0.2 from 0 to 8. Gap: 30 bins from 0 to the
+/// rupture distance of bridges or, if this is 0, to 1.
+/// @param grains number of grains in the sample
+/// @param rupture_distance gap at which bridges break [grain diameters]
 Bins1d bins_of(Coordinate coordinate, int grains, double rupture_distance);
 
-/// One field of a run: time average with standard error in each bin; NaN where a bin has no data.
+/// Field (quantity as a function of a coordinate) of a run: average with standard error in each
+/// bin; NaN if a bin has no data.
 struct BinnedMeans {
-    std::vector<double> at;  ///< middle of each bin, in the coordinate's unit
+    std::vector<double> at;  ///< middle of each bin, in the unit of the coordinate
     std::vector<Mean> means;
 };
 
-/// Sums over several states of a sample from which a field (quantity as a function of a coordinate)
-/// is computed: its value in each bin is `sum` over `weight`.
+/// Sums over several states of a sample for one field (quantity as a function of a coordinate). The
+/// value of the field in a bin is `sum` over `weight`.
 struct BinnedSums {
     std::vector<double> sum, weight;
 
@@ -124,24 +130,25 @@ struct BinnedSums {
 };
 using FieldSums = std::array<BinnedSums, field_count>;
 
-/// Profile of the grains' velocities over the height of the sample, summed over several states.
+/// Velocities of the grains as a function of the height in the sample, summed over several states.
 class MotionProfile {
   public:
     explicit MotionProfile(std::size_t bins = 0) : bins_(bins) {}
 
-    /// Adds the velocities, relative to the imposed flow, of the grains in one state; `height` is
-    /// the height of the cell [diameters].
+    /// Adds the velocities, without the imposed flow, of the grains in one state.
+    /// @param height height of the cell [grain diameters]
     void add(const Grains& grains, double height);
     /// Localization of the shear [1]: 0 for uniform shear, 1 for an infinitely thin shear band.
     ///     Delta = 12/(H^3 rate^2) int [v1 - rate x2]^2 dx2
-    /// H: height of the cell, rate: shear rate, v1: mean velocity along the flow at the height x2.
+    /// H is the height of the cell [grain diameters], rate the shear rate in reduced units, v1 the
+    /// mean velocity along the flow at the height x2.
     /// Source: Badetti et al. (2018), eq:defdelta.
     double localization(double height, double shear_rate) const;
-    /// Mean velocity of the grains along the flow in each bin of height, imposed flow included,
-    /// over shear rate times height of the cell [1].
+    /// Mean velocity of the grains along the flow in each bin of height, with the imposed flow,
+    /// divided by shear rate times height of the cell [1].
     BinnedSums velocity(double height, double shear_rate) const;
-    /// Variance of one component of the grains' velocity in each bin of height, averaged over the
-    /// three components, over (grain diameter times shear rate)^2 [1].
+    /// Variance of one component of the grains' velocities in each bin of height, averaged over the
+    /// three components and divided by the squared product of grain diameter and shear rate [1].
     BinnedSums temperature(double shear_rate) const;
 
     template <typename Archive>
@@ -162,12 +169,14 @@ class MotionProfile {
     std::vector<Bin> bins_;
 };
 
-/// Adds the profile of solid fraction over the height of the sample, in one state, to `sums`; each
-/// sphere is cut at the faces of the bins.
+/// Adds the profile of the solid fraction over the height of the sample, in one state, to `sums`.
+/// Each sphere is cut at the faces of the bins.
 void add_solid_fraction(const Grains& grains, const Cell& cell, BinnedSums& sums);
 
-/// Adds the statistics of directions, forces and gaps of contacts and of bridges without contact,
-/// in one state, to `sums`: every field that is not a profile over the height.
+/// Adds the distributions of directions, forces and gaps of contacts and of bridges without
+/// contact, in one state, to `sums`. These are all fields that are no profiles over the height.
+/// @param near pairs of the narrow neighbour list
+/// @param distant other pairs that a bridge may join
 void add_distributions(const Grains& grains, const Cell& cell, const Pairs& near,
                        const Pairs& distant, const Material& material, const BridgeLaw& bridges,
                        FieldSums& sums);

@@ -4,20 +4,21 @@
 
 namespace pendular::dem {
 
-/// Velocity gradient imposed on the sample, reduced units: v1 = length_rate x1 + shear_rate x2,
-/// v2 = height_rate x2, v3 = width_rate x3.
+/// Velocity gradient that is imposed on a sample, in reduced units (grain diameter, grain mass and
+/// imposed normal stress are 1). With directions 1 (flow), 2 (velocity gradient) and 3 (vorticity):
+///     v1 = length_rate x1 + shear_rate x2,  v2 = height_rate x2,  v3 = width_rate x3
 struct Flow {
-    double shear_rate = 0;   ///< dv1/dx2; in reduced units the inertial number
-    double height_rate = 0;  ///< (dH/dt)/H, H being the cell's height
-    double length_rate = 0;  ///< (dL/dt)/L, L being the cell's length along the flow
-    double width_rate = 0;   ///< (dW/dt)/W, W being the cell's width along the vorticity
+    double shear_rate = 0;   ///< dv1/dx2; in reduced units it equals the inertial number
+    double height_rate = 0;  ///< relative rate of change of the cell's height
+    double length_rate = 0;  ///< relative rate of change of the cell's length along the flow
+    double width_rate = 0;   ///< relative rate of change of the cell's width along the vorticity
 
     template <typename Archive>
     void serialize(Archive& archive) {
         archive(shear_rate, height_rate, length_rate, width_rate);
     }
 
-    /// Returns the velocity gradient times a vector; for a position, this is the imposed velocity.
+    /// Returns the velocity gradient times a vector. For a position, this is the imposed velocity.
     [[gnu::always_inline]] Vector operator()(const Vector& r) const {
         return Vector(length_rate, height_rate, width_rate) * r + r[1] * Vector(shear_rate, 0, 0);
     }

@@ -13,31 +13,33 @@
 
 namespace pendular::dem {
 
-/// Physical effect on the grains' forces or sizes that acts in a run. `change` and `parameters`
-/// must outlive the run.
+/// Physical effect on the forces between grains or on grain sizes, with its parameter values in a
+/// run. The objects that `change` and `parameters` refer to must outlive the run.
 struct GrainEffect {
     std::variant<const ChangePairs*, const ChangeSample*> change;
     std::span<const EffectParameter> parameters;
-    std::vector<double> values;  ///< values of `parameters`, reduced units
+    std::vector<double> values;  ///< value of each parameter, in reduced units
 };
 
-/// All effects on grains that act in a run, in the form that the solver calls.
+/// All physical effects on grains that act in a run, in the form that the solver calls.
 class GrainEffects {
   public:
     GrainEffects() = default;
     explicit GrainEffects(const std::vector<GrainEffect>& on);
 
     /// Whether any effect changes or adds forces between grains, or lets bridges form without
-    /// contact; the force loop then calls `bridge`, `limit` and `add`.
+    /// contact.
     bool changes_forces() const { return changes_forces_; }
     /// Whether any effect changes the forces between grains or their sizes.
     bool changes_pairs() const { return changes_forces_ || !samples_.empty(); }
-    /// Number of values that all effects together store from step to step for each pair of grains.
+    /// Number of values that all effects together keep from step to step for each pair of grains.
     std::size_t contact_history() const { return contact_history_; }
     bool bridges_without_contact() const { return bridges_without_contact_; }
     BridgeLaw changed(BridgeLaw law) const;
     double damping_rate(const BridgeLaw& law) const;
-    /// Random diameters of `count` grains over their mean [1]; empty where no effect changes sizes.
+    /// Random diameters of `count` grains, divided by their mean [1]; empty if no effect changes
+    /// sizes.
+    /// @param seed seed of the random numbers
     std::vector<double> diameters(std::size_t count, std::uint64_t seed) const;
 
     void bridge(const PairBatch& batch, const Material& material, const BridgeLaw& bridges) const {
@@ -50,9 +52,11 @@ class GrainEffects {
         stage(&ChangePairs::add, batch, material, bridges);
     }
     bool changes_bridges() const { return changes_bridges_; }
-    /// Attraction by the liquid bridge between two grains at rest, changed by these effects
-    /// [a^2 s22]. A negative gap [diameters] is an overlap; `diameter` is 2 d1 d2/(d1 + d2) for
-    /// grains of the diameters d1 and d2, over the mean diameter.
+    /// Attraction of two grains at rest by a liquid bridge, with the changes by these effects, in
+    /// units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
+    /// @param gap gap between the surfaces; negative: overlap [grain diameters]
+    /// @param diameter 2 d1 d2/(d1 + d2) of the diameters d1 and d2 of the grains, over the mean
+    ///         grain diameter [1]
     double attraction(double gap, double diameter, const Material& material,
                       const BridgeLaw& bridges) const;
 

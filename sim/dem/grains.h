@@ -12,34 +12,37 @@
 
 namespace pendular::dem {
 
-/// Grains of a sample in reduced units (mean grain diameter, mass of a grain of that diameter and
-/// imposed normal stress are 1). The numbers of one grain that the force loop reads (`motion`) are
-/// adjacent in memory, and so are the numbers that it writes (`net_force`): a pair touches few
-/// cache lines.
+/// Grains of a sample in reduced units (mean grain diameter, mass of a grain of this diameter and
+/// imposed normal stress are 1). The data of a grain that the force loop reads (`motion`) are
+/// adjacent in memory, and so are the data that it writes (`net_force`), so that few cache lines
+/// are needed per pair.
 struct Grains {
     struct Motion {
-        Vector position;  ///< centre; inside the cell when the neighbour list was built
-        Vector velocity;  ///< peculiar (no imposed flow), half a time step before `position`
-        Vector angular_velocity;  ///< angular velocity, half a time step before `position`
+        /// Centre of the grain; inside the cell when the neighbour list was built.
+        Vector position;
+        /// Velocity of the grain without the imposed flow, half a time step before `position`.
+        Vector velocity;
+        /// Angular velocity of the grain, half a time step before `position`.
+        Vector angular_velocity;
 
         template <typename Archive>
         void serialize(Archive& archive) {
             archive(position, velocity, angular_velocity);
         }
     };
-    /// Net force and torque on one grain, in a cache line of its own.
+    /// Net force and torque on one grain in reduced units, in a cache line of its own.
     struct alignas(64) ForceAndTorque {
         Vector force, torque;
     };
 
     std::vector<Motion> motion;
-    /// Net force and torque on each grain, summed during a time step and zero between steps.
+    /// Net force and torque on each grain, summed during a time step; zero between steps.
     std::vector<ForceAndTorque> net_force;
-    /// Displacement of each grain without the imposed flow, since the narrow neighbour list was
+    /// Displacement of each grain, without the imposed flow, since the narrow neighbour list was
     /// made.
     std::vector<Vector> displacement;
-    std::vector<std::int32_t> number;  ///< original number of each grain, before renumbering
-    std::vector<double> diameters;     ///< diameters of mean 1; empty: all are 1
+    std::vector<std::int32_t> number;  ///< original number of each grain, as grains are renumbered
+    std::vector<double> diameters;     ///< diameters with mean 1; empty: all diameters are 1
 
     explicit Grains(std::size_t count = 0)
         : motion(count), net_force(count), displacement(count), number(count) {
@@ -54,17 +57,16 @@ struct Grains {
     }
 
     double diameter(std::size_t i) const { return diameters.empty() ? 1.0 : diameters[i]; }
-    /// Mass of a grain over the mass of a grain of unit diameter [1].
+    /// Mass of a grain, divided by the mass of a grain of mean diameter [1].
     double mass(std::size_t i) const {
         const double d = diameter(i);
         return d * d * d;
     }
-    /// Distance of the centres at which two grains touch [a].
+    /// Distance between the centres of two grains at which they touch [mean grain diameters].
     double contact_distance(std::size_t i, std::size_t j) const {
         return diameters.empty() ? 1.0 : 0.5 * (diameters[i] + diameters[j]);
     }
-    /// Mean diameter, mean mass and arms (centre to contact point) of the pair of grains i and j,
-    /// which enter the laws of contact and bridge.
+    /// Sizes of the pair of grains i and j that enter the laws of contact and bridge (`PairSizes`).
     PairSizes sizes(std::size_t i, std::size_t j) const {
         return diameters.empty() ? PairSizes{} : PairSizes::of(diameters[i], diameters[j]);
     }
@@ -74,7 +76,7 @@ struct Grains {
     double smallest_diameter() const {
         return diameters.empty() ? 1.0 : *std::ranges::min_element(diameters);
     }
-    /// Volume of all grains together [a^3].
+    /// Volume of all grains together [cubed mean grain diameters].
     double volume() const {
         constexpr double of_unit = std::numbers::pi / 6;
         double cubes = diameters.empty() ? static_cast<double>(size()) : 0.0;
@@ -94,8 +96,9 @@ struct Grains {
     const Vector& torque(std::size_t i) const { return net_force[i].torque; }
 };
 
-/// Moment of inertia about its centre of a sphere of unit mass and diameter, (2/5)(1/2)^2 [m a^2].
-/// Moments of inertia of other grains grow with the fifth power of their diameter.
+/// Moment of inertia of a sphere of unit mass and unit diameter about its centre, (2/5)(1/2)^2, in
+/// units of (grain mass) (grain diameter)^2. That of other grains grows with the fifth power of the
+/// diameter.
 constexpr double moment_of_inertia = 0.1;
 
 }  // namespace pendular::dem

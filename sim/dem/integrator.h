@@ -9,18 +9,20 @@
 
 namespace pendular::dem {
 
-/// Sums over a range of grains after one time step, for kinetic stress, kinetic energy and the
-/// validity of neighbour lists, reduced units. m and d are mass and diameter of a grain, v is its
-/// peculiar velocity, which excludes the imposed flow.
+/// Sums over a range of grains after one time step, from which kinetic stress, kinetic energy and
+/// the validity of the neighbour lists follow. Reduced units: grain diameter, grain mass and
+/// imposed normal stress are 1. m and d are mass and diameter of a grain; v is its velocity without
+/// the imposed flow.
 struct MotionSums {
     Vector squares;               ///< sums of m v1^2, m v2^2, m v3^2
     double shear = 0;             ///< sum of m v1 v2
     double angular_velocity = 0;  ///< sum of m d^2 times the squared angular velocities
-    /// Largest squared peculiar displacement of a grain since the narrow neighbour list was made.
+    /// Largest squared displacement of a grain, without the imposed flow, since the narrow
+    /// neighbour list was made.
     double largest_squared = 0;
     MotionSums& operator+=(const MotionSums& other);
-    /// Kinetic energy of these grains, of the peculiar motion (without the imposed flow) and of the
-    /// rotation [a^3 s22].
+    /// Kinetic energy of the grains in the sums, from their velocities without the imposed flow and
+    /// their rotation, in units of a^3 s22 (a: grain diameter, s22: imposed normal stress).
     double energy() const;
 
     template <typename Archive>
@@ -29,10 +31,14 @@ struct MotionSums {
     }
 };
 
-/// Advances velocities and positions of a range of grains (first grain, one after the last) by one
-/// leapfrog step, sets their `net_forces` to zero and returns the sums over these grains.
-/// Equations: dv/dt = f - L v for the peculiar velocity v (without the imposed flow), then dx/dt =
-/// v + L x, f being the net force over the mass and L the imposed velocity gradient.
+/// Advances velocities and positions of a range of grains by one leapfrog step, sets their net
+/// forces and torques to zero, and returns sums over these grains.
+///     dv/dt = f/m - L v,   dx/dt = v + L x
+/// x and v are position and velocity without the imposed flow, f/m net force over mass, L the
+/// imposed velocity gradient.
+/// @param range number of the first grain, and of the grain after the last
+/// @param net_forces net force and torque on each grain
+/// @param time_step length of the step in reduced units
 MotionSums advance(Grains& grains, std::pair<std::size_t, std::size_t> range,
                    std::vector<Grains::ForceAndTorque>& net_forces, const Flow& flow,
                    double time_step);

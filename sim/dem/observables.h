@@ -6,25 +6,24 @@
 
 namespace pendular::dem {
 
-/// Quantities that a run measures, as listed in data/quantities/observables.def. Capillary
-/// observables are zero in dry runs.
+/// Quantities whose averages a run measures, from the table data/quantities/observables.def.
+/// Observables of liquid bridges are zero in dry runs.
 enum class Observable {
 #define OBSERVABLE(name, ...) name,
 #include "data/quantities/observables.def"
 };
 
-/// Names of all observables in the order of `Observable`, as written in JSON and in files of stored
-/// runs.
+/// Names of all observables in JSON and in files of stored runs, in the order of `Observable`.
 constexpr std::array observable_names = std::to_array<std::string_view>({
 #define OBSERVABLE(name, ...) #name,
 #include "data/quantities/observables.def"
 });
 constexpr std::size_t observable_count = observable_names.size();
 
-/// Whether an observable is defined only for grains with liquid bridges.
+/// Whether an observable is a property of liquid bridges, such as their number per grain.
 bool needs_bridges(Observable which);
 
-/// Returns the observable whose name in `observable_names` is `name`.
+/// Returns the observable with a given name.
 /// @throws std::invalid_argument for an unknown name; the message lists all names
 Observable observable_named(std::string_view name);
 

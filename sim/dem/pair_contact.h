@@ -7,12 +7,13 @@
 #include "sim/dem/flow.h"
 #include "sim/dem/pair_sizes.h"
 
-// Contact and bridge of one pair of grains in reduced units. The loops over pairs (pair_forces.cpp,
-// viscous_loss.cpp) inline these functions and process many pairs at a time. No function here may
-// therefore branch, or call a function that has no vector instruction.
+// Laws of contact and bridge for one pair of grains, in reduced units (grain diameter, grain mass
+// and imposed normal stress are 1). The loops over pairs (pair_forces.cpp, viscous_loss.cpp) inline
+// these functions and process many pairs at once in vector lanes. Functions here must therefore not
+// branch, nor call a function that has no vector instruction.
 namespace pendular::dem {
 
-/// Vector as three plain numbers, which the compiler turns into SIMD lanes in a loop over pairs.
+/// Vector of three numbers, which the compiler keeps in SIMD lanes in a loop over pairs of grains.
 struct Xyz {
     double x, y, z;
 
@@ -34,23 +35,28 @@ struct Xyz {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Positions and velocities of two grains relative to each other, reduced units (grain diameter,
-/// mass and imposed normal stress are 1).
+/// Relative position and velocities of two grains in reduced units (grain diameter, grain mass and
+/// imposed normal stress are 1).
 struct PairMotion {
     Xyz separation;  ///< vector from the first to the second centre
-    Xyz velocity;  ///< velocity of the second centre minus that of the first, imposed flow excluded
-    Xyz angular_velocity;  ///< sum of the grains' angular velocities, each weighted with its arm
-                           ///< (PairSizes)
+    /// Velocity of the second centre minus that of the first, without the imposed flow.
+    Xyz velocity;
+    /// Sum of the angular velocities of the two grains. For unequal grains, each is weighted with
+    /// the distance from its centre to the contact point, over half the distance of the centres.
+    Xyz angular_velocity;
 };
 
-/// Geometry and relative velocities of a pair, imposed flow included, reduced units.
+/// Geometry and relative velocities of two grains, including the imposed flow, in reduced units
+/// (grain diameter, grain mass and imposed normal stress are 1).
 struct ContactKinematics {
-    double distance;       ///< distance of the centres
-    Xyz normal;            ///< unit vector from the first to the second centre
-    double normal_speed;   ///< rate at which the distance of the centres grows
-    Xyz sliding_velocity;  ///< velocity of the second surface minus that of the first, at the
-                           ///< contact point
-    Xyz rotation_rate;     ///< angular velocity of the pair, including rotation about its normal
+    double distance;      ///< distance between the centres
+    Xyz normal;           ///< unit vector from the first to the second centre
+    double normal_speed;  ///< rate at which the distance between the centres grows
+    /// Velocity of the second grain's surface relative to the first at the contact point,
+    /// tangential.
+    Xyz sliding_velocity;
+    /// Angular velocity of the pair as a whole, including the rotation about its normal.
+    Xyz rotation_rate;
 
     [[gnu::always_inline]] static ContactKinematics of(const PairMotion& motion, const Flow& flow) {
         const auto& [r, v, angular_velocity] = motion;
@@ -67,49 +73,57 @@ struct ContactKinematics {
     }
 };
 
-/// Elastic normal force and normal stiffness of a Hertz contact of two grains, of any sizes, at an
-/// overlap [diameters] and a modulus [s22]. Unequal spheres have the stiffness of equal spheres of
-/// the diameter 2 d1 d2/(d1 + d2).
+/// Elastic normal force and normal stiffness of a Hertz contact between two grains of any sizes, in
+/// reduced units (grain diameter, grain mass and imposed normal stress are 1). Unequal spheres of
+/// the diameters d1 and d2 are as stiff as equal spheres of the diameter 2 d1 d2/(d1 + d2).
+/// @param overlap overlap of the grains [grain diameters]
+/// @param modulus E/(1 - nu^2) over the imposed normal stress [1], with Young's modulus E and
+///         Poisson ratio nu
 [[gnu::always_inline]] inline Hertz hertz_contact(double overlap, const PairSizes& sizes,
                                                   double modulus) {
     return Hertz::at(overlap, modulus * std::sqrt(sizes.diameter));
 }
 
-/// Tangential stiffness K_T of a contact, tangential force over sliding displacement [a s22];
-/// `root` is the square root of its overlap over the grain diameter a.
+/// Tangential stiffness of a contact: tangential force over sliding displacement, in units of a s22
+/// (a: grain diameter, s22: imposed normal stress).
+/// @param root square root of (overlap over grain diameter) [1]
 [[gnu::always_inline]] inline double tangential_stiffness(double root, const PairSizes& sizes,
                                                           const Material& material) {
     const double modulus = material.modulus * std::sqrt(sizes.diameter);
     return tangential_ratio(material.poisson_ratio) * (modulus / 2 * root);
 }
 
-/// Viscous normal force of a contact, positive while the grains approach each other [a^2 s22];
-/// `normal_speed` is the rate at which the distance of their centres grows, `damping` the fraction
-/// of critical damping.
+/// Viscous normal force of a contact, positive while the grains approach each other, in units of
+/// a^2 s22 (a: grain diameter, s22: imposed normal stress).
+/// @param normal_speed rate at which the distance between the centres grows, reduced units
+/// @param damping fraction of critical damping [1]
 [[gnu::always_inline]] inline double viscous_force(const Hertz& hertz, double normal_speed,
                                                    const PairSizes& sizes, double damping) {
     return hertz.viscous(-normal_speed, damping) * std::sqrt(sizes.mass);
 }
 
-/// Normal forces of a pair and the quantities that its tangential force depends on, reduced units.
-/// Without contact and bridge all forces are zero, without a branch in the code.
+/// Normal forces of a pair of grains, and the quantities on which its tangential force depends, in
+/// reduced units (grain diameter, grain mass and imposed normal stress are 1). All forces are zero
+/// for a pair without contact and bridge.
 struct NormalForces {
     double overlap;        ///< overlap of the grains; 0 without contact
     double gap;            ///< gap between the surfaces; 0 in contact
     double root;           ///< square root of `overlap`
-    double elastic;        ///< elastic normal force F_N of the contact, a repulsion
+    double elastic;        ///< elastic normal force of the contact, a repulsion
     double viscous;        ///< viscous normal force of the contact, positive for repulsion
-    double joined = 0;     ///< 1 where a liquid bridge joins the grains, else 0
+    double joined = 0;     ///< 1 if a liquid bridge joins the grains, else 0
     double capillary = 0;  ///< attraction by the liquid bridge; 0 without bridge
-    double stiffness;      ///< tangential stiffness K_T of the contact
-    double coulomb_limit;  ///< largest tangential force that the contact carries before it slides
+    double stiffness;      ///< tangential stiffness of the contact
+    double coulomb_limit;  ///< largest tangential force of the contact; it slides at this limit
 
-    /// Total normal force, positive where it drives the grains apart [a^2 s22].
+    /// Total normal force, positive for repulsion, in units of a^2 s22 (a: grain diameter, s22:
+    /// imposed normal stress).
     double total() const { return elastic + viscous - capillary; }
 };
 
-/// Elastic and viscous normal force, tangential stiffness and Coulomb limit of a pair of grains
-/// without bridge, reduced units; all are zero without contact.
+/// Returns elastic and viscous normal force, tangential stiffness and Coulomb limit of a pair of
+/// grains without bridge, in reduced units (grain diameter, grain mass and imposed normal stress
+/// are 1). All are zero without contact.
 [[gnu::always_inline]] inline NormalForces contact_forces(const ContactKinematics& kinematics,
                                                           const PairSizes& sizes,
                                                           const Material& material) {
@@ -126,17 +140,18 @@ struct NormalForces {
             .coulomb_limit = material.friction * hertz.elastic};
 }
 
-/// Sets `forces.joined` and `forces.capillary`, the attraction by a liquid bridge [a^2 s22]. A
-/// bridge joins the grains if they touch, or if a bridge joined them at the step before (`before`:
-/// 1 or 0) and has not ruptured.
+/// Sets whether a liquid bridge joins two grains, `forces.joined`, and its attraction,
+/// `forces.capillary`, in units of a^2 s22 (a: grain diameter, s22: imposed normal stress).
+/// @param before 1 if a bridge joined the grains before the time step, else 0
 [[gnu::always_inline]] inline void add_bridge(NormalForces& forces, double before,
                                               const PairSizes& sizes, const BridgeLaw& bridges) {
     forces.joined = bridges.joined(forces.overlap, forces.gap, before);
     forces.capillary = forces.joined * bridges.of(sizes.diameter).attraction(forces.gap);
 }
 
-/// Potential energy of a bridge between the grains of a pair, zero at rupture [a^3 s22]. In contact
-/// it decreases linearly with the overlap, as the attraction is then the pull-off force.
+/// Potential energy of a bridge between two grains, zero at the gap at which the bridge breaks, in
+/// units of a^3 s22 (a: grain diameter, s22: imposed normal stress). In contact it decreases
+/// linearly with the overlap, since the attraction is then the pull-off force.
 [[gnu::always_inline]] inline double bridge_energy(const NormalForces& forces,
                                                    const PairSizes& sizes,
                                                    const BridgeLaw& bridges) {
@@ -144,18 +159,24 @@ struct NormalForces {
     return law.potential(forces.gap) - law.pull_off_force * forces.overlap;
 }
 
-/// Tangential force of a contact after one step, with the energies of that step [a^3 s22].
+/// Tangential force of a contact after one time step, and the energies of this step, in reduced
+/// units (grain diameter, grain mass and imposed normal stress are 1).
 struct TangentialStep {
-    Xyz force;         ///< tangential force on the second grain after the step
-    double stored;     ///< energy in the tangential spring after the step
-    double sliding;    ///< energy lost by sliding at the Coulomb limit
-    double unloading;  ///< energy lost by the spring without sliding (PairEnergy::unloading)
+    Xyz force;       ///< tangential force on the second grain after the step
+    double stored;   ///< energy in the tangential spring after the step
+    double sliding;  ///< energy lost by sliding at the Coulomb limit in the step
+    /// Energy that the tangential spring loses in the step without sliding
+    /// (`PairEnergy::unloading`).
+    double unloading;
 
-    /// Advances the tangential force `force` of the step before by a step of length `dt`. The force
-    /// rotates with the pair and about its normal, and its component along the new normal is
-    /// removed. It is scaled down when the contact unloads, grows against the sliding velocity and
-    /// is limited by Coulomb's law. `old_root` and `old_stiffness` are sqrt(overlap) and K_T of the
-    /// step before.
+    /// Advances the tangential force of a contact by one time step. The force rotates with the pair
+    /// and about its normal, and its component along the new normal is removed. It is scaled down
+    /// if the contact unloads, increases against the sliding velocity, and is limited by Coulomb's
+    /// law.
+    /// @param force tangential force on the second grain before the step
+    /// @param old_root,old_stiffness square root of the overlap and tangential stiffness before the
+    ///         step
+    /// @param dt length of the step
     [[gnu::always_inline]] static TangentialStep of(const Xyz& force,
                                                     const ContactKinematics& kinematics,
                                                     const NormalForces& normal, double old_root,
@@ -177,8 +198,9 @@ struct TangentialStep {
     }
 };
 
-/// Torque on each grain of a pair by the tangential force `tangential` that acts on the second
-/// grain (its opposite acts on the first), for grains of equal size [a^3 s22].
+/// Torque on each of two equal grains by their tangential contact force, in units of a^3 s22 (a:
+/// grain diameter, s22: imposed normal stress). The torque on both grains is the same.
+/// @param tangential tangential force on the second grain; its opposite acts on the first
 [[gnu::always_inline]] inline Xyz contact_torque(const ContactKinematics& kinematics,
                                                  const Xyz& tangential) {
     return -(kinematics.distance * 0.5) * cross(kinematics.normal, tangential);

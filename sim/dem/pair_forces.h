@@ -6,37 +6,40 @@
 
 namespace pendular::dem {
 
-/// Parts of the force loop that a sample needs in addition to contacts. The loop skips a part whose
-/// member is false.
+/// Parts of the force loop, in addition to contacts, that a sample needs. The loop skips a part
+/// whose member is false.
 struct PairNeeds {
-    bool sizes = false;       ///< grains differ in size
-    bool bridges = false;     ///< liquid bridges join grains
-    bool accounting = false;  ///< energies are added up
-    bool effects = false;     ///< effects change or add forces between grains
+    bool sizes = false;       ///< whether grains differ in size
+    bool bridges = false;     ///< whether liquid bridges join grains
+    bool accounting = false;  ///< whether stored and lost energies are summed
+    bool effects = false;     ///< whether effects change or add forces between grains
 
     static PairNeeds of(const Grains& grains, const PairLaws& laws);
 };
 
-/// Adds the forces and torques of the pairs in the range `stretch` to `net_force` and advances the
-/// tangential forces of their contacts by one step. If the grains are wet, contacts form bridges,
-/// and grains that a bridge joins attract each other; see pair_contact.h for the laws. Returns
-/// virial, largest overlap and energies of these pairs.
+/// Adds the forces and torques of a range of pairs to the net force and torque on each grain, and
+/// advances the tangential forces of their contacts by one time step. In wet samples, contacts form
+/// bridges, and grains that a bridge joins attract each other. Returns virial, largest overlap and
+/// energies of these pairs.
 ///
-/// Pairs are processed in batches through vector lanes. The instruction set is chosen at run time
-/// and does not change a bit of the result. A need that is set without being necessary does not
-/// change the result either. The energies exclude forces and torques that an effect adds, and
-/// bridges whose force an effect changes.
+/// Pairs are processed in batches through vector lanes. The instruction set is chosen when the
+/// program runs, and does not change the result; nor does an unnecessary part of the loop in
+/// `needs`. The energies do not include forces and torques that an effect adds, nor bridges whose
+/// force an effect changes.
+/// @param stretch range of `pairs`, in whole batches
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      const PairNeeds& needs, std::vector<Grains::ForceAndTorque>& net_force);
 
-/// Adds the forces and torques of the pairs in the range `stretch` to `net_force`, computing only
-/// the parts that the sample needs (`PairNeeds::of`); returns virial, largest overlap and energies
-/// of these pairs.
+/// Adds the forces and torques of a range of pairs to the net force and torque on each grain, with
+/// only the parts of the force loop that the sample needs. Returns virial, largest overlap and
+/// energies of these pairs.
+/// @param stretch range of `pairs`, in whole batches
 PairSums pair_forces(const Grains& grains, Pairs& pairs, Stretch stretch, const PairLaws& laws,
                      std::vector<Grains::ForceAndTorque>& net_force);
 
-/// Sets the net forces and torques on all grains to the sums over the pairs `near` alone (narrow
-/// list), and returns virial, largest overlap and energies of these pairs.
+/// Sets the net forces and torques on all grains to the sums over the pairs of the narrow neighbour
+/// list, and returns virial, largest overlap and energies of these pairs.
+/// @param near pairs of the narrow neighbour list
 PairSums pair_forces(Grains& grains, Pairs& near, const PairLaws& laws);
 
 }  // namespace pendular::dem

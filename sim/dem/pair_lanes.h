@@ -16,7 +16,7 @@ namespace pendular::dem {
 constexpr std::size_t lanes = PairList::batch;
 using Lane = std::array<double, lanes>;
 
-/// One vector for each pair of a batch, stored by components.
+/// Vectors of a batch of pairs, one vector per pair, stored as three arrays of components.
 struct alignas(64) XyzLanes {
     Lane x, y, z;
 
@@ -26,12 +26,14 @@ struct alignas(64) XyzLanes {
     }
 };
 
-/// Relative motion of the pairs of a batch, with the forces and torques on their grains.
+/// Relative positions and velocities of the pairs in a batch, and the forces and torques on their
+/// grains, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
 struct Batch {
-    XyzLanes separation, velocity, angular_velocity;  ///< as in PairMotion
-    XyzLanes force;                                   ///< force on the second grain
-    XyzLanes torque;                                  ///< torque on the second grain
-    /// Torque on the first grain, where it differs from `torque` (Torques::separate).
+    /// Relative position, velocity and angular velocity of each pair, as in `PairMotion`.
+    XyzLanes separation, velocity, angular_velocity;
+    XyzLanes force;   ///< force on the second grain
+    XyzLanes torque;  ///< torque on the second grain
+    /// Torque on the first grain, if it differs from `torque` (`Torques::separate`).
     XyzLanes first_torque;
 
     [[gnu::always_inline]] PairMotion motion(std::size_t k) const {
@@ -39,7 +41,7 @@ struct Batch {
     }
 };
 
-/// Sizes of the pairs of a batch (PairSizes).
+/// Sizes of the pairs in a batch, one array for each member of `PairSizes`.
 struct alignas(64) SizeLanes {
     Lane contact_distance, diameter, mass, second_arm;
 
@@ -55,11 +57,13 @@ struct alignas(64) SizeLanes {
     }
 };
 
-/// Sums of virial and energies, and the largest overlap, over pairs of grains (PairSums), kept per
-/// lane so that the order of summation does not depend on the width of the vector unit.
+/// Sums of virials and energies over pairs of grains, and the largest overlap (see `PairSums`).
+/// Each lane has a sum of its own, so that the order of summation, and with it the rounding, does
+/// not depend on the width of the vector unit.
 struct alignas(64) LaneSums {
     Lane virial_11{}, virial_22{}, virial_33{}, virial_12{}, largest_overlap{};
-    Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};  ///< energies as in PairEnergy
+    /// Stored and lost energies, as in `PairEnergy`.
+    Lane elastic{}, capillary{}, friction{}, bridges{}, unloading{};
 
     [[gnu::always_inline]] void add_virial(std::size_t k, const Xyz& force, const Xyz& separation) {
         virial_11[k] += force.x * separation.x;
@@ -70,7 +74,8 @@ struct alignas(64) LaneSums {
     PairSums total(EnergyAccounting accounting) const;
 };
 
-/// Displacement from the periodic cell to each of its images [diameters], indexed by image_code.
+/// Displacement from the periodic cell to each of its images [grain diameters], indexed by the code
+/// of the image (`image_code`).
 using Shifts = std::array<Vector, image_code::count + 1>;
 
 inline Shifts image_shifts(const Cell& cell) {
@@ -82,7 +87,8 @@ inline Shifts image_shifts(const Cell& cell) {
     return shifts;
 }
 
-/// Transposes four vectors into four arrays, one for each component, or back.
+/// Transposes four vectors of four components: component k of vector i becomes component i of
+/// vector k.
 [[gnu::always_inline]] inline void transpose(const Vector::Lanes (&in)[4],
                                              Vector::Lanes (&out)[4]) {
     const auto even01 = __builtin_shufflevector(in[0], in[1], 0, 4, 2, 6);
@@ -95,7 +101,8 @@ inline Shifts image_shifts(const Cell& cell) {
     out[3] = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
 }
 
-/// Writes the components of the four vectors `in` to elements k to k + 3 of `to.x`, `to.y`, `to.z`.
+/// Writes the components of four vectors to elements k to k + 3 of the arrays `to.x`, `to.y`,
+/// `to.z`.
 [[gnu::always_inline]] inline void to_lanes(const Vector::Lanes (&in)[4], std::size_t k,
                                             XyzLanes& to) {
     Vector::Lanes out[4];
@@ -105,7 +112,7 @@ inline Shifts image_shifts(const Cell& cell) {
     *reinterpret_cast<Vector::Lanes*>(&to.z[k]) = out[2];
 }
 
-/// Gathers elements k to k + 3 of `from.x`, `from.y` and `from.z` into the four vectors `out`.
+/// Reads four vectors from elements k to k + 3 of the arrays `from.x`, `from.y` and `from.z`.
 [[gnu::always_inline]] inline void from_lanes(const XyzLanes& from, std::size_t k,
                                               Vector::Lanes (&out)[4]) {
     const Vector::Lanes in[4] = {*reinterpret_cast<const Vector::Lanes*>(&from.x[k]),
@@ -115,8 +122,9 @@ inline Shifts image_shifts(const Cell& cell) {
     transpose(in, out);
 }
 
-/// Writes the sizes of the batch of pairs that starts at index `begin` of `pairs`, computed from
-/// the diameters of their grains, to `sizes`.
+/// Computes the sizes of the pairs in a batch (`PairSizes`) from the diameters of their grains.
+/// @param begin index in `pairs` of the first pair of the batch
+/// @param sizes receives the result
 [[gnu::always_inline]] inline void gather_sizes(const Grains& grains, const Pairs& pairs,
                                                 std::size_t begin, SizeLanes& sizes) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -128,15 +136,18 @@ inline Shifts image_shifts(const Cell& cell) {
     }
 }
 
-/// Part of the relative motion of two grains that a loop over pairs reads.
+/// Part of the relative motion of two grains that the function `gather` reads.
 enum class Gathered {
-    separation,       ///< positions only, for pairs that cannot touch
-    motion,           ///< positions and velocities of pairs of equal grains
-    weighted_motion,  ///< positions and velocities; angular velocities weighted with their arms
+    separation,  ///< positions only, for pairs that cannot touch
+    motion,      ///< positions and velocities of pairs of equal grains
+    /// Positions and velocities; angular velocities are weighted for unequal grains (`PairSizes`).
+    weighted_motion,
 };
 
-/// Reads the relative positions and, depending on `part`, velocities of the batch of pairs that
-/// starts at index `begin` of `pairs`, and transposes them into the lanes of `b`.
+/// Reads the relative positions of the pairs in a batch and, depending on `part`, their relative
+/// velocities, and writes them to `b`.
+/// @param begin index in `pairs` of the first pair of the batch
+/// @param shifts displacement to each periodic image [grain diameters]
 template <Gathered part>
 [[gnu::always_inline]] inline void gather(const Grains::Motion* motion, const Pairs& pairs,
                                           std::size_t begin, const Shifts& shifts,
@@ -168,15 +179,16 @@ template <Gathered part>
     }
 }
 
-/// Torques that pairs exert on their grains.
+/// Torques that the pairs of a batch exert on their grains.
 enum class Torques {
     none,      ///< no torques, for pairs that cannot touch
-    shared,    ///< equal torques on both grains: Batch::torque
-    separate,  ///< different torques: Batch::first_torque and Batch::torque
+    shared,    ///< equal torques on both grains, `Batch::torque`
+    separate,  ///< different torques, `Batch::first_torque` and `Batch::torque`
 };
 
-/// Adds the forces and torques of the batch of pairs that starts at index `begin` of `pairs` to
-/// `net_force`, the net force and torque on each grain.
+/// Adds the forces and torques of the pairs in a batch to the net force and torque on each grain.
+/// @param begin index in `pairs` of the first pair of the batch
+/// @param net_force net force and torque on each grain
 template <Torques torques>
 [[gnu::always_inline]] inline void scatter(const Batch& b, const Pairs& pairs, std::size_t begin,
                                            Grains::ForceAndTorque* net_force) {

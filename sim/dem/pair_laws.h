@@ -11,17 +11,20 @@
 
 namespace pendular::dem {
 
-/// Energies stored in the pairs of grains of a sample, and lost in them during one step [a^3 s22].
+/// Energies of all pairs of grains in a sample: stored energies, and energies lost during one time
+/// step, in units of a^3 s22 (a: grain diameter, s22: imposed normal stress).
 struct PairEnergy {
-    /// Energy stored in contacts: (2/15) E~ h^(5/2) in normal direction plus s^2/(2 K_T) in
-    /// tangential direction; E~: modulus, h: overlap, s: tangential force, K_T: tangential
-    /// stiffness.
+    /// Elastic energy stored in contacts: (2/15) E~ h^(5/2) in normal direction plus s^2/(2 K_T) in
+    /// tangential direction, with E~ = E/(1 - nu^2) (E: Young's modulus, nu: Poisson ratio),
+    /// overlap h, tangential force s and tangential stiffness K_T.
     double elastic = 0;
     double capillary = 0;  ///< stored: potential energy of the bridges, zero at rupture
     double friction = 0;   ///< energy lost by contacts that slide at the Coulomb limit
-    double viscosity = 0;  ///< lost by contacts' viscous normal forces; set from `viscous_loss`
-    double bridges = 0;    ///< lost where bridges form: their potential energy jumps below zero
-    /// Energy lost by the tangential springs of contacts without sliding: their stiffness changes
+    /// Energy lost by the viscous normal forces of contacts; computed by `viscous_loss`.
+    double viscosity = 0;
+    /// Energy lost when bridges form: their potential energy falls abruptly below zero.
+    double bridges = 0;
+    /// Energy lost by the tangential springs of contacts without sliding. Their stiffness changes
     /// with the overlap while they are loaded, and the component of the tangential force along the
     /// new normal is removed.
     double unloading = 0;
@@ -29,26 +32,28 @@ struct PairEnergy {
     PairEnergy& operator+=(const PairEnergy& other);
 };
 
-/// Sums over the pairs of grains in one force evaluation, reduced units: F is the force on the
-/// second grain of a pair, r the vector from the first to the second centre.
+/// Sums over the pairs of grains in one evaluation of the forces, in reduced units (grain diameter,
+/// grain mass and imposed normal stress are 1). F is the force on the second grain of a pair, r the
+/// vector from the first to the second centre; direction 1 is the flow, 2 the gradient.
 struct PairSums {
-    double virial_11 = 0;  ///< sum of F1 r1 over the pairs, positive in compression
+    double virial_11 = 0;  ///< sum of F1 r1 over the pairs; positive in compression
     double virial_22 = 0;
     double virial_33 = 0;
-    double virial_12 = 0;  ///< sum of F1 r2 over the pairs, negative in simple shear
+    double virial_12 = 0;  ///< sum of F1 r2 over the pairs; negative in simple shear
     double largest_overlap = 0;
     PairEnergy energy;  ///< zero without energy accounting
 
     PairSums& operator+=(const PairSums& other);
 };
 
-/// Whether a force evaluation also adds up stored and lost energies (PairEnergy), which nearly
-/// doubles the time of a step.
+/// Whether the stored and lost energies (`PairEnergy`) are also summed when forces are computed,
+/// which nearly doubles the time of a step.
 enum class EnergyAccounting { off, on };
 
 class GrainEffects;
 
-/// Cell, imposed flow, material, bridge law, time step and effects of one force evaluation.
+/// Cell, imposed flow, material, bridge law, time step and effects with which the forces between
+/// grains are computed, in reduced units.
 struct PairLaws {
     Cell cell;
     Flow flow;
@@ -56,11 +61,12 @@ struct PairLaws {
     BridgeLaw bridges;
     double time_step = 0;
     EnergyAccounting accounting = EnergyAccounting::off;
-    const GrainEffects* effects = nullptr;  ///< effects on the forces between grains; null: none
+    /// Physical effects on the forces between grains; null: none.
+    const GrainEffects* effects = nullptr;
 };
 
 /// Range of pairs in a neighbour list, in whole batches: index of the first pair, and of the pair
-/// after the last.
+/// after the last one.
 using Stretch = std::pair<std::size_t, std::size_t>;
 
 }  // namespace pendular::dem

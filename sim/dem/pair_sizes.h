@@ -2,15 +2,20 @@
 
 namespace pendular::dem {
 
-/// Sizes of a pair of grains, over the mean diameter a and the mass of a grain of that diameter.
+/// Sizes of a pair of grains with the diameters d1, d2 and masses m1, m2, relative to the mean
+/// diameter and the mass of a grain of this diameter.
 struct PairSizes {
-    double contact_distance = 1;  ///< (d1 + d2)/2: distance of the centres at which they touch
-    double diameter = 1;  ///< 2 d1 d2/(d1 + d2), which enters the laws of contact and bridge
-    double mass = 1;      ///< 2 m1 m2/(m1 + m2), which enters the viscous force
-    /// Distance from the second centre to the contact point, over half the distance of the centres.
+    /// Distance between the centres at which the grains touch: (d1 + d2)/2.
+    double contact_distance = 1;
+    /// Mean diameter in the laws of contact and bridge: 2 d1 d2/(d1 + d2).
+    double diameter = 1;
+    /// Mean mass in the viscous force: 2 m1 m2/(m1 + m2).
+    double mass = 1;
+    /// Distance from the second centre to the contact point, divided by half the distance between
+    /// the centres [1].
     double second_arm = 1;
 
-    /// Sizes of a pair from the diameters of its grains over a.
+    /// Sizes of a pair from the diameters of its grains over the mean grain diameter [1].
     [[gnu::always_inline]] static PairSizes of(double first, double second) {
         const double first_mass = first * first * first, second_mass = second * second * second;
         const double contact_distance = 0.5 * (first + second);
@@ -18,8 +23,8 @@ struct PairSizes {
                 2 * first_mass * second_mass / (first_mass + second_mass),
                 second / contact_distance};
     }
-    /// Distance from the first centre to the contact point, over half the distance of the centres
-    /// [1].
+    /// Distance from the first centre to the contact point, divided by half the distance between
+    /// the centres [1].
     double first_arm() const { return 2 - second_arm; }
 };
 

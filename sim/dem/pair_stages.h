@@ -5,16 +5,18 @@
 #include "sim/dem/change_pairs.h"
 #include "sim/dem/pair_lanes.h"
 
-// Data of the force loop where it is split into two stages, between which effects change forces.
+// Data of the force loop in runs with effects on grains. The loop is then split into two stages,
+// and effects change the forces between the stages.
 namespace pendular::dem {
 
-/// Kinematics and forces of a batch of pairs between the two stages of the force loop; effects on
-/// grains read and change them there.
+/// Kinematics and forces of a batch of pairs between the two stages of the force loop, where
+/// effects on grains read and change them. Reduced units: grain diameter, grain mass and imposed
+/// normal stress are 1.
 struct alignas(64) Stages {
     XyzLanes normal, sliding_velocity;
-    XyzLanes rotation_rate;  ///< angular velocity of the pair
+    XyzLanes rotation_rate;  ///< angular velocity of the pair as a whole
     XyzLanes rolling;        ///< angular velocity of the second grain minus that of the first
-    XyzLanes own_torque;     ///< torque by effects on the second grain; opposite on the first
+    XyzLanes own_torque;     ///< torque of effects on the second grain; opposite on the first
     Lane gap;                ///< gap between the surfaces; negative: overlap
     Lane distance, normal_speed, root, elastic, viscous, joined, capillary, stiffness,
         coulomb_limit;
@@ -47,8 +49,10 @@ struct alignas(64) Stages {
     }
 };
 
-/// Writes the angular velocity of the second grain minus that of the first to `rolling`, for each
-/// pair of the batch that starts at index `begin` of `pairs`.
+/// Computes the angular velocity of the second grain minus that of the first, for each pair of a
+/// batch.
+/// @param begin index in `pairs` of the first pair of the batch
+/// @param rolling receives the result
 [[gnu::always_inline]] inline void gather_rolling(const Grains::Motion* motion, const Pairs& pairs,
                                                   std::size_t begin, XyzLanes& rolling) {
     const std::int32_t* first = pairs.first.data() + begin;
@@ -63,8 +67,9 @@ struct alignas(64) Stages {
     }
 }
 
-/// Returns a view of a batch of pairs, as passed to effects on grains. `contact_history` points to
-/// one array for each value that effects store per pair.
+/// Returns a batch of pairs in the form in which effects on grains receive it. The data are not
+/// copied.
+/// @param contact_history pointers to one array for each value that effects keep per pair
 inline PairBatch batch_for_effects(Batch& b, Stages& s, const SizeLanes& sizes, double time_step,
                                    double* const* contact_history) {
     return {.size = lanes,

@@ -7,8 +7,8 @@
 
 namespace pendular::dem {
 
-/// Calls work(part) for part = 0 to parts - 1, each on a thread of its own. The work of a part must
-/// depend on its number alone; results then do not depend on the scheduling of the threads.
+/// Calls work(part) for part = 0 to parts - 1, each on a thread of its own. The work of a part may
+/// depend only on its number, so that results do not depend on the scheduling of the threads.
 template <typename Work>
 void in_parts(int parts, const Work& work) {
     if (parts == 1) {
@@ -21,8 +21,9 @@ void in_parts(int parts, const Work& work) {
     }
 }
 
-/// Range [begin, end) of the items in part number `part`, from 0 on, when `count` items are divided
-/// into `parts` parts of nearly equal size, cut only at multiples of `grain` items.
+/// Divides `count` items into `parts` ranges of nearly equal size, and returns range number `part`,
+/// from 0: index of its first item, and of the item after its last one. Ranges begin at multiples
+/// of `grain` items.
 inline std::pair<std::size_t, std::size_t> range_of(int part, int parts, std::size_t count,
                                                     std::size_t grain = 1) {
     const std::size_t grains = (count + grain - 1) / grain;

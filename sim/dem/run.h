@@ -20,27 +20,32 @@ namespace pendular::dem {
 class Checkpoint;
 class GrainEffects;
 
-/// Time averages of one run over its steady part, each with a standard error from block averages
-/// over strain that respects their autocorrelation.
+/// Averages of one simulation run over its steady part, with standard errors that include the
+/// autocorrelation of the averages over blocks of strain.
 struct RunResult {
     RunParameters parameters;
-    int threads = 1;  ///< threads that this run used
+    int threads = 1;  ///< number of threads that the run used
+    /// Time average of each observable, with its standard error, in the order of `Observable`.
     std::array<Mean, observable_count> means;
-    std::array<BinnedMeans, field_count> fields;  ///< fields of bridges are empty in dry runs
+    /// Time average of each field (quantity as a function of a coordinate), in the order of
+    /// `Field`. Fields of bridges are empty in dry runs.
+    std::array<BinnedMeans, field_count> fields;
     double covariance = 0;       ///< covariance of the means of stress ratio and solid fraction
-    double strain_averaged = 0;  ///< shear strain over which was averaged [1]
-    /// Strain of the detected transient, which the averages exclude [1].
+    double strain_averaged = 0;  ///< shear strain over which the run was averaged [1]
+    /// Shear strain of the transient, which the averages exclude [1].
     double strain_transient = 0;
-    double time_step = 0;  ///< mean time step [sqrt(m/(a s22))]
+    /// Mean time step in units of sqrt(m/(a s22)), with mass m and diameter a of a grain and the
+    /// imposed normal stress s22.
+    double time_step = 0;
     std::uint64_t steps = 0;
     double wall_seconds = 0;
     bool crystallised = false;
     bool steady = false;
-    bool precise =
-        true;  ///< whether all standard errors that RunParameters::precision asks for were reached
-    Trace trace;               ///< averages over blocks of strain 0.02, transient included
-    StoredSample final_state;  ///< state from which another run may start
-    std::string failure;       ///< why the run failed (set by `run_all`); empty: success
+    /// Whether all standard errors that `RunParameters::precision` requests were reached.
+    bool precise = true;
+    Trace trace;               ///< averages over blocks of strain 0.02, with the transient
+    StoredSample final_state;  ///< state from which another run can start
+    std::string failure;       ///< reason why the run failed (set by `run_all`); empty: success
 
     const Mean& operator[](Observable which) const {
         return means[static_cast<std::size_t>(which)];
@@ -53,60 +58,64 @@ struct RunResult {
     }
 };
 
-/// Version of the solver. It changes only when runs of equal parameters give results that differ
-/// beyond rounding.
+/// Version of the solver. It increases only if runs with equal parameters give results that differ
+/// by more than rounding.
 constexpr int physics_version = 1;
 
-/// Callback for the progress of a run, called about once per strain of 0.02 with the strain done so
-/// far and the expected total strain [1].
+/// Callback for the progress of a run, called about once per strain of 0.02.
+/// @param done shear strain so far [1]
+/// @param expected expected total shear strain [1]
 using Progress = std::function<void(double done, double expected)>;
 
-/// Callback that receives the states of a run: the sample, and the strain since the flow began [1].
-/// It is called first when the flow begins or a checkpoint resumes the run, then at the end of
-/// every block of strain, about 0.02.
+/// Callback that receives the states of a run: when the flow begins or a checkpoint resumes the
+/// run, and at the end of every block of strain of about 0.02.
+/// @param strain shear strain since the flow began [1]
 using Observer = std::function<void(const ShearCell& sample, double strain)>;
 
-/// Options of a run besides its physical parameters: threads, callbacks, start and checkpoint.
+/// Options of a run in addition to its physical parameters: threads, callbacks, initial state and
+/// checkpoint.
 struct RunOptions {
     std::stop_token stop;
     Progress progress;
     int threads = 1;
     std::vector<Observer> observers;
-    const StoredSample* start = nullptr;  ///< initial state if RunParameters::start is not 0
-    /// Checkpoint file: the run resumes from it if it exists, and writes it whenever it is due
-    /// (Checkpoint::due) and when the run is stopped; null: no checkpoints.
+    /// State from which the run starts; needed if `RunParameters::start` is not 0.
+    const StoredSample* start = nullptr;
+    /// Checkpoint file. If it exists, the run resumes from it. The run writes it when it is due
+    /// (`Checkpoint::due`) and when the run is stopped. Null: no checkpoints.
     Checkpoint* checkpoint = nullptr;
-    /// Parameters of the run in lines "name = value", stored in its checkpoint, so that no other
-    /// run resumes from it.
+    /// Parameters of the run as lines "name = value". They are stored in the checkpoint, so that no
+    /// other run resumes from it.
     std::string description = {};
 };
 constexpr int most_threads = 1024;
 
-/// Solid fraction, corrected to rigid grains (`rigidity_shift`), above which a sample of equal
-/// grains counts as crystallised [1].
+/// Solid fraction [1] above which a sample of equal grains counts as crystallised, after correction
+/// to rigid grains (`rigidity_shift`).
 constexpr double crystal_solid_fraction = 0.645;
 
-/// Localization (0: uniform shear, 1: infinitely thin shear band) above which a flow does not count
-/// as uniform [1]; every flow that Badetti et al. (2018) report has a smaller value.
+/// Localization of the shear [1] (0: uniform, 1: infinitely thin shear band) above which a flow
+/// does not count as uniform. All flows of Badetti et al. (2018) have smaller values.
 constexpr double localised_above = 0.05;
 
-/// Simulates a sample in steady shear and returns its time averages over `parameters.strain`, or
-/// over a shorter strain once the averages reach `parameters.precision`. The preceding transient is
-/// detected, not assumed. `effects` must be the effects on grains that `parameters` names.
-/// @throws std::invalid_argument where `check_run_parameters` does, for an impossible number of
-/// threads, and for a start state with another number of grains
-/// @throws SimulationError where the state is not finite, or the sample does not reach or hold its
-/// normal stress
-/// @throws Interrupted when a stop is requested
-/// @throws InputError where the checkpoint belongs to another run or version, or is corrupt
+/// Simulates a sample in steady shear and returns its averages over the strain `parameters.strain`,
+/// or over a shorter strain once the standard errors `parameters.precision` are reached. The end of
+/// the preceding transient is determined from the simulation.
+/// @param effects the effects on grains that `parameters.effects` names
+/// @throws std::invalid_argument for parameters that `check_run_parameters` does not accept, an
+///         impossible number of threads, and an initial state with another number of grains
+/// @throws SimulationError if the state is not finite, or the sample does not reach or keep its
+///         normal stress
+/// @throws Interrupted if a stop is requested
+/// @throws InputError if the checkpoint belongs to another run or version, or is corrupt
 RunResult run(const RunParameters& parameters, const GrainEffects& effects,
               const RunOptions& options = {});
 
-/// Solid fraction Phi of a run minus the solid fraction that rigid grains would have [1], from the
-/// mean overlap of contacts over the grain diameter a:
-///     Phi - Phi (rigid) = 1.23 x 3 Phi <overlap>/a
-/// The factor 1.23 +- 0.15 was measured at stiffness numbers kappa between 300 and 4000 on dry
-/// grains of friction 0.12.
+/// Difference between the solid fraction of a run and that of rigid grains [1]:
+///     1.23 x 3 solid_fraction mean_overlap
+/// The factor 1.23 +- 0.15 was measured in dry samples with friction 0.12 at stiffness numbers
+/// between 300 and 4000.
+/// @param mean_overlap mean overlap of contacts over the grain diameter [1]
 double rigidity_shift(double solid_fraction, double mean_overlap);
 constexpr double rigidity_factor = 1.23;
 constexpr double rigidity_factor_error = 0.15;

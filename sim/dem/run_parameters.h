@@ -13,48 +13,50 @@ namespace pendular::dem {
 
 class GrainEffects;
 
-/// Largest inertial number at which the flow is dense enough for the height servo to hold the
-/// normal stress [1].
+/// Largest inertial number [1] that can be simulated: in faster flows the sample is too dilute for
+/// the height servo to keep the normal stress.
 constexpr double largest_inertial_number = 0.5;
 
-/// Standard error, in the observable's unit, of one observable's time average, at which a run may
-/// stop averaging.
+/// Standard error of the average of one observable, in the observable's unit, at which a run may
+/// stop.
 struct Precision {
     Observable which = Observable::stress_ratio;
     double standard_error = 0;
 };
-/// Parses an observable's name and the standard error at which a run may stop averaging it, written
-/// as "stress_ratio=0.003".
-/// @throws std::invalid_argument where the text is not of this form or the observable is unknown
+/// Reads an observable and the standard error at which a run may stop, written as
+/// "stress_ratio=0.003".
+/// @throws std::invalid_argument if the text has another form or the observable is unknown
 Precision precision_named(std::string_view text);
 
-/// Shortest strain that a run must average over before its standard errors can be relied on [1].
+/// Smallest shear strain [1] over which a run must average before its standard errors are reliable.
 constexpr double shortest_precise_strain = 2;
 
-/// Everything that determines one run of steady shear, reduced units.
+/// Parameters that determine one run of steady shear, in reduced units (grain diameter, grain mass
+/// and imposed normal stress are 1).
 struct RunParameters {
-    double friction = 0.09;          ///< intergranular friction coefficient mu
-    double inertial_number = 1e-3;   ///< inertial number I
-    double stiffness_number = 1000;  ///< stiffness number kappa
-    double poisson_ratio = 0.3;      ///< Poisson ratio nu
-    double damping = 0.98;           ///< zeta, fraction of critical damping in normal direction
-    std::optional<Wetting> wetting;  ///< liquid bridges; none: dry
+    double friction = 0.09;          ///< friction coefficient between grains [1]
+    double inertial_number = 1e-3;   ///< inertial number [1]
+    double stiffness_number = 1000;  ///< stiffness number of the contacts [1]
+    double poisson_ratio = 0.3;      ///< Poisson ratio of the grains [1]
+    double damping = 0.98;           ///< normal damping as a fraction of critical damping [1]
+    std::optional<Wetting> wetting;  ///< liquid bridges; empty: dry grains
     int grains = 2000;
-    double strain = 10;  ///< shear strain over which is averaged, after the transient
+    double strain = 10;  ///< shear strain over which the run is averaged, without transient [1]
     std::uint64_t seed = 1;
-    /// Fingerprint of the run whose final state is the initial state of this run; 0: start from a
-    /// random gas.
+    /// Fingerprint of the run whose final state is the initial state of this run; 0: the run starts
+    /// from grains at random positions without contact.
     std::uint64_t start = 0;
-    /// Standard errors to reach: averaging may end before `strain` once all of them are reached.
+    /// Standard errors at which averaging may end before `strain`, once all of them are reached.
     /// Empty: averaging never ends before `strain`.
     std::vector<Precision> precision = {};
-    /// Names of the effects on grains that act in the run, with parameter values in reduced units.
-    /// A record only: the solver takes the effects as GrainEffects.
+    /// Effects on grains that act in the run, with parameter values in reduced units (grain
+    /// diameter, grain mass and imposed normal stress are 1). The solver does not read this list:
+    /// it receives the effects as `GrainEffects`.
     std::vector<EffectValues> effects = {};
 };
 
-/// Checks, before any work, that a run can be simulated with these effects on grains.
-/// @throws std::invalid_argument where a parameter is out of range, naming the parameter
+/// Checks, before any computation, that a run can be simulated with these effects on grains.
+/// @throws std::invalid_argument if a parameter is out of range; the message names the parameter
 void check_run_parameters(const RunParameters& parameters, const GrainEffects& effects);
 
 }  // namespace pendular::dem

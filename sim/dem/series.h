@@ -13,17 +13,17 @@
 
 namespace pendular::dem {
 
-/// Shear strain over which each block of a run is averaged [1]. The averages over one block are one
-/// sample in the time series of the run.
+/// Shear strain of one block of a run [1]. The averages over one block are one sample in the time
+/// series of the run.
 constexpr double block_strain = 0.02;
 
-/// Averages over one block of a run, a shear strain of `block_strain`; stresses are over the
-/// imposed normal stress [1], compression positive.
+/// Averages of a simulation over one block, a shear strain of `block_strain`. Stresses are divided
+/// by the imposed normal stress [1]; compression is positive.
 struct Block {
     double strain = 0;
     double s11 = 0, s22 = 0, s33 = 0, s12 = 0, solid_fraction = 0, localization = 0;
-    /// Power lost per volume over shear rate, by each mechanism of loss [s22]; the stored energies
-    /// are left 0.
+    /// Power that each mechanism dissipates per volume, divided by the shear rate and the imposed
+    /// normal stress [1]. The stored energies are 0.
     PairEnergy dissipation;
     Structure structure;
     FieldSums fields;
@@ -36,8 +36,8 @@ struct Block {
     }
 };
 
-/// Block of a run (a strain of `block_strain`) whose averages are still being summed. It is filled
-/// step by step, so that a run can stop between any two steps and resume there.
+/// Block of a run (a strain of `block_strain`) whose averages are being summed step by step, so
+/// that a run can be stopped between any two steps and resumed there.
 class OpenBlock {
   public:
     OpenBlock() = default;
@@ -45,16 +45,17 @@ class OpenBlock {
 
     bool full(const ShearCell& sample) const { return sample.strain() >= begin_ + block_strain; }
     double begin() const { return begin_; }  ///< strain of the sample when the block began [1]
-    /// Advances the sample by one time step and adds its stress and solid fraction, and at some
-    /// steps also dissipation, velocities and contact network, to the sums of the block.
+    /// Advances the sample by one time step and adds its stress and solid fraction to the sums of
+    /// the block. At some steps, dissipation, velocities and the contact network are added too.
     void step(ShearCell& sample);
-    /// Whether a run should now check for stop requests and due checkpoints: every 16 steps, right
-    /// after `step` has sampled the velocities of all grains.
+    /// Whether a run should check now for stop requests and due checkpoints: every 16 steps, right
+    /// after the step in which the velocities of all grains were added.
     static bool pauses(const ShearCell& sample);
     /// Ends the block and returns its averages: stresses and solid fraction over all its steps,
-    /// other quantities over some of them. Profiles of solid fraction and distributions over pairs
-    /// are taken from the last state `sample` only, as more states would cost several per cent of a
-    /// fast run's time.
+    /// other quantities over some steps. Profiles of solid fraction and distributions over pairs
+    /// come from the last state only, since more states would slow down a fast run by several per
+    /// cent.
+    /// @param sample state at the end of the block
     Block close(const ShearCell& sample);
 
     template <typename Archive>
@@ -74,13 +75,13 @@ class OpenBlock {
     int structures_ = 0;
 };
 
-/// Time series of a run: all blocks so far, from which averages and the transient are computed.
+/// Time series of a run: its complete blocks, from which averages and the transient are computed.
 class Series {
   public:
     void add(Block block) { blocks_.push_back(std::move(block)); }
     std::size_t size() const { return blocks_.size(); }
 
-    /// Total strain of the blocks [from, to) [1].
+    /// Total shear strain [1] of the blocks from number `from` to `to` - 1, counted from 0.
     double strain(std::size_t from, std::size_t to) const {
         double sum = 0;
         for (std::size_t k = from; k < to; ++k) {
@@ -97,9 +98,9 @@ class Series {
         }
         return result;
     }
-    /// Returns one value per block, from block number `from` on. Their mean is the mean of
-    /// `numerator(block)` over the mean of `denominator(block)`, and their scatter is the scatter
-    /// of this ratio to first order.
+    /// Returns a time series of the ratio of two quantities: one value per block, from block `from`
+    /// on (counted from 0). The mean of the values is the mean of `numerator(block)` over the mean
+    /// of `denominator(block)`; their scatter is the scatter of this ratio to first order.
     template <typename Numerator, typename Denominator>
     std::vector<double> ratio(std::size_t from, Numerator numerator,
                               Denominator denominator) const {
@@ -124,13 +125,14 @@ class Series {
     std::vector<double> structure(std::size_t from, double Structure::*which) const {
         return values(from, [&](const Block& b) { return b.structure.*which; });
     }
-    /// Averages, with standard errors, of the field `which` in each of `bins` over the blocks from
-    /// number `from` on: mean of the blocks' sums over mean of their weights; NaN where a bin has
-    /// no data.
+    /// Averages, with standard errors, of the field `which` (a quantity as a function of a
+    /// coordinate) in each bin, over the blocks from number `from` on, counted from 0. An average
+    /// is the mean of the blocks' sums over the mean of their weights; NaN if a bin has no data.
     BinnedMeans field(std::size_t from, Field which, const Bins1d& bins) const;
-    /// Number of blocks at the start of the run to leave out of averages, as the flow is not yet
-    /// steady in them; empty: not steady so far. It is found from stress ratio, solid fraction and,
-    /// if `wet`, bridges without contact per grain (Z_d), which become steady last.
+    /// Number of blocks at the start of a run that averages must leave out, since the flow is not
+    /// yet steady; empty if the flow is not steady so far. Stress ratio, solid fraction and, if
+    /// `wet`, the number of bridges without contact per grain, which becomes steady last, are
+    /// examined.
     std::optional<std::size_t> transient(bool wet) const;
     Trace trace() const;
 

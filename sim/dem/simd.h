@@ -1,8 +1,9 @@
 #pragma once
 
-/// Compiles a function once per instruction set; the program picks one version when it starts.
-/// Without fused multiply-adds (-ffp-contract=off) all versions give the same bits.
-/// Sanitizers get one version, since the function that picks a version runs before they have begun.
+/// PENDULAR_SIMD_CLONES before a function compiles it once per instruction set; the program chooses
+/// a version when it starts. Without fused multiply-adds (-ffp-contract=off) all versions give the
+/// same bits. With sanitizers there is one version, since the function that chooses runs before
+/// they are initialised.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define PENDULAR_SIMD_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))

@@ -6,13 +6,13 @@
 namespace pendular::dem {
 
 /// Error of a simulation that cannot continue: its state is not finite, or the sample does not
-/// reach or hold its normal stress.
+/// reach or keep its normal stress.
 class SimulationError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Exception thrown when the user stops the work; `what_remains` tells what was saved.
+/// Exception that is thrown when the user stops the work. The message says what was saved.
 class Interrupted : public std::runtime_error {
   public:
     explicit Interrupted(const std::string& what_remains = "nothing was written")

@@ -9,25 +9,28 @@
 
 namespace pendular::dem {
 
-/// Pair of grains in contact or joined by a bridge, to be drawn as a line.
+/// Pair of grains in contact or joined by a bridge, which is drawn as a line. Forces are in units
+/// of a^2 s22, with grain diameter a and imposed normal stress s22.
 struct DrawnPair {
-    Vector from, to;          ///< centres [a]; `to` may be a periodic image outside the cell
-    double normal_force = 0;  ///< elastic normal force; 0 without contact [a^2 s22]
+    /// Centres of the two grains [grain diameters]; `to` may be a periodic image outside the cell.
+    Vector from, to;
+    double normal_force = 0;  ///< elastic normal force [a^2 s22]; 0 without contact
     double bridge_force = 0;  ///< attraction of the bridge [a^2 s22]
     bool touching = false;
 };
 
-/// State of a sample for export to other programs: all grains inside the cell, velocities including
-/// the imposed flow. Reduced units: grain diameter, mass and imposed normal stress are 1.
+/// State of a sample for export to other programs, in reduced units (grain diameter, grain mass and
+/// imposed normal stress are 1). All grains are inside the cell; velocities include the imposed
+/// flow.
 struct Snapshot {
     struct Grain {
-        std::int32_t id = 0;  ///< number from 1 on, the same throughout a run
+        std::int32_t id = 0;  ///< number from 1 on, constant throughout a run
         double radius = 0.5;
         Vector position, velocity, angular_velocity;
         int contacts = 0;
     };
     std::uint64_t step = 0;
-    double time = 0;    ///< time since the flow began [sqrt(m/(a s22))]
+    double time = 0;    ///< time since the flow began, in reduced units
     double strain = 0;  ///< shear strain since the flow began [1]
     Cell cell;          ///< periodic cell, its offset between -length/2 and length/2
     std::vector<Grain> grains;
@@ -35,21 +38,22 @@ struct Snapshot {
 };
 Snapshot snapshot_of(const ShearCell& sample, double strain);
 
-/// Returns one frame of a LAMMPS text dump, which OVITO reads: a triclinic cell with a corner at
-/// the origin and the bounds of the box around it, then columns id, type, radius, position,
-/// velocity, angular velocity and number of contacts.
+/// Returns a snapshot as one frame of a LAMMPS text dump, which OVITO reads: a triclinic cell with
+/// a corner at the origin and the bounds of the box around it, then columns id, type, radius,
+/// position, velocity, angular velocity and number of contacts.
 std::string dump_frame(const Snapshot& snapshot);
 
-/// Returns the grains as ParaView XML PolyData: points with id, radius, velocity, angular velocity
-/// and number of contacts (coordination).
+/// Returns the grains of a snapshot as the text of a ParaView PolyData file (XML): points with id,
+/// radius, velocity, angular velocity and number of contacts (coordination).
 std::string grains_vtp(const Snapshot& snapshot);
-/// Returns contacts and bridges as ParaView XML PolyData: lines between centres with normal_force,
-/// bridge_force and touching (1 or 0). A line across a face of the cell ends at the image outside.
+/// Returns contacts and bridges of a snapshot as the text of a ParaView PolyData file (XML): lines
+/// between centres with normal_force, bridge_force and touching (1 or 0). A line that crosses a
+/// face of the cell ends at the periodic image outside.
 std::string pairs_vtp(const Snapshot& snapshot);
 
-/// Writes snapshots of a run into a folder, the first at strain 0 and then one per strain `every`
-/// [1]. `beads.dump` holds all frames. For ParaView, `snapshots.pvd` lists `vtk/beads_NNNNN.vtp`
-/// and `vtk/pairs_NNNNN.vtp` with the strain as time. Each file is complete or absent: the dump is
+/// Writes snapshots of a run into a folder, at shear strains 0, `every`, 2 `every` and so on. The
+/// file `beads.dump` has all frames. For ParaView, `snapshots.pvd` lists `vtk/beads_NNNNN.vtp` and
+/// `vtk/pairs_NNNNN.vtp` with the strain as time. Each file is complete or absent: the dump is
 /// written as `.beads.dump.part` and renamed when the object is destroyed, after a complete or a
 /// stopped run. If a checkpoint resumes the run, frames made after that checkpoint are made again.
 class Snapshots {
@@ -59,9 +63,10 @@ class Snapshots {
     Snapshots(const Snapshots&) = delete;
     Snapshots& operator=(const Snapshots&) = delete;
 
-    /// Writes a snapshot of the sample if one is due at `strain`, the strain since the flow began
-    /// [1]. With this operator the object can be an Observer of a run.
-    /// @throws std::runtime_error where a file cannot be written
+    /// Writes a snapshot of the sample if one is due. With this operator the object can be an
+    /// `Observer` of a run.
+    /// @param strain shear strain since the flow began [1]
+    /// @throws std::runtime_error if a file cannot be written
     void operator()(const ShearCell& sample, double strain);
     std::size_t count() const { return frames_.size(); }
 

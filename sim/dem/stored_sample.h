@@ -8,13 +8,15 @@
 
 namespace pendular::dem {
 
-/// Final state of a run in single precision, from which another run can start; only a checkpoint
-/// continues a run bit for bit. The contact history is not stored; it builds up again over a
-/// sliding distance of about one overlap, a small part of any transient. Samples of unequal grains
-/// are not stored; `grains` is then empty.
+/// Final state of a run in single precision, from which another run can start. Only a checkpoint
+/// continues a run bit for bit. The contact history is not stored: it forms again over a sliding
+/// distance of about one overlap, a small part of any transient. Samples of unequal grains are not
+/// stored; `grains` is then empty.
 struct StoredSample {
     Cell cell;
-    std::vector<std::array<float, 9>> grains;  ///< position, peculiar velocity, angular velocity
+    /// Position, velocity without the imposed flow, and angular velocity of each grain, three
+    /// numbers each, in reduced units (grain diameter, grain mass and imposed normal stress are 1).
+    std::vector<std::array<float, 9>> grains;
 
     StoredSample() = default;
     explicit StoredSample(const ShearCell& sample) : cell(sample.cell()) {

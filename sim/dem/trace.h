@@ -4,10 +4,10 @@
 
 namespace pendular::dem {
 
-/// Averages over one block of a run, a strain of about 0.02 [1], in single precision; stresses are
-/// over the imposed normal stress.
+/// Averages of a run over one block, a shear strain of about 0.02, in single precision. Stresses
+/// are divided by the imposed normal stress [1].
 struct TraceBlock {
-    float strain = 0;  ///< strain of this block alone [1]
+    float strain = 0;  ///< shear strain of this block [1]
     float s11 = 0, s22 = 0, s33 = 0, s12 = 0;
     float solid_fraction = 0, contact_coordination = 0, distant_coordination = 0, localization = 0;
 
@@ -20,7 +20,7 @@ struct TraceBlock {
     }
 };
 
-/// Time series of a run: one entry per block of strain.
+/// Time series of a run: averages over successive blocks, each a shear strain of about 0.02.
 using Trace = std::vector<TraceBlock>;
 
 }  // namespace pendular::dem

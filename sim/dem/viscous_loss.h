@@ -6,10 +6,12 @@
 
 namespace pendular::dem {
 
-/// Energy that the viscous normal forces of all contacts dissipate in one time step [a^3 s22]:
-/// viscous force times time step times the mean of the normal speeds before and after the step,
-/// which follow from `net_forces`. `near` holds all contacts. Near critical damping a step changes
-/// the normal speed by half, so that the speed before it alone would overstate the loss.
+/// Energy that the viscous normal forces of all contacts dissipate in one time step, in units of
+/// a^3 s22 (a: grain diameter, s22: imposed normal stress): viscous force times time step times the
+/// mean of the normal speeds before and after the step. Near critical damping a step changes the
+/// normal speed by half, so that the speed before the step alone would give too large a loss.
+/// @param net_forces net force on each grain, from which the speed after the step follows
+/// @param near pairs of the narrow neighbour list, which has all contacts
 double viscous_loss(const Grains& grains, const std::vector<Grains::ForceAndTorque>& net_forces,
                     const Pairs& near, const PairLaws& laws);
 

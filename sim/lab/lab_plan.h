@@ -13,26 +13,30 @@
 namespace pendular {
 
 /// Plan of a virtual laboratory, which simulates rheometer recordings with known effects:
-/// conditions, instrument, and the friction and effects that a calibration has to find. SI units.
+/// conditions, instrument, and the friction and effects that a calibration has to find. Values are
+/// in SI units.
 struct LabPlan {
-    double friction = 0.09;  ///< true friction coefficient [1]
+    double friction = 0.09;  ///< true friction coefficient between grains [1]
     GrainProperties grains = {.diameter = 500e-6, .density = 1050, .poisson_ratio = 0.3};
     Liquid liquid = {.surface_tension = 20.6e-3};
     AnnularCell cell = {.inner_radius = 21e-3, .outer_radius = 45e-3, .bead_volume = 60e-3 / 1050};
-    std::vector<double> dry_normal_stresses = {300, 1000, 3000};       ///< for dry recordings [Pa]
-    std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};  ///< of wet recordings [Pa]
-    /// Liquid contents Phi_L/Phi_S of the wet recordings [1]; empty: dry recordings only.
+    /// Normal stresses in dry recordings [Pa].
+    std::vector<double> dry_normal_stresses = {300, 1000, 3000};
+    /// Normal stresses in wet recordings [Pa].
+    std::vector<double> wet_normal_stresses = {300, 600, 1000, 3000};
+    /// Liquid volume over grain volume in the wet recordings [1]; empty: dry recordings only.
     std::vector<double> liquid_contents = {0.007, 0.03};
-    std::vector<double> inertial_numbers = {3e-3, 3e-2};  ///< of all recordings [1]
+    /// Inertial numbers in all recordings [1].
+    std::vector<double> inertial_numbers = {3e-3, 3e-2};
     std::vector<ActiveEffect> effects;  ///< true effects, which study.toml does not state
-    int replicates = 2;                 ///< recordings of each liquid content, dry included
+    int replicates = 2;  ///< number of recordings for each liquid content, dry included
     Instrument instrument;
     Fidelity fidelity;
     std::uint64_t seed = 1;
 };
 
-/// A recording to be simulated: one replicate of all steps (constant set points) of one liquid
-/// content.
+/// Recording that a virtual laboratory is to simulate: one replicate of all steps of constant set
+/// points at one liquid content.
 struct PlannedRecording {
     std::string file;                   ///< file name, as in "wet_0.03_1.csv"
     double liquid_content = 0;          ///< liquid over grain volume [1]; 0: dry
@@ -41,47 +45,55 @@ struct PlannedRecording {
     std::vector<Condition> conditions;  ///< requested condition and time of each step
 };
 
-/// Returns all recordings of the plan, which follow one another without a pause. The time of a step
-/// (constant set points) is the mean time of its part after the start-up transient [s]; effects
-/// that depend on time have their value at this time throughout the step.
+/// Returns all recordings of a plan, in the order of measurement: dry recordings first, then those
+/// of each liquid content. They follow one another without a pause. The time of a step of constant
+/// set points is the mean time of its part after the start-up transient [s]; effects that depend on
+/// time have their value at this time throughout the step.
 std::vector<PlannedRecording> recordings_of(const LabPlan& plan);
 
-/// Returns the condition that is truly imposed on the grains, SI units, where the instrument shows
-/// the requested condition `asked`: effects on the instrument are inverted, effects of type
-/// ChangeCondition are applied, and effects on grains are listed in `grain_effects`.
+/// Returns the true condition of the grains, in SI units, at which the instrument shows the
+/// requested condition. Effects on the instrument are inverted, effects of type `ChangeCondition`
+/// are applied, and effects on grains are listed in `grain_effects`.
 ///
-/// The height of the sample is unknown before the simulation and is taken at a typical solid
-/// fraction of 0.6. The recording uses the simulated height instead, so that it shows the true
-/// state exactly at the requested set points (`shown_at_set_points`). The simulated heights differ
-/// from the typical height by up to 4 %, which shifts the simulated condition by about 0.1 %.
-/// @throws InputError where no true state is shown as the requested condition
+/// The height of the sample, which is unknown before the simulation, follows from a typical solid
+/// fraction of 0.6. True heights differ by up to 4 %, which shifts the simulated condition by about
+/// 0.1 %. The recording is made with the simulated height, so that it shows the true state exactly
+/// at the requested set points (`shown_at_set_points`).
+/// @param asked requested condition
+/// @throws InputError if no true state is shown as the requested condition
 EffectiveCondition imposed_condition(const LabPlan& plan, const Condition& asked);
 
-/// Returns the state of the cell that the instrument shows, without noise, at the requested
-/// condition `asked` for grains with the stress ratio and solid fraction of `flow`.
-/// @throws InputError where no true state is shown as the requested condition
+/// Returns the state of the cell that the instrument shows, without noise, at a requested
+/// condition.
+/// @param asked requested condition
+/// @param flow true stress ratio and solid fraction of the grains [1]
+/// @throws InputError if no true state is shown as the requested condition
 CellState shown_at_set_points(const LabPlan& plan, const Condition& asked, const FlowPoint& flow);
 
-/// Checks that a plan can be simulated and recorded, and that any two values planned for one
-/// quantity (dry or wet normal stress, liquid content, inertial number) differ by at least 5 %.
-/// @throws InputError where the plan fails a check, naming the mistake
+/// Checks that a plan can be simulated and recorded. Any two values for one quantity (dry or wet
+/// normal stress, liquid content, inertial number) must differ by at least 5 %.
+/// @throws InputError if the plan fails a check; the message names the mistake
 void check_plan(const LabPlan& plan);
 
-/// Returns the requested condition of each step of a recording with this liquid content [1], in the
-/// order of measurement, without times.
+/// Returns the requested condition of each step of a recording, in the order of measurement,
+/// without times.
+/// @param liquid_content liquid volume over grain volume of the recording [1]
 std::vector<Condition> conditions_of(const LabPlan& plan, double liquid_content);
 
-/// Returns the liquid contents Phi_L/Phi_S for which the plan has recordings [1]: 0 (dry), then the
-/// values of `plan.liquid_contents`.
+/// Returns the liquid contents (liquid volume over grain volume [1]) for which a plan has
+/// recordings: 0 (dry), then the values of `plan.liquid_contents`.
 std::vector<double> contents_of(const LabPlan& plan);
 
-/// Returns the parameters, in reduced units, of the run that simulates an imposed condition; the
-/// caller sets its seed. `bridge_volume`: volume of a bridge V0/a^3 [1], used for wet conditions.
+/// Returns the parameters, in reduced units, of the run that simulates an imposed condition. The
+/// caller sets its seed.
+/// @param bridge_volume volume of a liquid bridge over the cubed grain diameter [1], for wet
+///         conditions
 dem::RunParameters run_at(const LabPlan& plan, const EffectiveCondition& condition,
                           double bridge_volume);
 
-/// Returns the parameters, in reduced units, of a pilot run: a smaller and shorter run at an
-/// imposed condition, whose simulation gives the liquid content [1] of a bridge volume V0/a^3 [1].
+/// Returns the parameters, in reduced units, of a pilot run at an imposed condition: a smaller and
+/// shorter run that measures the liquid content at a given bridge volume.
+/// @param bridge_volume volume of a liquid bridge over the cubed grain diameter [1]
 dem::RunParameters pilot_at(const LabPlan& plan, const EffectiveCondition& condition,
                             double bridge_volume);
 

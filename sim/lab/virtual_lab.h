@@ -10,15 +10,15 @@
 
 namespace pendular {
 
-/// One step (constant set points) of a virtual recording: the requested and truly imposed
-/// condition, and the simulation run that gives the true state of the grains.
+/// One step of constant set points in a virtual recording: requested condition, true condition, and
+/// the simulation that gives the true state of the grains.
 struct LabStep {
     Condition condition;         ///< requested condition, which the instrument shows
-    EffectiveCondition imposed;  ///< truly imposed condition (`imposed_condition`)
-    dem::RunResult run;          ///< simulation at the imposed condition
+    EffectiveCondition imposed;  ///< true condition of the grains (`imposed_condition`)
+    dem::RunResult run;          ///< simulation at the true condition
 };
 
-/// One recording: a replicate of all steps (constant set points) of one liquid content.
+/// One simulated recording: a replicate of all steps of constant set points at one liquid content.
 struct LabRecording {
     std::string file;           ///< file name, as in "wet_0.03_1.csv"
     double liquid_content = 0;  ///< liquid over grain volume [1]; 0: dry
@@ -27,7 +27,7 @@ struct LabRecording {
     std::vector<LabStep> steps;
 };
 
-/// Simulated recordings of a virtual laboratory, with the plan that they follow.
+/// Simulated recordings of a virtual laboratory, with the plan from which they were made.
 struct LabResult {
     LabPlan plan;
     std::vector<LabRecording> recordings;
@@ -36,23 +36,24 @@ struct LabResult {
 };
 
 /// Callback that receives the name of each phase of a virtual laboratory's work, such as "pilot
-/// runs for the liquid contents" or "recordings", before the simulation runs of the phase begin.
+/// runs for the liquid contents" or "recordings", before the simulations of the phase begin.
 using AnnouncePhase = std::function<void(const std::string&)>;
 
-/// Simulates each step of each planned recording in a run of its own with its own seed. No run has
-/// a seed of a calibration that starts from the same user's seed (seeds.h), and each has 1.5 times
-/// as many grains as `plan.fidelity` states. Short runs first find the bridge volumes that give the
-/// liquid contents. A run that fails, crystallises or is not steady is repeated with another seed,
-/// at most three times.
-/// @throws InputError where `check_plan` does not accept the plan
-/// @throws dem::SimulationError where a step has no usable run
-/// @throws dem::Interrupted when a stop is requested
+/// Simulates each step of each planned recording by a run with a seed of its own, and returns the
+/// recordings in the order of the plan. The runs have 1.5 times as many grains as `plan.fidelity`,
+/// and other seeds than those of a calibration with the same user's seed (`SeedDomain`). Short runs
+/// first determine the bridge volumes that give the liquid contents. A run that fails, crystallises
+/// or is not steady is repeated with another seed, at most three times.
+/// @param workers threads, store and progress callback for the runs
+/// @throws InputError if `check_plan` does not accept the plan
+/// @throws dem::SimulationError if no run of a step can be used
+/// @throws dem::Interrupted if a stop is requested
 LabResult simulate_lab(const LabPlan& plan, const Workers& workers,
                        const AnnouncePhase& announce = {});
 
-/// Returns the median, over the runs of all steps, of an observable's standard error divided by the
-/// observable's mean [1]. The median is used since few independent samples determine the error of a
-/// single run.
+/// Returns the typical relative standard error of an observable in the simulations of all steps
+/// [1]: the median of standard error over mean. The median is used since few independent samples
+/// determine the error of a single run.
 double typical_error(const LabResult& result, dem::Observable which);
 
 }  // namespace pendular

@@ -6,23 +6,24 @@
 
 namespace pendular {
 
-/// Named set of simulation settings, a trade of accuracy for computing time: number of grains,
+/// Named set of simulation settings, which exchange accuracy for computing time: number of grains,
 /// stiffness, lowest inertial number, and strain over which the runs of a study are averaged.
 struct Fidelity {
-    std::string name;
+    std::string name;             ///< "quick", "standard" or "paper"
     int grains = 0;               ///< number of grains in a run
-    double stiffness_number = 0;  ///< stiffness number kappa of the contacts [1]
-    /// Lowest simulated inertial number I [1]. Predictions at lower I are extrapolated from runs at
-    /// this I and above.
+    double stiffness_number = 0;  ///< stiffness number of the contacts [1]
+    /// Lowest inertial number that is simulated [1]. Predictions at lower inertial numbers are
+    /// extrapolated.
     double lowest_inertial_number = 0;
     double strain = 0;  ///< strain over which one run averages [1]
 };
 
-/// Returns the set of simulation settings with this name: quick, standard or paper.
-/// @throws InputError for any other name, naming the three fidelities
+/// Returns the set of simulation settings with the name "quick", "standard" or "paper".
+/// @throws InputError for any other name; the message lists the three names
 Fidelity fidelity_named(std::string_view name);
 
-/// All sets of simulation settings (quick, standard, paper), in order of increasing computing time.
+/// All sets of simulation settings, "quick", "standard" and "paper", in the order of increasing
+/// computing time.
 const std::vector<Fidelity>& fidelities();
 
 }  // namespace pendular

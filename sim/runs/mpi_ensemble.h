@@ -6,12 +6,12 @@
 
 namespace pendular {
 
-/// MPI processes of this program. The constructor initialises MPI and the destructor finalises it.
-/// Rank 0 distributes runs to the other ranks, which carry them out.
+/// MPI processes of this program, of which rank 0 distributes simulations to the other ranks. The
+/// constructor initialises MPI, and the destructor finalises it.
 class MpiProcesses {
   public:
-    /// Whether mpirun, mpiexec or srun started this process with MPI. Reads environment variables
-    /// only, so that MPI need not be initialised to find out.
+    /// Whether mpirun, mpiexec or srun started this process with MPI. The function reads only
+    /// environment variables, so that MPI need not be initialised.
     static bool there();
 
     MpiProcesses();
@@ -24,21 +24,22 @@ class MpiProcesses {
     /// Number of MPI ranks that carry out runs: all except rank 0.
     int workers() const { return size_ - 1; }
 
-    /// On rank 0: distributes the runs to the other ranks, the longest first, one at a time to each
-    /// rank, and adds each result to the store (SQLite file of runs) when it arrives. Only `stop`,
-    /// `report` and `store` of `workers` are used; `store` must be set. Only rank 0 accesses the
-    /// store, so that the machines need no shared disk.
-    /// @throws dem::Interrupted on a stop request, std::runtime_error where another rank runs
-    ///         another version of the program, and whatever the store throws; the caller must then
-    ///         end the other ranks with `abort`
+    /// Distributes simulations to the other ranks, the longest first, one at a time to each rank,
+    /// and adds each result to the store (SQLite file of runs) when it arrives. Called on rank 0,
+    /// which alone accesses the store, so that the machines need no shared disk. After an error,
+    /// the caller must end the other ranks with `abort`.
+    /// @param workers `stop`, `report` and `store` are used; `store` must be set
+    /// @throws dem::Interrupted if a stop is requested
+    /// @throws std::runtime_error if another rank runs another version of the program
+    /// @throws InputError, std::runtime_error if the store cannot be read or written
     void manage(const std::vector<dem::RunParameters>& runs, const Workers& workers) const;
 
-    /// On ranks other than 0: carries out the runs that rank 0 sends and sends back each result,
-    /// until rank 0 says that there are no more runs.
-    /// @throws dem::Interrupted when a stop is requested
+    /// Carries out the simulations that rank 0 sends and returns each result to rank 0, until rank
+    /// 0 reports that there are no more. Called on all ranks other than 0.
+    /// @throws dem::Interrupted if a stop is requested
     void work(const std::stop_token& stop) const;
 
-    /// Aborts all MPI processes of the ensemble, including this one, by MPI_Abort; does not return.
+    /// Ends all MPI processes of this program, including this one, with an exit code (MPI_Abort).
     [[noreturn]] void abort(int exit_code) const;
 
   private:

@@ -11,37 +11,43 @@
 
 namespace pendular {
 
-/// Returns the effects on grains in the form that the solver calls, from their names and their
-/// values in the units of the run. Effects at their neutral values are omitted. `wet`: whether the
-/// run has liquid bridges.
+/// Returns effects on grains in the form that the solver uses. Effects at their neutral values are
+/// left out.
+/// @param effects names of the effects, with parameter values in reduced units (grain diameter,
+///         grain mass and imposed normal stress are 1)
+/// @param wet whether the run has liquid bridges
 /// @throws std::invalid_argument for an effect that is unknown or does not act on grains, a value
-///         outside of its bounds, and an effect on bridges in a dry run
+///         out of its bounds, and an effect on bridges in a dry run
 dem::GrainEffects grain_effects(const std::vector<EffectValues>& effects, bool wet);
 
-/// Returns the effects on grains of a run, with their parameter values in reduced units, as text:
+/// Returns effects on grains with their parameter values in reduced units as text:
 ///     rolling-resistance.coefficient=0.1 willett-bridges.on=1
 std::string effects_text(const std::vector<EffectValues>& effects);
-/// Returns the effects on grains and their parameter values, sorted by effect name, that a text in
-/// the form of `effects_text` describes: the inverse of `effects_text`.
+/// Returns the effects on grains and parameter values that a text describes, sorted by name of the
+/// effect; the inverse of `effects_text`.
 /// @throws std::invalid_argument for a text of another form or with an unknown name
 std::vector<EffectValues> effects_from(const std::string& text);
 
-/// Checks, before any work, that a run with its effects on grains can be simulated.
-/// @throws std::invalid_argument for a parameter that is out of range, naming it, and for effects
-///         that `grain_effects` does not accept
+/// Checks, before any computation, that a run with its effects on grains can be simulated.
+/// @throws std::invalid_argument for a parameter out of range, which the message names, and for an
+///         effect that is unknown, does not act on grains, or acts on bridges in a dry run
 void check_run(const dem::RunParameters& run);
 
-/// Returns a text that identifies a simulation run: lines "name = value" for its parameters, with
+/// Returns a text that identifies a simulation: its parameters as lines "name = value", with
 /// numbers in their shortest exact form. The number of threads is included, since it changes the
 /// rounding of the results.
 std::string run_description(const dem::RunParameters& run, int threads = 1);
 
-/// Returns the 64-bit FNV-1a hash of a text. The hash of `run_description` identifies a run.
+/// Returns the 64-bit FNV-1a hash of a text. The hash of a run's `run_description` identifies the
+/// run.
 std::uint64_t fingerprint(std::string_view text);
 
-/// Simulates a run with the effects on grains that `run.effects` names, and returns its time
-/// averages. `options.description` is overwritten with the run's `run_description`.
-/// @throws whatever `grain_effects` and dem::run throw
+/// Carries out a simulation with the effects on grains in `run.effects`, and returns its time
+/// averages. `options.description` is replaced by the run's `run_description`.
+/// @throws std::invalid_argument for a run or effect that cannot be simulated
+/// @throws dem::SimulationError if the simulation fails
+/// @throws dem::Interrupted if a stop is requested
+/// @throws InputError if the checkpoint belongs to another run or version, or is corrupt
 dem::RunResult simulate(const dem::RunParameters& run, dem::RunOptions options = {});
 
 }  // namespace pendular

@@ -13,126 +13,137 @@
 
 namespace pendular {
 
-/// Column of a block, as the file calls it.
+/// Column of an interval, with the name and unit in the file and the quantity it is read as.
 struct BlockColumn {
-    std::string name;               ///< "Contrainte de Cisaillement"
-    std::string unit;               ///< "Pa"; empty if the file states none
-    std::string quantity;           ///< name of the quantity that it is read as; empty: not used
-    std::string set_point_of = {};  ///< name of the quantity whose set points it holds; empty: none
+    std::string name;      ///< name in the file, such as "Contrainte de Cisaillement"
+    std::string unit;      ///< unit in the file, such as "Pa"; empty if the file states none
+    std::string quantity;  ///< name of the quantity it is read as; empty: not used
+    std::string set_point_of = {};  ///< quantity whose set points the column has; empty: none
 };
 
-/// Key and value before the rows of a file, such as "Stress constant" and "79577.5 Pa/N.m".
+/// Key and value in the header of a file, such as "Stress constant" and "79577.5 Pa/N.m".
 struct Fact {
     std::string key, value;
     int line = 0;  ///< line of the file, from 1
 };
 
-/// Stretch of a file under one header, such as an interval of a rheometer's test.
+/// Rows of a file under one header, such as an interval of a rheometer's test.
 struct Block {
-    std::string test;  ///< test or result that the block belongs to; empty if the file names none
-    std::string name;  ///< "Peak hold - 1"; empty if the file names none
+    /// Name of the test to which the interval belongs; empty if the file names none.
+    std::string test;
+    std::string name;  ///< name of the interval, "Peak hold - 1"; empty if the file names none
     int number = 0;    ///< number of the interval in its test, from 1; 0: the file gives none
-    std::string stated_role = {};  ///< role that the file gives the interval; empty if it does not
-    /// Bulk density of the sample, with liquid [kg/m^3], if the file states it.
+    /// Role of the interval in the test, such as "failure", if the file states it; else empty.
+    std::string stated_role = {};
+    /// Bulk density of the sample, with its liquid [kg/m^3]; empty if the file does not state it.
     std::optional<double> bulk_density = {};
-    /// Number of rows that the file declares for the block, if it does.
+    /// Number of rows that the file declares for the interval; empty if it declares none.
     std::optional<std::size_t> declared_rows;
     std::vector<BlockColumn> columns;
-    /// The rows. Header cells read `quantity [unit]`, or the file's text for columns that are not
-    /// used; numbers have a decimal point.
+    /// Rows of the interval. Header cells of used columns read `quantity [unit]`; header cells of
+    /// other columns keep the text of the file, with the number of the column. Numbers have a
+    /// decimal point.
     Table table;
 };
 
-/// Rows of a file that hold no measured values, with the reason why they were left out.
+/// Rows of a file that were left out while the file was read, with the reason.
 struct SkippedRows {
     int first_line = 0, last_line = 0;
     std::string reason;
-    bool points = true;  ///< whether the rows are among the points that the interval declares
+    bool points = true;  ///< whether the rows count as points that the interval declares
 };
 
-/// Numbers by which the content of a file is limited, so that a small file cannot ask for much
-/// memory.
+/// Numbers of intervals and cells read from a file, which are limited so that a small file cannot
+/// use much memory.
 struct FileCounts {
     std::size_t intervals = 0;
-    std::size_t header_cells = 0;  ///< intervals times columns
-    std::size_t cells = 0;         ///< rows times columns
+    std::size_t header_cells = 0;  ///< number of intervals times number of columns
+    std::size_t cells = 0;         ///< number of rows times number of columns
 };
 
-/// Largest number of intervals of a file, and of intervals times columns.
+/// Largest number of intervals in a file, and of intervals times columns.
 constexpr std::size_t most_intervals = 10'000, most_header_cells = 1'000'000;
 
-/// Content of a file of measurements, whatever its layout.
+/// Content of a file of measurements, independent of the layout of the file.
 struct BlockFile {
     std::string file;      ///< path
-    std::string layout;    ///< name of the layout
+    std::string layout;    ///< name of the file's layout, one of `layout_names`
     std::string encoding;  ///< name of the character encoding
     char delimiter = ',';
     NumberStyle numbers;
-    std::vector<Fact> facts;  ///< each key once
-    std::vector<Block> blocks;
-    std::vector<SkippedRows> skipped;
-    FileCounts counts;                 ///< what was read so far
+    std::vector<Fact> facts;           ///< keys and values of the header, each key once
+    std::vector<Block> blocks;         ///< intervals, in the order of the file
+    std::vector<SkippedRows> skipped;  ///< rows that were left out, in the order of reading
+    FileCounts counts;                 ///< numbers of intervals and cells read so far
     std::set<std::string> known_keys;  ///< keys of the facts in lower case
 
-    /// Value of the first fact whose key is `key`, upper and lower case being equal; empty if there
-    /// is none.
+    /// Value of a key in the header of the file; empty if the header lacks the key. Upper and lower
+    /// case count as equal.
     std::string fact(std::string_view key) const;
 
-    /// Adds a fact unless its key is known, upper and lower case being equal.
+    /// Adds a key with its value, unless the key is already known. Upper and lower case count as
+    /// equal.
     void add_fact(Fact fact);
 };
 
-/// Lines of a file that a layout reads. The lines refer to a text that the caller keeps.
+/// Lines of a file from which a layout is read. The lines are views of a text that must outlive
+/// them.
 struct SourceLines {
     std::string file;
     std::vector<std::string_view> lines;
 
-    /// Cells of a line, which counts from 0.
-    /// @throws InputError at a quoted cell that does not close
+    /// Splits a line into cells.
+    /// @param line index of the line, from 0
+    /// @throws InputError at a quoted cell that is not closed
     Row row(std::size_t line, char delimiter) const;
 };
 
 /// Whether all cells of a row are empty.
 bool is_blank(const Row& row);
 
-/// Most consistent delimiter of a range of lines: tab, semicolon or comma, the one that splits most
-/// lines into as many cells as the line before; the earlier in this list if several do.
+/// Returns the delimiter (tab, semicolon or comma) that splits the lines from `begin` to `end` - 1
+/// most consistently: most lines have as many cells as the line before. At most 1000 lines are
+/// examined; if two delimiters are equal, the earlier one in this list is returned.
 char consistent_delimiter(const SourceLines& source, std::size_t begin, std::size_t end);
 
-/// Whole number from 1 to a billion that a cell states, such as the number of an interval; 0 for
-/// any other text.
+/// Returns the whole number from 1 to a billion that a cell states, such as the number of an
+/// interval, or 0 if the cell has any other text.
 int count_of(const std::string& cell);
 
-/// Text of a unit cell without brackets: "mN·m" of "[mN·m]" or "(mN·m)".
+/// Returns the unit in a cell without brackets: "mN·m" for "[mN·m]" or "(mN·m)".
 std::string bare_unit(std::string_view cell);
 
-/// Sets columns and header of a block from the names and units of its columns. Of several columns
-/// with one quantity, that with the most specific name is used ("Time" rather than "Run time"), or
-/// else the first.
-/// @param header row whose cells have the positions of the columns
-/// @param file file that the block belongs to, which counts it
-/// @param details further words on each column, such as "Constant component"; may be shorter
-/// @throws InputError for more than 1000 columns, `most_intervals` or `most_header_cells`, and for
-/// a
-///         unit that is none
+/// Sets the columns and the header of an interval from the names and units in the file. If several
+/// columns have one quantity, the column with the most specific name is used ("Time" rather than
+/// "Run time"), or else the first one.
+/// @param file file to which the interval belongs; its number of intervals is increased
+/// @param header row whose cells have the positions of the columns in the file
+/// @param details further words on each column, such as "Constant component"; may be shorter than
+///         the list of columns
+/// @throws InputError for more than 1000 columns, `most_intervals` intervals or `most_header_cells`
+///         header cells, and for an unknown unit of a known quantity
 void set_columns(BlockFile& file, Block& block, Row header, const std::vector<std::string>& names,
                  const std::vector<std::string>& units,
                  const std::vector<std::string>& details = {});
 
-/// Adds a row to a block. A row that ends before a column that is read, and that the row before
-/// has, is left out. Other cells that are missing at its end are empty; "---" and "***" are empty.
-/// @param file file that the block belongs to, which counts the row
-/// @throws InputError if the row has more cells than the block has columns, and they are not empty;
-///         if the file has more than `most_cells`
+/// Adds a row to an interval. A row that ends before a used column in which the row before has a
+/// value counts as cut off, and is listed in `file.skipped`. Other missing cells at its end, and
+/// cells such as "---" and "***", become empty.
+/// @param file file to which the interval belongs; its number of cells is increased
+/// @throws InputError if the row has more cells than the interval has columns, and they are not
+///         empty, or if the file has more than `most_cells` cells
 void add_row(BlockFile& file, Block& block, Row row);
 
-/// Lists a line of a file as left out, in one range with the lines before it if the reason is
-/// equal.
+/// Lists a line of a file as left out, in `file.skipped`. If the line before was left out for the
+/// same reason, its range is extended.
+/// @param reason reason for the user
+/// @param points whether the line counts as a point that the interval declares
 void skip_line(BlockFile& file, int line, const char* reason, bool points = true);
 
-/// Counts an interval of a file.
-/// @param line line at which the interval begins
-/// @throws InputError for more than `most_intervals` or `most_header_cells`
+/// Increases the number of intervals of a file by one and checks the limits.
+/// @param line line number at which the interval begins
+/// @param columns number of columns of the interval
+/// @throws InputError for more than `most_intervals` intervals or `most_header_cells` header cells
 void count_interval(BlockFile& file, int line, std::size_t columns);
 
 }  // namespace pendular

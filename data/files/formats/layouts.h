@@ -9,28 +9,30 @@
 
 namespace pendular {
 
-/// Arrangement of rows, headers and units in the files of an instrument or program.
+/// Layout of the files of one instrument or program: arrangement of rows, headers and units.
 struct Layout {
-    std::string name;     ///< name that study.toml states: "rheocompass"
+    std::string name;     ///< name in study.toml, such as "rheocompass"
     std::string meaning;  ///< description in a few words
+    /// Whether the lines of a file have this layout.
     bool (*recognise)(const SourceLines&);
-    /// Reads delimiter, facts and blocks into `file`.
-    /// @throws InputError at file:line:column for what the layout does not allow
+    /// Reads the delimiter, the header and the intervals of a file with this layout into `file`.
+    /// @throws InputError at file:line:column for text that the layout does not allow
     void (*read)(const SourceLines&, const FileFormat&, BlockFile& file);
 };
 
-/// All layouts, in the order in which `read_blocks` tries to recognise them.
+/// All known layouts, in the order in which `read_blocks` tries to recognise them.
 const std::vector<Layout>& layouts();
 
-/// Names of all layouts, for the key `layout` of study.toml.
+/// Names of all known layouts, which are the values of the key `layout` in study.toml.
 std::vector<std::string> layout_names();
 
-/// Names of the roles that an interval of a test may have.
+/// Names of the roles that an interval may have in a test: "steady", "failure" and so on.
 const std::vector<std::string>& interval_roles();
 
 /// Reads a file of measurements in any known layout. Layout, encoding, delimiter and decimal mark
-/// are recognised by the content unless `format` states them.
-/// @throws InputError if the file cannot be read, has no rows or no units, or as the layout throws
+/// are determined from the content unless `format` states them.
+/// @throws InputError if the file cannot be read, has no rows or no units, or has text that its
+///         layout does not allow
 BlockFile read_blocks(const std::filesystem::path& path, const FileFormat& format = {});
 
 // The layouts, one file each.

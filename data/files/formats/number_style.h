@@ -7,30 +7,31 @@
 
 namespace pendular {
 
-/// Way in which a file writes numbers.
+/// Style in which a file writes numbers.
 struct NumberStyle {
     char decimal = '.';  ///< decimal mark, '.' or ','
-    /// Whether numbers have to be rewritten before `parse_number` reads them: for a decimal comma
-    /// and for thousands separators.
+    /// Whether numbers must be rewritten before `parse_number` can read them, because they have a
+    /// decimal comma or thousands separators.
     bool rewrite = false;
 };
 
-/// Finds the decimal mark that all numbers of a file have in common, from cells in which only one
-/// reading is possible: "1,25" and "0,125" have a decimal comma, "1,234,567" and "9,945.692" a
-/// thousands separator.
+/// Determines the decimal mark that all numbers of a file have in common. Only unambiguous cells
+/// count: "1,25" and "0,125" have a decimal comma, "1,234,567" and "9,945.692" thousands
+/// separators.
 class NumberStyleFinder {
   public:
-    /// Takes note of the cells of a table.
+    /// Examines the numbers in the cells of a table, to determine their decimal mark.
     void look_at(const Table& table);
 
-    /// Style of the numbers in the tables seen so far.
-    /// @param decimal decimal mark that the user states; empty: to be found
-    /// @throws InputError at the first cell in doubt, with both readings, if the cells leave the
-    ///         mark open ("2,800" alone) or contradict one another
+    /// Returns the style of the numbers in all tables examined so far.
+    /// @param decimal decimal mark that the user states; empty: to be determined
+    /// @throws InputError at the first ambiguous cell, with both interpretations, if the mark
+    ///         remains unknown ("2,800" alone); at a cell that contradicts other cells or the
+    ///         stated mark
     NumberStyle style(const std::string& decimal) const;
 
   private:
-    /// First cell that shows a way of writing numbers.
+    /// Cell that is an example of a style of numbers: the first one in the file.
     struct Example {
         std::string text;
         Position at;
@@ -42,10 +43,12 @@ class NumberStyleFinder {
     Example open_;           ///< cells such as "2,800", in which ',' may be either
 };
 
-/// Text of a number with a decimal point and without thousands separators; other texts unchanged.
+/// Returns a number as text with a decimal point and without thousands separators. Texts that are
+/// no number in this style are returned unchanged.
 std::string rewritten(const std::string& text, const NumberStyle& style);
 
-/// Rewrites all numbers in the cells of a table (`rewritten`).
+/// Rewrites all numbers in the cells of a table with a decimal point and without thousands
+/// separators.
 void rewrite_numbers(Table& table, const NumberStyle& style);
 
 }  // namespace pendular

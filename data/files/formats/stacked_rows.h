@@ -8,8 +8,8 @@
 
 namespace pendular {
 
-/// Index, from 0, of the first line from `from` on that has more than blanks and delimiters; the
-/// number of lines if there is none.
+/// Index, from 0, of the first line that has more than blanks and delimiters, beginning at line
+/// `from`; the number of lines if there is none.
 std::size_t first_filled_line(const SourceLines& source, std::size_t from);
 
 /// Names and units of the columns of a table.
@@ -17,23 +17,26 @@ struct NamesAndUnits {
     std::vector<std::string> names, units;
 };
 
-/// Names and units of the columns that the user states (`FileFormat::columns`).
+/// Returns the names and units of the columns in the user's settings (`FileFormat::columns`).
 NamesAndUnits stated_columns(const FileFormat& format);
 
-/// Reads intervals that are stacked in one table. A row of two whole numbers states number and
-/// points of the interval that follows; a point counter in the first column that restarts begins an
-/// interval too.
-/// @param begin line, from 0, of the first row
+/// Reads intervals that follow each other in one table, and adds them to `file.blocks`. An interval
+/// begins after a row of two whole numbers, its number and its number of points, or where a counter
+/// of points in the first column restarts.
+/// @param begin index of the line of the first row, from 0
+/// @param header row whose cells have the positions of the columns
 void read_stacked_rows(const SourceLines& source, std::size_t begin, const Row& header,
                        const NamesAndUnits& columns, BlockFile& file);
 
-/// Whether all cells of a row are numbers.
+/// Whether all cells of a row are numbers, with decimal point or decimal comma.
 bool all_numbers(const Row& row);
 
-/// First line of a file as a row; sets the delimiter of the file. Empty for a blank file.
+/// Returns the first line of a file without header as a row, and sets `delimiter` to the delimiter
+/// of the file. The row has no cells if the file is blank.
 Row headerless_first_row(const SourceLines& source, char& delimiter);
 
-/// Header of the columns that the user states, at a line.
+/// Returns the header cells in the user's settings (`FileFormat::columns`) as a row.
+/// @param line line number that the row gets
 Row stated_header(const FileFormat& format, int line);
 
 }  // namespace pendular

@@ -7,24 +7,26 @@
 
 namespace pendular {
 
-/// Result of a check of a file: what is wrong with some of its lines, and what was done about it.
+/// Fault that a check found in a file of measurements, with what was done about it.
 struct FileFinding {
     std::string file = {};                        ///< path of the file
-    std::vector<std::pair<int, int>> lines = {};  ///< first and last line of each range of lines
-    std::string kind = {};  ///< "torque-stress", "declared-rows", "time" and so on
-    std::string what = {};  ///< sentence on what is wrong
-    std::string done = {};  ///< sentence on what the program does about it
+    std::vector<std::pair<int, int>> lines = {};  ///< ranges of lines: (first, last), from 1
+    std::string kind = {};  ///< name of the check: "torque-stress", "declared-rows", "time" ...
+    std::string what = {};  ///< sentence that says what is wrong
+    std::string done = {};  ///< sentence that says what the program does about the fault
 };
 
-/// Adds a line to ranges of lines in rising order.
+/// Adds a line number to a list of ranges (first line, last line). A line that directly follows the
+/// last range extends it; lines must be added in ascending order.
 void add_line(std::vector<std::pair<int, int>>& lines, int line);
 
-/// Ranges of lines as a text: "12-15, 20". At most `most` ranges are named; the number of the
-/// others follows.
+/// Returns ranges of lines as text, such as "12-15, 20".
+/// @param most largest number of ranges in the text, which ends with the number of the others
 std::string text_of_lines(const std::vector<std::pair<int, int>>& lines, std::size_t most = 8);
 
-/// A finding as a text: its lines, what is wrong, and what is done about it, as in "Lines 12-15,
-/// 20: the time goes back. The rows are left out.". At most `most` ranges of lines are named.
+/// Returns a finding as text: its lines, what is wrong, and what is done about it, such as "Lines
+/// 12-15, 20: the time goes back. The rows are left out."
+/// @param most largest number of ranges of lines in the text
 std::string text_of(const FileFinding& finding, std::size_t most = 8);
 
 }  // namespace pendular

@@ -11,18 +11,21 @@
 
 namespace pendular {
 
-/// Tests of all recordings of a study for what their rows show besides the steady means. The tests
-/// are collected first, since the number of tests decides which of them are significant.
+/// Searches the rows of all recordings of a study for faults that the steady means do not show,
+/// such as a wobble. All tests are collected before the findings are requested, since the number of
+/// tests determines which of them are significant.
 class InsideRecordings {
   public:
-    /// Adds the tests of one recording's steps for wobble, stick-slip, drift and run-in. Steps of
-    /// less than `least_strain` [1] in the cell are left out: such as consolidation and shear to
-    /// failure, they are meant to change.
+    /// Tests the steps of one recording for wobble, stick-slip, drift and run-in. Steps with a
+    /// smaller strain than `least_strain` [1] are left out, since steps such as consolidation and
+    /// shear to failure are meant to change.
+    /// @param file path of the recording
     void look_at(const std::string& file, std::vector<RecordedStep> steps, const AnnularCell& cell,
                  double least_strain);
-    /// Findings that are significant among all tests (`significant_findings`), by kind.
+    /// Returns the findings that are significant among all tests (`significant_findings`), grouped
+    /// by kind.
     /// @param from_recordings readings of the study that were made from recordings
-    /// @param cell cell of the study, to convert shear stresses to torques
+    /// @param cell cell of the study, with which shear stresses are converted to torques
     std::vector<RecordingFinding> findings(const std::vector<Reading>& from_recordings,
                                            const AnnularCell& cell) const;
 

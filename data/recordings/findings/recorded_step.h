@@ -10,7 +10,7 @@
 
 namespace pendular {
 
-/// One step of a recording with its spikes taken out and its transient found.
+/// One step of a recording, without spikes, with the end of its transient.
 struct RecordedStep {
     Step rows;                          ///< rows of the step in its recording
     int number = 0;                     ///< number of the step in its file, from 1
@@ -18,22 +18,23 @@ struct RecordedStep {
     std::vector<std::size_t> spikes;    ///< indices of the samples that were spikes
     bool lid_turns = false;             ///< whether the lid turns
     std::optional<std::size_t> steady;  ///< index of the first sample after the transient, if any
-    std::string why_unsteady = {};      ///< reason why no part is steady; empty: a part is
-    /// Periodic parts of the columns in the `level_part`; empty if it is too short for them.
+    /// Reason why no part of the step is steady; empty if a part is steady.
+    std::string why_unsteady = {};
+    /// Periodic parts of the columns after the transient; empty if this part is too short.
     std::vector<PeriodicColumn> periodic = {};
-    /// Number of samples at the beginning of the steady part to leave out of means, so that a
-    /// wobble does not bias them (`whole_turns_begin`).
+    /// Number of samples at the beginning of the steady part that are not averaged, so that the
+    /// average covers whole turns of the lid and a wobble does not bias it.
     std::size_t beyond_whole_turns = 0;
 };
 
-/// Splits a recording into steps, takes spikes out of them, and finds the transient and the
-/// periodic parts of each step with at least `shortest_step` rows in which the lid turns.
+/// Splits a recording into steps, replaces spikes, and finds the transient and the periodic parts
+/// of each step with at least `shortest_step` rows in which the lid turns.
 /// @throws InputError if the torque has both signs within a step
 std::vector<RecordedStep> recorded_steps(const Recording& recording);
 
-/// Samples of a step in which its columns should be constant: the part after the transient or, if
-/// the step never becomes steady, its second half. Empty if the lid does not turn, or if less than
-/// `shortest_step` samples are left.
+/// Returns the samples of a step in which torque, force and gap should be constant: the samples
+/// after the transient or, if the step never becomes steady, its second half. Empty if the lid does
+/// not turn, or if less than `shortest_step` samples are left.
 std::optional<StepSeries> level_part(const RecordedStep& step);
 
 }  // namespace pendular

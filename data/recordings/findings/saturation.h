@@ -10,40 +10,45 @@
 
 namespace pendular {
 
-/// Rows of one column of a recording that stand at the largest value that the instrument gives.
+/// Rows of a recording in which torque or normal force is limited by the largest value that the
+/// instrument records.
 struct Saturation {
     std::string quantity;  ///< "torque" or "normal_force"
-    double limit = 0;      ///< largest value, as magnitude [N m or N]
-    std::set<int> lines;   ///< lines of the saturated rows in the file
-    double p = 1;          ///< probability that an unsaturated recording has such rows [1]
+    double limit = 0;      ///< largest magnitude that the instrument records [N m or N]
+    std::set<int> lines;   ///< line numbers in the file of the saturated rows
+    double p = 1;          ///< probability that a recording without saturation has such rows [1]
 };
 
-/// Finds columns of a recording that are cut off at their largest value (torque by magnitude,
-/// normal force). Rows count as saturated if they are within half the resolution or within 2e-4 of
+/// Finds the columns of a recording, torque (by magnitude) or normal force, that are cut off at
+/// their largest value. Rows are saturated if they are within half the resolution or within 2e-4 of
 /// the largest value. A column is saturated in any of these cases, the first two at p < 1e-4:
 /// - More separate runs of rows reach the largest value than reach values just below it. Ordinary
-///   noise has fewer, since values become rarer towards the largest one; the p value is binomial.
+/// noise has fewer, since values become rarer towards the largest one; the p value is binomial.
 /// - The torque stays at the largest value from row to row, while other rows of the recording
-///   differ from their neighbours.
+/// differ from their neighbours.
 /// - The torques of at least three steps with the largest forces agree within 0.5 %, while the
-///   force increases by at least 20 % from each to the next.
-/// Smooth peaks are no saturation: rows beside a saturated run must lie clearly lower.
+/// force increases by at least 20 % from each to the next. Smooth peaks do not count: rows beside a
+/// saturated run must be clearly lower.
 std::vector<Saturation> saturations(const Recording& recording,
                                     const std::vector<RecordedStep>& steps);
 
-/// Removes saturated samples from the spikes of steps, so that they are not reported as spikes, and
-/// lists them in `result.excluded`: their values were replaced.
+/// Removes saturated samples from `RecordedStep::spikes`, so that they are not reported as spikes,
+/// and lists them in `result.excluded`, since their values were replaced.
+/// @param saturated saturated columns of the recording
+/// @param file path of the recording
 void separate_from_spikes(const std::vector<Saturation>& saturated, const std::string& file,
                           std::vector<RecordedStep>& steps, Measurements& result);
 
-/// Adds one finding for each step with at least three saturated rows, and moves readings of which
-/// more than 1 in 100 rows are saturated to `part.excluded`, unless `choice` keeps implausible
-/// readings.
+/// Adds a finding to `part.findings` for each step with at least three saturated rows. Readings of
+/// which more than 1 in 100 rows are saturated are moved to `part.excluded`, unless
+/// `choice.keep_implausible` is set.
+/// @param saturated saturated columns of the recording
 void set_aside_saturated(const std::vector<Saturation>& saturated, const Recording& recording,
                          const std::vector<RecordedStep>& steps, const ImportSettings& choice,
                          Measurements& part);
 
-/// Adds a doubt (reason not to believe values) for each column that is saturated in a study.
+/// Adds a message to `measurements.doubts` for each column that is saturated in recordings of a
+/// study.
 void doubt_saturated(Measurements& measurements, const ImportSettings& choice);
 
 }  // namespace pendular

@@ -9,24 +9,30 @@
 
 namespace pendular {
 
-/// Sudden drops in a series that rises slowly in between.
+/// Sudden drops of a series that rises slowly between them, as the torque does in stick-slip.
 struct Slips {
     double drop = 0;     ///< median size of a drop, in the unit of the series
     double samples = 0;  ///< mean number of samples from one drop to the next
-    /// Probability that a series whose noise looks alike forwards and backwards in time has as many
-    /// more sudden drops than sudden rises [1].
+    /// p value [1]: probability that noise with equally frequent sudden rises and drops has such an
+    /// excess of drops.
     double p = 1;
 };
 
-/// Sudden drops of a series. A sudden change is a run of increments of one sign that exceed three
-/// times the robust deviation of all increments from their median, and 2.5 times the resolution.
-/// Noise of any correlation has as many sudden rises as drops; the p value is that of the binomial
-/// law with probability 1/2. The series is examined row by row and as means of 2, 4 and 8 rows, and
-/// p is multiplied by the number of these tests. Empty for less than 40 samples.
+/// Finds sudden drops of a series and tests whether they are more frequent than sudden rises. Empty
+/// for less than 40 samples.
+///
+/// A sudden change is a run of increments of one sign that differ from the median increment by more
+/// than three times the robust deviation of all increments and by more than 2.5 times the
+/// resolution. In noise of any correlation, rises and drops are equally frequent; the p value is
+/// that of the binomial distribution with probability 1/2. The series is examined row by row and as
+/// means of 2, 4 and 8 rows, and p is multiplied by the number of these tests.
 /// @param resolution resolution of the series, in its unit
 std::optional<Slips> slips(std::span<const double> samples, double resolution);
 
-/// Tests for stick-slip of the torque in the steady part of each step, one entry for each test.
+/// Tests the torque in each step for stick-slip. The part of the step after the transient is tested
+/// or, if the step never becomes steady, its second half. Returns one entry for each test with its
+/// p value, significant or not.
+/// @param file path of the recording
 std::vector<RecordingFinding> stick_slip_tests(const std::string& file,
                                                const std::vector<RecordedStep>& steps);
 

@@ -8,8 +8,11 @@
 
 namespace pendular {
 
-/// Tests for a wobble (periodic part of torque, normal force or gap at one or two periods per turn)
-/// in the steady part of each step, one entry for each test.
+/// Tests torque, normal force and gap in each step for a wobble, a periodic variation with one or
+/// two periods per turn of the lid. The part of the step after the transient is tested or, if the
+/// step never becomes steady, its second half. Returns one entry for each test with its p value,
+/// significant or not.
+/// @param file path of the recording
 std::vector<RecordingFinding> wobble_tests(const std::string& file,
                                            const std::vector<RecordedStep>& steps);
 

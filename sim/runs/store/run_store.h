@@ -15,28 +15,29 @@
 
 namespace pendular {
 
-/// A simulation run as read from a store (SQLite file of runs) or from a CSV file of runs.
+/// Simulation run that was read from a store (SQLite file of runs) or from a CSV file of runs.
 struct StoredRun {
-    std::int64_t id = 0;      ///< number of the run in the store; 0: from no store
-    int physics_version = 0;  ///< version of the solver that gave the run
-    dem::RunResult run;       ///< has trace and final state only from `get` and `nearest`
+    std::int64_t id = 0;      ///< number of the run in the store; 0: it is in no store
+    int physics_version = 0;  ///< version of the solver that made the run
+    /// Averages of the run; its trace and final state are present only from `get` and `nearest`.
+    dem::RunResult run;
 };
 
-/// The store: the user's SQLite file of all runs that were carried out. The key of a run contains
-/// everything that determines the run (`run_description` and the physics version), and no run is
-/// stored twice. Several processes and threads may read and write at once. Each run is added in one
-/// transaction, so that a process that is killed loses only the run that it was carrying out.
-///
-/// The table `runs` has a column for each of `run_columns()`, so that any SQLite tool can query it.
+/// The user's store: an SQLite file of all simulation runs that were carried out. A run is
+/// identified by everything that determines it (`run_description` and the version of the solver);
+/// no run is stored twice. Several processes and threads may read and write at once. Each run is
+/// added in one transaction, so that a process that is killed loses only its current run. The table
+/// `runs` has a column for each of `run_columns()`, so that any SQLite tool can query it.
 ///
 /// All functions throw InputError for a file that is not a store, is corrupt or was written by a
 /// newer version, and std::runtime_error, naming the file and the reason, for a file that cannot be
 /// written.
 class RunStore {
   public:
-    /// Opens the SQLite file of runs, and creates the file and its folder if missing.
-    /// Where `must_exist` is true, a file that cannot be written is opened for reading only.
-    /// @throws InputError where the file is missing and `must_exist` is true
+    /// Opens a store, and creates its file and folder if they are missing.
+    /// @param must_exist true: a missing file is an error, and a file that cannot be written is
+    ///         opened for reading only
+    /// @throws InputError if the file is missing and `must_exist` is true
     explicit RunStore(const std::filesystem::path& file, bool must_exist = false);
     ~RunStore();
     RunStore(const RunStore&) = delete;
@@ -44,55 +45,61 @@ class RunStore {
 
     const std::filesystem::path& file() const { return file_; }
 
-    /// Returns the stored run with these parameters, number of threads and the current physics
-    /// version, without trace and final state; empty where there is none.
+    /// Returns the stored run with these parameters, this number of threads and the present version
+    /// of the solver, without trace and final state; empty if there is none.
     std::optional<dem::RunResult> find(const dem::RunParameters& parameters, int threads = 1) const;
-    /// Adds a run with its trace and final state. Returns false, and changes nothing, if the store
-    /// already has a run of equal parameters, number of threads and physics version.
+    /// Adds a run with its trace and final state.
+    /// @return false, and nothing is changed, if the store already has a run with equal parameters,
+    ///         number of threads and version of the solver
     bool add(const dem::RunResult& run, int physics_version = dem::physics_version);
 
-    /// Returns the stored run, with its final state, whose parameters are nearest to `parameters`,
-    /// among runs that did not fail, are steady, not crystallised, of equal number of grains, and
-    /// dry or wet as `parameters` is; empty where there is none. The squared distance, with d the
-    /// difference of the two runs and the last two terms for wet runs only, is
-    ///     (d friction/0.1)^2 + (d ln I)^2 + (d ln kappa)^2 + (d ln P*)^2 + (d ln V0)^2.
+    /// Returns the stored run with the parameters nearest to `parameters`, with its final state;
+    /// empty if there is none. Only runs that succeeded, are steady and not crystallised, have the
+    /// same number of grains, and are dry or wet as `parameters` is, are considered. The squared
+    /// distance is
+    ///     (d friction/0.1)^2 + (d ln I)^2 + (d ln kappa)^2 + (d ln P*)^2 + (d ln V0)^2
+    /// with differences d, inertial number I, stiffness number kappa, reduced pressure P* and
+    /// bridge volume V0; the last two terms are for wet runs only.
     std::optional<StoredRun> nearest(const dem::RunParameters& parameters) const;
 
-    /// Number of runs in the store, of all physics versions and failed runs included.
+    /// Number of runs in the store, including failed runs and runs of all versions of the solver.
     std::size_t size() const;
-    /// Returns the stored runs, without trace and final state, that satisfy an SQL condition on the
-    /// columns ("friction = 0.09 AND reduced_pressure IS NULL"), in the order in which they were
-    /// added. An empty condition selects all runs.
+    /// Returns the stored runs that satisfy an SQL condition on the columns, such as "friction =
+    /// 0.09 AND reduced_pressure IS NULL", in the order in which they were added. They have no
+    /// trace and final state. An empty condition selects all runs.
     /// @throws InputError for a condition that SQLite does not understand
     std::vector<StoredRun> select(const std::string& condition = "") const;
-    /// Numbers (StoredRun::id) of the runs that satisfy an SQL condition on the columns (see
-    /// `select`), including corrupt runs, which cannot be read.
+    /// Numbers (`StoredRun::id`) of the runs that satisfy an SQL condition on the columns, such as
+    /// "friction = 0.09". Corrupt runs, which cannot be read, are included.
     /// @throws InputError for a condition that SQLite does not understand
     std::vector<std::int64_t> numbers(const std::string& condition) const;
-    /// Returns the run with this number (StoredRun::id), including trace and final state.
-    /// @throws InputError where the store has no run with this number
+    /// Returns the run with the number `id` (`StoredRun::id`), with its time series (trace) and
+    /// final state.
+    /// @throws InputError if the store has no run with this number
     StoredRun get(std::int64_t id) const;
-    /// Removes the runs with these numbers (StoredRun::id) from the store, ignoring numbers that it
-    /// does not have. Returns the number of removed runs.
+    /// Removes runs from the store, and returns the number of removed runs.
+    /// @param ids numbers of the runs (`StoredRun::id`); numbers that the store does not have are
+    ///         ignored
     std::size_t remove(const std::vector<std::int64_t>& ids);
-    /// Adds the runs of another store that are missing in this store, including traces and final
-    /// states. Returns the number of added runs.
+    /// Adds the runs of another store that this store lacks, with their traces and final states,
+    /// and returns the number of added runs.
     std::size_t merge(const RunStore& other);
 
-    /// Path of the user's store (SQLite file of runs): $PENDULAR_STORE, else
-    /// $XDG_DATA_HOME/pendular/runs.sqlite, else ~/.local/share/pendular/runs.sqlite.
+    /// Path of the user's store (SQLite file of runs): the environment variable PENDULAR_STORE,
+    /// else $XDG_DATA_HOME/pendular/runs.sqlite, else ~/.local/share/pendular/runs.sqlite.
     static std::filesystem::path standard_file();
 
     static constexpr int format = store_format;  ///< version of the store's file format
-    /// Name to pass to the constructor for a store that is kept in memory only, without a file.
+    /// Path to pass to the constructor for a store in memory, without a file.
     static constexpr const char* in_memory = store_in_memory;
 
-    /// Checks that the store's file is the one that was opened.
-    /// @throws std::runtime_error where the file was removed or replaced
+    /// Checks that the file of the store is still the file that was opened.
+    /// @throws std::runtime_error if the file was removed or replaced
     void demand_present() const;
 
   private:
-    /// Calls `take` for each row of "SELECT `columns` FROM runs", with a condition unless empty.
+    /// Calls `take` for each row of "SELECT `columns` FROM runs", restricted by a condition unless
+    /// it is empty.
     void query(const std::string& columns, const std::string& condition,
                const std::function<void(SQLite::Statement&)>& take) const;
 
