@@ -24,8 +24,8 @@ class KnownRange {
     /// Largest distance of a supported state from the convex hull of the runs, in coordinates
     /// scaled by the range of the runs [1].
     static constexpr double margin = 0.01;
-    /// Largest relative standard errors of the predicted stress ratio and solid fraction at a
-    /// supported state [1].
+    /// Largest standard errors of the predicted stress ratio and solid fraction at a supported
+    /// state, relative to the predicted values [1].
     static constexpr double largest_ratio_error = 0.15;
     static constexpr double largest_fraction_error = 0.02;
     /// Range of predicted solid fractions that count as physical in dense flow [1]: from far below
@@ -42,20 +42,20 @@ class KnownRange {
     bool knows_dry() const { return dry_.runs > 0; }
 
     /// Reason why the training runs do not support predictions at a flow state, as in "friction 0.9
-    /// is above 0.6"; empty where they do.
+    /// is above 0.6"; empty where they support them.
     std::string why_unsupported(const FlowState& state) const;
 
-    /// Returns a supported flow state close to an unsupported one: the nearest point of the convex
-    /// hull of the runs or, where the prediction there is too uncertain or unphysical, the first
-    /// supported point on the way from that point to the nearest run.
+    /// Returns a supported flow state close to the unsupported state `state`: the nearest point of
+    /// the convex hull of the runs or, where the prediction there is too uncertain or unphysical,
+    /// the first supported point on the straight way from there to the nearest run.
     /// @throws std::invalid_argument for a wet state where no run without effects is wet, and for a
     ///         dry state where none is dry
     FlowState nearest_supported(const FlowState& state) const;
 
   private:
     using Point = Eigen::Vector4d;
-    /// Points whose convex hull of flow states is supported, in coordinates scaled to 0 to 1 over
-    /// the range of the runs.
+    /// Points whose convex hull is the supported range of flow states, in coordinates scaled to 0
+    /// to 1 over the range of the runs.
     struct Cloud {
         Eigen::Matrix<double, 4, Eigen::Dynamic> corners;  ///< a column for each point
         Eigen::Index runs = 0;  ///< number of runs, which are the first columns
@@ -63,7 +63,8 @@ class KnownRange {
     const Cloud& cloud_for(const FlowState& state) const { return state.dry() ? dry_ : wet_; }
     /// Coordinates of a flow state, scaled to 0 to 1 over the range of the runs.
     Point place(const FlowState& state) const;
-    /// Flow state with these coordinates, which are scaled to 0 to 1 over the range of the runs.
+    /// Flow state with the coordinates `place`, which are scaled to 0 to 1 over the range of the
+    /// runs.
     FlowState state_at(const Point& place) const;
     /// Point of the convex hull of a cloud that is nearest to a place, in scaled coordinates.
     Point nearest_in_hull(const Point& place, const Cloud& cloud) const;

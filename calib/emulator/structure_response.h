@@ -2,7 +2,7 @@
 
 namespace pendular {
 
-/// Quantity of the network of contacts and bridges at a flow state, such as the coordination
+/// Quantity of the network of contacts and liquid bridges at a flow state, such as the coordination
 /// number, with its derivatives.
 struct StructureResponse {
     /// Value of the quantity, in its unit.
