@@ -13,15 +13,15 @@ namespace pendular {
 /// Fitted parameter of one model in a ladder (the sequence of a study's models).
 struct LadderParameter {
     std::string name, unit;
-    double value = 0, standard_error = 0;  ///< [unit]
+    double value = 0, standard_error = 0;  ///< fitted value and its standard error [unit]
 };
 
 /// One step of a ladder (the sequence of a study's models): the model after one effect was added or
 /// dropped, with its fitted parameters and its misfit.
 struct LadderStep {
     int step = 0;                      ///< number of the step, from 0
-    std::string change = "start";      ///< "start", "add" or "drop"
-    std::string effect = {};           ///< effect that was added or dropped; empty at a "start"
+    std::string change = "start";      ///< kind of the step: "start", "add" or "drop"
+    std::string effect = {};           ///< effect that was added or dropped; empty for "start"
     std::vector<std::string> effects;  ///< all effects of the model
     /// Alternatives to the added effect: sets of effects each of which, in its place, explained the
     /// readings equally well when the effect was added. + std::vector<LadderParameter> parameters;

@@ -20,7 +20,7 @@ enum class Verdict {
     /// Several models with different further effects fit, and no effect is in all of them.
     indistinguishable,
     unknown,             ///< the model does not fit, and no known effect explains why
-    suspect_measurement  ///< an error of the measurement would explain the misfit
+    suspect_measurement  ///< an error of a part of the measurement would explain the misfit
 };
 /// Name of a verdict for output, such as "nothing-missing".
 std::string_view to_string(Verdict verdict);

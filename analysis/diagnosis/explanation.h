@@ -46,7 +46,8 @@ struct Evidence {
 /// Refitted model of a diagnosis: the study's model with further effects, or with an error of a
 /// suspect measurement, fitted to the readings, and the result of the tests whether it fits.
 struct Explanation {
-    EffectSet chosen;  ///< effects added to the study's model
+    /// Effects added to the study's model, as indices into ModelSpace::candidates().
+    EffectSet chosen;
     /// Index into Evidence::suspects; empty: without an error of a suspect measurement.
     std::optional<std::size_t> suspect;
     Fit fit;
@@ -68,7 +69,7 @@ struct Finding {
     /// the amplitude [1].
     double value = 0;
     double standard_error = 0;  ///< standard error of `value` [unit of `value`]
-    /// p value of the candidate's score test [1], corrected for the number of tests.
+    /// p value of the score test [1], corrected for the number of tests.
     double p = 1;
     /// Power of the score test [1]: probability that it finds the effect where the parameter
     /// differs from its neutral value (no effect) by the smallest amount that matters.
@@ -76,8 +77,8 @@ struct Finding {
     /// Smallest difference of the parameter from its neutral value (no effect) that the score test
     /// finds with the probability DiagnosisOptions::wanted_power [unit of `value`].
     double detectable = 0;
-    /// Reduction of chi2, from the study's model to the model refitted with this candidate alone;
-    /// empty: not refitted.
+    /// Reduction of chi2 from the study's model to the model refitted with this candidate alone
+    /// [1]; empty: not refitted.
     std::optional<double> refitted_reduction;
     std::string decision;  ///< conclusion on the candidate, as in "missing" or "no sign of it"
     /// Whether the readings can show the effect: the score test would find it at a size within its

@@ -38,8 +38,8 @@ struct Impact {
     double neutral = 0;        ///< size at which the readings are not changed [unit]
     double error = 0;          ///< standard error of the estimated size [unit]; 0: not known
 
-    Shift at_interest;  ///< shift at the smallest size that matters
-    Shift at_estimate;  ///< shift at the estimated size
+    Shift at_interest;  ///< shift of the calibrated parameters at the smallest size that matters
+    Shift at_estimate;  ///< shift of the calibrated parameters at the estimated size
     /// Shifts at the estimated size plus and minus its standard error, within the bounds of the
     /// parameter.
     Shift above, below;

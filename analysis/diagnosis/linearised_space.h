@@ -43,10 +43,13 @@ class LinearisedSpace : public ModelSpace {
 
     std::vector<Parameter> parameters_;  ///< parameters of the bare model
     ParameterBounds bounds_;
-    Eigen::VectorXd at_, value_;  ///< theta_0 and f_0
-    Eigen::MatrixXd slopes_;      ///< J
+    /// Parameters theta_0 and predictions f_0 of the bare model at the point of linearisation.
+    Eigen::VectorXd at_, value_;
+    Eigen::MatrixXd slopes_;  ///< derivatives J of the bare model's predictions by its parameters
     std::vector<Candidate> candidates_;
-    std::vector<Eigen::MatrixXd> changes_;  ///< c_k, a column for each parameter of the candidate
+    /// Change c_k of the predictions at amplitude 1, for each candidate k: a column for each of its
+    /// parameters.
+    std::vector<Eigen::MatrixXd> changes_;
     std::vector<ChangeErrors> change_errors_;
     /// Effect sets of the refitted models without errors of suspect measurements, with predictions
     /// that contain the covariances; the first is the bare model.

@@ -28,9 +28,10 @@ struct ScoreTest {
     /// Estimated amplitude of the effect, for each column of the change g [1].
     Eigen::VectorXd estimate;
     double standard_error = 0;  ///< standard error of the first entry of `estimate` [1]
-    /// Test statistic [1]; chi2 with `basis.cols()` degrees of freedom if nothing is missing.
+    /// Test statistic [1]. If nothing is missing, it has a chi2 distribution with `basis.cols()`
+    /// degrees of freedom.
     double statistic = 0;
-    /// Reduction of chi2 that a refit with the effect is predicted to bring [1].
+    /// Predicted reduction of chi2 [1] when the model is refitted with the effect.
     double predicted_reduction = 0;
     /// v = g' P g for the first column of the whitened change g [1].
     double length = 0;
@@ -42,7 +43,8 @@ struct ScoreTest {
     double share_imitated = 0;
     bool one_sided = false;  ///< whether the amplitude cannot be negative
 
-    /// Whether the readings carry information on the effect's amplitude.
+    /// Whether the readings carry information on the amplitude of the effect: the calibrated
+    /// parameters do not imitate its change completely, and the change exceeds its error.
     bool seen() const { return basis.cols() > 0; }
     /// p value of this test alone [1]: probability of a statistic at least as large if nothing is
     /// missing and the errors are exactly known; 1 where seen() is false.

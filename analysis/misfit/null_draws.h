@@ -36,7 +36,7 @@ struct ErrorKnowledge {
     /// Degrees of freedom of the estimated size of each kind of error; infinite: the size is known.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
-    Eigen::Index readings = 0;  ///< number of readings; reading k has the entries 2k and 2k + 1
+    Eigen::Index readings = 0;  ///< number of readings; reading k has the entries 2 k and 2 k + 1
     /// Degrees of freedom of the estimated correlation between the errors of the two observables of
     /// a reading; infinite: the correlation is known.
     double correlation_freedom = INFINITY;

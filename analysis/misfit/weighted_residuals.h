@@ -30,9 +30,10 @@ class WeightedResiduals {
     /// Whitened residuals [1]: L^-1 (measured - predicted), with the Cholesky factor L of the
     /// covariance of measurement and simulation.
     const Eigen::VectorXd& residuals() const { return residuals_; }
-    /// Measured values y of all entries, not whitened, in the units of the readings.
+    /// Measured values, not whitened, in the units of the readings: shear stress and solid fraction
+    /// of each reading in turn, then direct measurements.
     const Eigen::VectorXd& measured() const { return measured_; }
-    /// Squared length of the whitened residuals: chi2 of the fit [1].
+    /// chi2 of the fit [1]: squared length of the whitened residuals.
     double chi2() const { return residuals_.squaredNorm(); }
     /// Logarithm of the determinant of the covariance of measurement and simulation, in the squared
     /// units of the readings.
@@ -54,23 +55,25 @@ class WeightedResiduals {
     /// simulation.
     const Eigen::MatrixXd& prediction_root() const { return prediction_root_; }
     /// Expected squared length [1] of whitened errors, beyond what a change of the calibrated
-    /// parameters can imitate: the trace of P L^-1 C L^-T, with the projection P and the Cholesky
-    /// factor L of the class.
+    /// parameters can imitate: the trace of P L^-1 C L^-T. L: Cholesky factor of the covariance of
+    /// measurement and simulation; P: projection that removes what the calibrated parameters
+    /// imitate.
     /// @param covariance covariance C of the errors, in the squared units of the readings
     double trace_of_projected(const Eigen::MatrixXd& covariance) const;
     /// Variance [1] of the component of whitened errors along a direction d: d' L^-1 C L^-T d, with
-    /// the Cholesky factor L of the class.
+    /// the Cholesky factor L of the covariance of measurement and simulation.
     /// @param direction vector d in whitened units
     /// @param covariance covariance C of the errors, in the squared units of the readings
     double variance_along(const Eigen::VectorXd& direction,
                           const Eigen::MatrixXd& covariance) const;
     /// Removes from whitened changes of the readings what a change of the calibrated parameters can
-    /// imitate: returns P `columns`, with the projection P of the class.
+    /// imitate: returns P `columns`, with the projection P = I - J (J'J)^-1 J' and the whitened
+    /// derivatives J of the predictions.
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
-    /// Returns P times an orthonormal basis of the whitened mean deviations of groups of entries,
-    /// such as the entries of each condition; a column for each group. In a mean deviation, all
-    /// entries of a group deviate in proportion to their measured values; scatter within a group is
-    /// not contained.
+    /// Returns P B, a column for each group of entries, such as the entries of each condition. B is
+    /// an orthonormal basis of the whitened mean deviations of the groups, in which all entries of
+    /// a group deviate in proportion to their measured values; P is the projection that removes
+    /// what a change of the calibrated parameters can imitate.
     /// @param groups indices of the entries of each group
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
     /// Returns the change of the calibrated parameters [their units] that comes closest, by least
@@ -79,7 +82,8 @@ class WeightedResiduals {
     /// Number of linearly independent combinations of the calibrated parameters that the readings
     /// determine.
     Eigen::Index determined() const { return basis_.cols(); }
-    /// Whitened derivatives J = L^-1 df/dtheta of the predictions by the calibrated parameters,
+    /// Whitened derivatives of the predictions f by the calibrated parameters theta, L^-1
+    /// df/dtheta, with the Cholesky factor L of the covariance of measurement and simulation;
     /// entries x parameters.
     const Eigen::MatrixXd& slopes() const { return slopes_; }
 

@@ -17,7 +17,7 @@ class ScoredShapes {
   public:
     /// Score of one shape, or of two together.
     struct Score {
-        std::vector<std::size_t> shapes;  ///< indices of the shapes
+        std::vector<std::size_t> shapes;  ///< indices of one or two shapes
         double reduction = 0;             ///< predicted reduction of chi2 [1]
         double price = 0;  ///< penalty for the choice of the shapes, to be added to chi2 [1]
         std::vector<double> changes;  ///< estimated changes of the shapes, in their units
@@ -52,7 +52,7 @@ class ScoredShapes {
     double p(double reduction) const;
 
   private:
-    /// Quantity that may change, with the change of the readings per unit of its change.
+    /// Quantity that may change, with the change of the readings per unit of the quantity's change.
     struct Changeable {
         ChangedQuantity quantity;
         Eigen::VectorXd response;  ///< change of all entries per unit of the quantity's change
@@ -83,7 +83,7 @@ class ScoredShapes {
     std::vector<ShapeOfChange> shapes_;
     std::vector<std::size_t> changed_by_;  ///< index into `changeables_` for each shape
     Eigen::MatrixXd directions_;           ///< whitened changes of length 1, P g/|P g|, as columns
-    Eigen::VectorXd lengths_;              ///< |P g| for each shape [1/unit of its change]
+    Eigen::VectorXd lengths_;              ///< length |P g| for each shape [1/unit of its change]
     Eigen::VectorXd along_;                ///< component of the residuals along each direction
     Eigen::VectorXd drawn_;                ///< largest reduction by any shape in each random draw
 };

@@ -86,7 +86,7 @@ class PaperState {
 struct StrengthLine {
     /// Friction, bridge volume over cubed grain diameter [1].
     double friction = 0, bridge_volume = 0;
-    Mean intercept, cohesion;  ///< intercept and reduced cohesion c* [1]
+    Mean intercept, cohesion;  ///< intercept, and reduced cohesion c* = a^2 c/F0 [1]
     double covariance = 0;     ///< covariance of intercept and c* [1]
     int points = 0;            ///< number of states that the line is fitted to
 

@@ -25,8 +25,8 @@ struct FlowState {
     bool dry() const { return inverse_pressure == 0; }
 };
 
-/// Dimensionless coordinates of a flow state. Observables of the flow, such as the stress ratio,
-/// are nearly linear functions of these coordinates.
+/// Dimensionless coordinates of a state of steady shear. Observables of the flow, such as the
+/// stress ratio, are nearly linear functions of these coordinates.
 struct Coordinates {
     /// Friction: ln[(friction + s)/(centre + s)] with a chosen friction coefficient `centre`; s =
     /// 0.05, or 0.02 in `emulated::place_of`.
@@ -38,8 +38,8 @@ struct Coordinates {
     bool operator==(const Coordinates&) const = default;
 };
 
-/// Returns the coordinates of a flow state: x = ln[(friction + 0.05)/(centre + 0.05)], q =
-/// I^`exponent` with the inertial number I, u = 1/P* with the reduced pressure P*, and v as in
+/// Returns the coordinates of a state of steady shear: x = ln[(friction + 0.05)/(centre + 0.05)], q
+/// = I^`exponent` with the inertial number I, u = 1/P* with the reduced pressure P*, and v as in
 /// `Coordinates`. For frictions from 0 to 0.4 the slopes of stress ratio and solid fraction in x
 /// change by about a factor 2; the slope of the stress ratio in friction itself changes by a factor
 /// 9.
@@ -53,7 +53,8 @@ double friction_at(double coordinate, double centre);
 /// Derivative of `friction_coordinate` by the friction coefficient [1]: 1/(friction + 0.05).
 double friction_slope(double friction);
 
-/// Terms of a polynomial in the coordinates of a flow state: products of powers of x, q, u and v.
+/// Terms of a polynomial in the coordinates of a state of steady shear: products of powers of x, q,
+/// u and v.
 class Basis {
   public:
     /// Exponents of the coordinates x, q, u and v in one term of the polynomial.

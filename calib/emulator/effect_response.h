@@ -15,11 +15,11 @@ namespace pendular {
 using ResponsePlace = Eigen::Vector<double, 5>;
 
 /// Predictor of the change of one observable by an effect on grains. It is trained on the
-/// differences between runs with the effect and the emulator's predictions of the same flow states
-/// without the effect:
+/// differences between runs with the effect and the emulator's predictions of the same states of
+/// steady shear without the effect:
 ///     change = b y(z, b),
-/// with the flow state z and the amplitude b of the effect, times 1/P* (P*: reduced pressure) where
-/// the effect acts through capillary forces. y is a Gaussian process: the sum of a plane in the
+/// with the state z and the amplitude b of the effect, times 1/P* (P*: reduced pressure) where the
+/// effect acts through capillary forces. y is a Gaussian process: the sum of a plane in the
 /// coordinates and a process of squared exponential covariance. The change vanishes at the effect's
 /// neutral value, b = 0, and is smooth there. The variances of plane and process maximise the
 /// likelihood on a grid of values.

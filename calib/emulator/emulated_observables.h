@@ -24,8 +24,8 @@ bool usable(const dem::RunResult& run);
 /// It is the value measured in the run, except that the solid fraction is corrected to rigid grains
 /// and the mean overlap is converted to the stiffness number `reference_stiffness`.
 Mean training_value(const dem::RunResult& run, dem::Observable which);
-/// Returns the flow state that a run with these parameters simulates, including its effects on
-/// grains and its stiffness number.
+/// Returns the state of steady shear that a run with these parameters simulates, including its
+/// effects on grains and its stiffness number.
 FlowState flow_state_of(const dem::RunParameters& run);
 /// Whether an observable is emulated for wet grains only, since it describes liquid bridges.
 bool of_bridges(dem::Observable which);
@@ -52,16 +52,16 @@ bool in_pair(dem::Observable which);
 /// ratio, then for its solid fraction.
 std::vector<Query> pairs_at(const std::vector<FlowState>& states);
 
-/// Scaling between an observable and its Gaussian process at one flow state: value = offset + size
-/// x process. `size` is 1/P* (P*: reduced pressure) for capillary stresses over the normal stress;
-/// for the distance of grains with a bridge but no contact, it is the gap over the grain diameter
-/// at which the bridge breaks. It is 1 for other observables.
+/// Scaling between an observable and its Gaussian process at one state of steady shear: value =
+/// offset + size x process. `size` is 1/P* (P*: reduced pressure) for capillary stresses over the
+/// normal stress; for the distance of grains with a bridge but no contact, it is the gap over the
+/// grain diameter at which the bridge breaks. It is 1 for other observables.
 struct Unit {
     double offset = 0, size = 1;
     /// Derivatives of `size` by 1/P* and by V0/a^3 (V0: bridge volume, a: grain diameter).
     double by_inverse_pressure = 0, by_bridge_volume = 0;
 };
-/// Returns the scaling between an observable and its Gaussian process at a flow state.
+/// Returns the scaling between an observable and its Gaussian process at a state of steady shear.
 Unit unit_at(dem::Observable which, const FlowState& state);
 
 /// Returns the kind of an observable, which determines its behaviour in the dry limit, as the
@@ -75,9 +75,9 @@ bool alike(double a_stiffness_number, double another);
 /// Whether a run has a value of an observable. Observables of liquid bridges need a wet run.
 bool has_value(const dem::RunResult& run, dem::Observable which);
 
-/// Returns the coordinates of a flow state in which the Gaussian processes of all observables are
-/// defined: x with the constants `friction_scale` and `friction_centre`, q = sqrt(I) with the
-/// inertial number I, and u and v as in `Coordinates`.
+/// Returns the coordinates of a state of steady shear in which the Gaussian processes of all
+/// observables are defined: x with the constants `friction_scale` and `friction_centre`, q =
+/// sqrt(I) with the inertial number I, and u and v as in `Coordinates`.
 Coordinates place_of(const FlowState& state);
 
 }  // namespace pendular::emulated

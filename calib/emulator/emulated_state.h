@@ -9,8 +9,8 @@
 
 namespace pendular {
 
-/// Emulated value of one observable at one flow state, with its derivatives and their standard
-/// errors.
+/// Emulated value of one observable at one state of steady shear, with its derivatives and their
+/// standard errors.
 struct EmulatedObservable {
     dem::Observable which;
     /// Emulated value with its standard error, in the unit of the observable.
@@ -21,10 +21,10 @@ struct EmulatedObservable {
     std::vector<Estimate> slopes;
 };
 
-/// Returns the emulated values of the observables `which` at a flow state, in the order of `which`,
-/// as runs with grains of the stiffness number `stiffness_number` [1] would measure them. The
-/// standard errors include the error of the change with stiffness. The derivatives omit the changes
-/// by effects on grains.
+/// Returns the emulated values of the observables `which` at a state of steady shear, in the order
+/// of `which`, as runs with grains of the stiffness number `stiffness_number` [1] would measure
+/// them. The standard errors include the error of the change with stiffness. The derivatives omit
+/// the changes by effects on grains.
 /// @throws std::invalid_argument for an observable of liquid bridges at a dry state, an observable
 ///         of which no training run has a value, and an effect of `state` that no run has as its
 ///         only effect
@@ -32,8 +32,9 @@ std::vector<EmulatedObservable> emulated_at(const Emulator& emulator, const Flow
                                             double stiffness_number,
                                             const std::vector<dem::Observable>& which);
 
-/// Returns the emulated observables that are defined at a flow state: all for wet grains, all
-/// except those of liquid bridges for dry grains. The order is that of `emulated::observables`.
+/// Returns the emulated observables that are defined at a state of steady shear: all for wet
+/// grains, all except those of liquid bridges for dry grains. The order is that of
+/// `emulated::observables`.
 std::vector<dem::Observable> observables_of(const FlowState& state);
 
 }  // namespace pendular

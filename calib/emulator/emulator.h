@@ -15,14 +15,14 @@
 
 namespace pendular {
 
-/// Emulator: Gaussian processes trained on simulation runs. They predict the observables at flow
-/// states between those of the training runs, with standard errors. A `PlainEmulator` predicts
-/// grains without effects. For each effect on grains, an `EffectResponse`, trained on the runs that
-/// have this effect alone, adds the change; changes by several effects add up. A further
+/// Emulator: Gaussian processes trained on simulation runs. They predict the observables at states
+/// of steady shear between those of the training runs, with standard errors. A `PlainEmulator`
+/// predicts grains without effects. For each effect on grains, an `EffectResponse`, trained on the
+/// runs that have this effect alone, adds the change; changes by several effects add up. A further
 /// `EffectResponse`, trained on runs of other stiffness numbers, adds the change from the stiffness
-/// number of the `PlainEmulator` to that of the flow state. Derivatives by friction, inertial
-/// number, reduced pressure and bridge volume include the change with stiffness but omit the
-/// changes by effects. Predictions never change after construction, so that several threads may
+/// number of the `PlainEmulator` to that of the requested state. Derivatives by friction,
+/// inertial number, reduced pressure and bridge volume include the change with stiffness but omit
+/// the changes by effects. Predictions never change after construction, so that several threads may
 /// query the emulator at once.
 class Emulator {
   public:
@@ -52,7 +52,7 @@ class Emulator {
     /// @throws std::invalid_argument for an effect that no run has as its only effect
     Eigen::VectorXd changes_by_causes(const std::vector<Query>& queries) const;
     /// Whether effects on grains, or a stiffness number other than that of the `PlainEmulator`,
-    /// change predictions at a flow state.
+    /// change predictions at a state of steady shear.
     bool changes(const FlowState& state) const;
     /// Covariance of the errors of the answers of `mean`, a row and a column for each query. A
     /// prediction with an effect is the sum of the prediction f without the effect and the change
@@ -64,10 +64,10 @@ class Emulator {
     /// @throws std::invalid_argument as `mean` does
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
-    /// Text that names the friction, inertial number, reduced pressure or bridge volume of a flow
-    /// state that lies outside its range in the training runs, as in "friction 0.9 is above 0.6";
-    /// empty where none does. An inertial number below that of all runs does not count as outside,
-    /// since the emulator extrapolates there and states the error.
+    /// Text that names the friction, inertial number, reduced pressure or bridge volume of a state
+    /// of steady shear that lies outside its range in the training runs, as in "friction 0.9 is
+    /// above 0.6"; empty where none does. An inertial number below that of all runs does not count
+    /// as outside, since the emulator extrapolates there and states the error.
     std::string beyond(const FlowState& state) const;
 
     /// Training runs, with and without effects.
@@ -90,14 +90,14 @@ class Emulator {
 
   private:
     static inline const std::string stiffness_name = "stiffness number";
-    /// Calls `use(name, size, place)` for each cause that changes the observable `which` at a flow
-    /// state from the prediction of the `PlainEmulator`: each effect on grains, then a different
-    /// stiffness number. `name`: name of the effect, or `stiffness_name`; `size`: factor to which
-    /// the change is proportional; `place`: coordinates at which the change is evaluated.
+    /// Calls `use(name, size, place)` for each cause that changes the observable `which` at a state
+    /// of steady shear from the prediction of the `PlainEmulator`: each effect on grains, then a
+    /// different stiffness number. `name`: name of the effect, or `stiffness_name`; `size`: factor
+    /// to which the change is proportional; `place`: coordinates at which the change is evaluated.
     template <typename Use>
     void each_cause(const FlowState& state, dem::Observable which, const Use& use) const;
-    /// Whether the stiffness number of a flow state changes predictions: it differs from that of
-    /// the `PlainEmulator`, and `knows_stiffness` is true.
+    /// Whether the stiffness number of a state of steady shear changes predictions: it differs from
+    /// that of the `PlainEmulator`, and `knows_stiffness` is true.
     bool stiffened(const FlowState& state) const;
     /// Whether a run trains the change of an observable by the cause `name`: for an effect, the run
     /// has this effect alone, at any stiffness number; for stiffness, the run has another stiffness
@@ -108,9 +108,13 @@ class Emulator {
     /// cause from which its training changes were computed.
     struct LearnedResponse {
         EffectResponse response;
-        PlainEmulator::PreparedQueries plain;  ///< state of each training run, without causes
-        Eigen::VectorXd sizes;        ///< scale of the observable there (`emulated::Unit::size`)
-        Eigen::MatrixXd plain_error;  ///< covariance of the errors at `plain`, in units of `sizes`
+        /// Queries at the state of each training run, without the cause.
+        PlainEmulator::PreparedQueries plain;
+        /// Scale of the observable at each training run (`emulated::Unit::size`).
+        Eigen::VectorXd sizes;
+        /// Covariance of the errors of the answers to `plain`, over the product of the scales
+        /// `sizes`.
+        Eigen::MatrixXd plain_error;
     };
     /// Returns the predictor of the change of an observable by the cause `name`, trained at the
     /// first call.

@@ -9,7 +9,7 @@
 namespace pendular {
 
 /// Observed values, with noise, of m quantities at n places. The quantities are functions of the
-/// coordinates of a flow state.
+/// coordinates of a state of steady shear.
 struct Observations {
     std::vector<Coordinates> at;         ///< places of the observations, n
     Eigen::MatrixXd values;              ///< observed values, n x m: a row for each place
@@ -44,12 +44,13 @@ class GaussianProcess {
     };
     /// Posterior mean of each requested value or derivative, in the order of `requested`.
     Eigen::VectorXd mean(const std::vector<Requested>& requested) const;
-    /// Requested values and derivatives with the terms that their covariances need, computed once.
+    /// Requested values and derivatives, with the terms that their covariances need.
     struct Solved {
         std::vector<Requested> requested;
         std::vector<Kernel::Prepared> places;  ///< place of each request
-        /// L^-1 k with the Cholesky factor L of K + N and the prior covariance k of the
-        /// observations (rows) with the requested values (columns).
+        /// Matrix L^-1 k, with the Cholesky factor L of K + N (prior covariance of the observations
+        /// plus their noise) and the prior covariance k of the observations (rows) with the
+        /// requested values (columns).
         Eigen::MatrixXd half;
     };
     /// Computes the terms that the covariances of requested values and derivatives need.
@@ -80,7 +81,8 @@ class GaussianProcess {
     std::vector<Kernel> kernels_;
     /// Places of the observations, for each function.
     std::vector<std::vector<Kernel::Prepared>> known_;
-    Eigen::LLT<Eigen::MatrixXd> factor_;  ///< Cholesky factor of K + N, quantity by quantity
+    /// Cholesky factor of K + N, one function after the other.
+    Eigen::LLT<Eigen::MatrixXd> factor_;
     /// For each function, sums over the places of the observations with the weights (K + N)^-1 y.
     std::vector<Kernel::Known> sums_over_;
     /// Posterior mean of the coefficients of the polynomial of each function.

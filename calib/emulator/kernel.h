@@ -10,12 +10,13 @@
 
 namespace pendular {
 
-/// Number of coordinates of a flow state: x, q, u and v of `Coordinates`.
+/// Number of coordinates of a state of steady shear: x, q, u and v of `Coordinates`.
 constexpr int coordinate_count = 4;
 /// Index of the coordinate u, the inverse reduced pressure.
 constexpr int pressure_coordinate = 2;
 
-/// Value of a function of the coordinates at a place, or its derivative there by one coordinate.
+/// Value of a function of the coordinates x, q, u and v (`Coordinates`) at a place, or its
+/// derivative there by one coordinate.
 struct Functional {
     static constexpr int value = -1;
     Coordinates at;
@@ -85,7 +86,7 @@ class Kernel {
     struct Prepared {
         int derivative = Functional::value;
         double u = 0;
-        std::array<double, coordinate_count> place{};  ///< [x, q, ln(1 + u/0.1), v]
+        std::array<double, coordinate_count> place{};  ///< coordinates [x, q, ln(1 + u/0.1), v]
         /// Derivatives of the entries of `place` by x, q, u and v.
         std::array<double, coordinate_count> stretch{};
         Eigen::RowVectorXd polynomial;  ///< terms of the polynomial h, or their derivatives

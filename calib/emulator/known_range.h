@@ -7,7 +7,8 @@
 
 namespace pendular {
 
-/// Range of flow states in which the known runs support predictions. A state is supported where
+/// Range of states of steady shear in which the known runs support predictions. A state is
+/// supported where
 /// - it lies in the convex hull of the runs' states in the emulator's coordinates x = ln(friction +
 ///   0.02), q = sqrt(I), ln(1 + 10/P*) and ln(V0/a^3), or outside by at most `margin` of the range
 ///   that the runs cover (I: inertial number; P* = a^2 s22/F0: reduced pressure; V0: bridge volume;
@@ -32,8 +33,8 @@ class KnownRange {
     /// loose packing to crystals.
     static constexpr double lowest_fraction = 0.4, highest_fraction = 0.74;
 
-    /// Finds the range of flow states that an emulator's training runs support. The emulator must
-    /// outlive this object.
+    /// Finds the range of states of steady shear that an emulator's training runs support. The
+    /// emulator must outlive this object.
     explicit KnownRange(const Emulator& emulator);
 
     /// Whether any run without effects has liquid bridges.
@@ -41,35 +42,35 @@ class KnownRange {
     /// Whether any run without effects is dry.
     bool knows_dry() const { return dry_.runs > 0; }
 
-    /// Reason why the training runs do not support predictions at a flow state, as in "friction 0.9
-    /// is above 0.6"; empty where they support them.
+    /// Reason why the training runs do not support predictions at a state of steady shear, as in
+    /// "friction 0.9 is above 0.6"; empty where they support them.
     std::string why_unsupported(const FlowState& state) const;
 
-    /// Returns a supported flow state close to the unsupported state `state`: the nearest point of
-    /// the convex hull of the runs or, where the prediction there is too uncertain or unphysical,
-    /// the first supported point on the straight way from there to the nearest run.
+    /// Returns a supported state of steady shear close to the unsupported state `state`: the
+    /// nearest point of the convex hull of the runs or, where the prediction there is too uncertain
+    /// or unphysical, the first supported point on the straight way from there to the nearest run.
     /// @throws std::invalid_argument for a wet state where no run without effects is wet, and for a
     ///         dry state where none is dry
     FlowState nearest_supported(const FlowState& state) const;
 
   private:
     using Point = Eigen::Vector4d;
-    /// Points whose convex hull is the supported range of flow states, in coordinates scaled to 0
-    /// to 1 over the range of the runs.
+    /// Points whose convex hull is the supported range of states of steady shear, in coordinates
+    /// scaled to 0 to 1 over the range of the runs.
     struct Cloud {
         Eigen::Matrix<double, 4, Eigen::Dynamic> corners;  ///< a column for each point
         Eigen::Index runs = 0;  ///< number of runs, which are the first columns
     };
     const Cloud& cloud_for(const FlowState& state) const { return state.dry() ? dry_ : wet_; }
-    /// Coordinates of a flow state, scaled to 0 to 1 over the range of the runs.
+    /// Coordinates of a state of steady shear, scaled to 0 to 1 over the range of the runs.
     Point place(const FlowState& state) const;
-    /// Flow state with the coordinates `place`, which are scaled to 0 to 1 over the range of the
-    /// runs.
+    /// State of steady shear with the coordinates `place`, which are scaled to 0 to 1 over the
+    /// range of the runs.
     FlowState state_at(const Point& place) const;
     /// Point of the convex hull of a cloud that is nearest to a place, in scaled coordinates.
     Point nearest_in_hull(const Point& place, const Cloud& cloud) const;
-    /// Reason why the emulator's prediction of stress ratio or solid fraction at a flow state is
-    /// too uncertain or unphysical; empty where neither is.
+    /// Reason why the emulator's prediction of stress ratio or solid fraction at a state of steady
+    /// shear is too uncertain or unphysical; empty where neither is.
     std::string why_unsure(const FlowState& state) const;
 
     const Emulator& emulator_;

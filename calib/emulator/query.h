@@ -12,8 +12,8 @@ namespace pendular {
 /// inertial number), 1/P* (P*: reduced pressure) or V0/a^3 (V0: bridge volume, a: grain diameter).
 enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
 
-/// Question to the emulator: the value of an observable at a flow state, or its derivative by one
-/// variable.
+/// Question to the emulator: the value of an observable at a state of steady shear, or its
+/// derivative by one variable.
 struct Query {
     FlowState state;
     dem::Observable which = dem::Observable::stress_ratio;

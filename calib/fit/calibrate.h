@@ -17,7 +17,7 @@ struct CalibrationOptions {
     double largest_enlargement = pendular::largest_enlargement;
     double settled = 0.5;   ///< largest change of a parameter in the last round [standard errors]
     int fewest_rounds = 3;  ///< smallest number of rounds of simulations and fits
-    int most_rounds = 8;    ///< largest number of rounds; 1: a single round
+    int most_rounds = 8;    ///< largest number of rounds
     /// Parameter values at the start of the first fit, in the order of the model's parameters;
     /// empty: Parameter::start.
     std::optional<Eigen::VectorXd> start = {};
@@ -34,7 +34,7 @@ class LearningModel {
 
     /// Model trained on all runs simulated so far.
     virtual const Model& model() const = 0;
-    /// Simulates more flow states and trains the model on the runs.
+    /// Simulates more states of steady shear and trains the model on the runs.
     /// @param parameters result of the last fit or, before any fit, its starting values; the new
     ///        runs serve predictions there
     /// @param excess variance that the noise of the runs causes in the fit, over the largest

@@ -65,7 +65,7 @@ void check_range(const std::vector<Reading>& readings, const Study& study,
 std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings);
 
 /// Predicts shear stress [Pa] and solid fraction [1] at conditions that a calibration did not fit,
-/// at its fitted parameters; stacked as in `Prediction`. The covariance includes the error of the
+/// at its fitted parameters, for each condition in turn. The covariance includes the error of the
 /// fit: it is the model's covariance plus J C J', with the covariance C of the parameters and the
 /// derivatives J of the predictions. It is corrected for errors of the model that predictions and
 /// fitted readings share (corrections, common runs), since the fit has already compensated for
@@ -75,9 +75,8 @@ Prediction predict_unseen(const Predictor& model, const Calibration& calibration
                           const std::vector<Condition>& conditions);
 
 /// Predicts shear stress [Pa] and solid fraction [1] of all readings of a calibration at its fitted
-/// parameters, stacked as in `Prediction`. For readings that were not fitted, the covariance
-/// includes the error of the fit (`predict_unseen`); their covariance with fitted readings is set
-/// to 0.
+/// parameters, for each reading in turn. For readings that were not fitted, the covariance includes
+/// the error of the fit (`predict_unseen`); their covariance with fitted readings is set to 0.
 Prediction predict_readings(const Predictor& model, const Calibration& calibration);
 
 /// Fits the cohesion lines (straight lines of stress ratio against 1/P*, P*: reduced pressure) of a

@@ -19,8 +19,8 @@ namespace pendular {
 /// Result of the calibration of a study: the fitted parameters and predictions, with the readings,
 /// settings and runs on which they are based.
 struct Calibration {
-    /// Readings of the study: the dry readings, then the wet readings, each in run order. The first
-    /// `fitted` readings are fitted, the others only predicted.
+    /// Readings of the study: the dry readings, then the wet readings, each in the order of the
+    /// measurement. The first `fitted` readings are fitted, the others only predicted.
     std::vector<Reading> readings;
     /// Number of readings that the fit uses; they are the first of `readings`.
     std::size_t fitted = 0;
@@ -46,7 +46,8 @@ struct Calibration {
     /// lines fitted to the measured values, then lines fitted to the predicted values; empty in a
     /// dry study.
     std::vector<CohesionLine> cohesion_lines;
-    /// Notes on groups of wet readings without a line, and on points that a line leaves out.
+    /// Sentences for the user on groups of wet readings without a line, and on readings that a line
+    /// leaves out.
     std::vector<std::string> cohesion_notes;
     int rounds = 0;                           ///< number of rounds of simulations and fits
     std::vector<dem::RunResult> runs;         ///< training runs of the model

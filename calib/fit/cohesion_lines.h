@@ -27,8 +27,9 @@ struct Overestimate {
 /// follow from the covariance of the points and are not scaled by chi2/dof.
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 struct CohesionLine {
-    std::string source;         ///< "measured" or "simulated"
-    double liquid_content = 0;  ///< liquid content Phi_L/Phi_S [1], mean of the points
+    std::string source;  ///< values to which the line is fitted: "measured" or "simulated"
+    /// Liquid content (liquid volume over grain volume) [1], mean of the points.
+    double liquid_content = 0;
     /// Inertial number I [1], mean of the points; 0: the quasi-static limit.
     double inertial_number = 0;
     Estimate stress_ratio_intercept;     ///< intercept: stress ratio for 1/P* -> 0 [1]
@@ -38,8 +39,8 @@ struct CohesionLine {
     int points = 0;                      ///< number of points that the line is fitted to
     double chi2 = 0;                     ///< chi2 of the fit
     int dof = 0;                         ///< degrees of freedom of the fit
-    double lowest_reduced_pressure = 0;  ///< lowest P* of the fitted points [1]
-    /// Deviations of the line from the points with P* below
+    double lowest_reduced_pressure = 0;  ///< lowest reduced pressure P* of the fitted points [1]
+    /// Deviations of the line from the readings at reduced pressures P* below
     /// `CohesionOptions::lowest_reduced_pressure`, in decreasing P*.
     std::vector<Overestimate> below;
 };

@@ -49,7 +49,8 @@ struct Fit {
     /// Standard error of the parameter with index `k`, in its unit, widened where few replicates
     /// determine the scatter of the readings.
     double standard_error(Eigen::Index k) const;
-    /// Standard errors of all parameters, each in its unit, as `standard_error` gives them.
+    /// Standard errors of all parameters, each in its unit, widened where few replicates determine
+    /// the scatter of the readings.
     Eigen::VectorXd standard_errors() const;
     /// Part of the standard error of the parameter with index `k` that comes from errors of
     /// measurement, in its unit, widened where few replicates determine the scatter of the

@@ -12,7 +12,7 @@ namespace pendular {
 /// readings, each in the order of the measurement.
 std::vector<Reading> dry_first(const Measurements& measurements);
 
-/// Number of dry readings among `readings`.
+/// Number of dry readings (liquid content 0) among `readings`.
 std::size_t dry_count(const std::vector<Reading>& readings);
 
 /// Returns the elements of `readings` with indices `from` to `to` - 1.

@@ -13,8 +13,9 @@ namespace pendular {
 /// readings of one liquid content and one inertial number. c: cohesion; a: grain diameter; F0:
 /// pull-off force of a liquid bridge.
 struct StructuralCohesion {
-    double liquid_content = 0;   ///< liquid content Phi_L/Phi_S [1], mean of the group
-    double inertial_number = 0;  ///< inertial number I [1], mean of the group
+    /// Liquid content (liquid volume over grain volume) [1], mean of the readings.
+    double liquid_content = 0;
+    double inertial_number = 0;  ///< inertial number I [1], mean of the readings
     /// Reduced cohesion c* by Rumpf's formula, mu*_0 Phi_S Z*/pi [1] (eq:cohesion3): stress ratio
     /// mu*_0 of dry grains, solid fraction Phi_S, effective coordination number Z*.
     Estimate rumpf;

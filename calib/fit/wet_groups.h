@@ -11,7 +11,8 @@ namespace pendular {
 /// readings of steady shear or all points of failure (peaks of the shear stress).
 struct WetGroup {
     std::vector<std::size_t> members;  ///< indices of the readings in the list of all readings
-    double liquid_content = 0;         ///< liquid content Phi_L/Phi_S [1], mean of the members
+    /// Liquid content (liquid volume over grain volume) [1], mean of the members.
+    double liquid_content = 0;
     /// Inertial number I [1], mean of the members; 0: the quasi-static limit.
     double inertial_number = 0;
     bool at_failure = false;  ///< whether the members are points of failure
@@ -27,7 +28,7 @@ std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
 /// Whether two values differ by at most `tolerance` [1] times the larger of their magnitudes.
 bool agree(double a, double b, double tolerance);
 
-/// Largest difference between the inertial numbers of a group's first and any other member,
+/// Largest difference between the inertial numbers of the first and any other member of a group,
 /// relative to the larger one [1].
 constexpr double inertial_number_tolerance = 0.2;
 

@@ -40,9 +40,9 @@ class EffectModel : public Predictor {
 
     /// Covariances, in squared units of the readings, of the simulation errors of a change of
     /// predictions: from the model `without`, which has the same inner model and fewer effects, to
-    /// this model. The readings are those at `conditions`, stacked as in `Prediction`. The errors
-    /// of both predictions are computed together, since they nearly cancel where an effect changes
-    /// a condition little.
+    /// this model. The readings are those at `conditions`: shear stress [Pa] and solid fraction [1]
+    /// of each in turn. The errors of both predictions are computed together, since they nearly
+    /// cancel where an effect changes a condition little.
     /// @param parameters parameters of this model
     /// @param parameters_without parameters of the model `without`
     ModelSpace::ChangeErrors change_errors(const Eigen::VectorXd& parameters,
@@ -73,9 +73,9 @@ class EffectModel : public Predictor {
         return parameters.head(static_cast<Eigen::Index>(inside_->parameters().size()));
     }
     /// Returns the shear stress [Pa] and solid fraction [1] that the instrument shows for each
-    /// reading, stacked as in `Prediction`.
+    /// reading in turn.
     /// @param predicted true shear stresses [Pa] and solid fractions [1] that the inner model
-    ///        predicts, stacked as in `Prediction`
+    ///        predicts, for each reading in turn
     Eigen::VectorXd shown(const Truths& truths, const Eigen::VectorXd& predicted) const;
     /// Derivatives of the values that the instrument shows (function `shown`) by the true shear
     /// stresses [Pa] and solid fractions [1] `predicted`: a row for each shown value and a column

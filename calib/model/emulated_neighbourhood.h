@@ -31,10 +31,10 @@ class EmulatedNeighbourhood : public FlowNeighbourhood {
     /// grains, the coordination numbers of contacts and of bridges without contact.
     static constexpr Eigen::Index quantities = 5;
     using Quantities = Eigen::Vector<double, quantities>;
-    /// Expansion about one condition.
+    /// Expansion of the emulated quantities about one condition.
     struct Place {
         FlowState state;
-        double liquid_content = 0;  ///< Phi_L/Phi_S [1]
+        double liquid_content = 0;  ///< volume of liquid over volume of grains [1]
         Quantities value = Quantities::Zero();
         /// Part of `value` that comes from effects on grains and stiffness.
         Quantities by_effects = Quantities::Zero();

@@ -33,14 +33,13 @@ class EmulatedSimulation : public FlowPredictor {
         const Eigen::VectorXd& parameters,
         const std::vector<EffectiveCondition>& conditions) const override;
 
-    /// Returns the flow state (state of steady shear, in dimensionless numbers) of the study's
-    /// grains at a condition. A wet state has the bridge volume that gives the condition's liquid
-    /// content.
+    /// Returns the state of steady shear, in dimensionless numbers, of the study's grains at a
+    /// condition. A wet state has the bridge volume that gives the condition's liquid content.
     /// @param friction friction coefficient of the study's grains [1], to which the friction
     ///        difference of the condition is added
     FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
-    /// Returns the flow state of the study's grains at a condition without the bridge volume, which
-    /// costs time to compute: it is 0.
+    /// Returns the state of steady shear of the study's grains at a condition without the bridge
+    /// volume, which costs time to compute: it is 0.
     /// @param friction friction coefficient of the study's grains [1], to which the friction
     ///        difference of the condition is added
     FlowState unfilled_state_at(double friction, const EffectiveCondition& condition) const;
@@ -51,8 +50,8 @@ class EmulatedSimulation : public FlowPredictor {
     ///        diameter [1]
     Eigen::Vector2d reading_of(const Eigen::Vector3d& flow,
                                const EffectiveCondition& condition) const;
-    /// Returns the wet flow state `state` with the bridge volume that gives a liquid content, the
-    /// volume of liquid over the volume of grains [1].
+    /// Returns the wet state `state` with the bridge volume that gives a liquid content, the volume
+    /// of liquid over the volume of grains [1].
     FlowState filled(const FlowState& state, double liquid_content) const;
     /// Effective coordination number Z* = Z_c + Z_d F_d/F0 at a wet condition [1], with its
     /// derivative by the friction coefficient at constant liquid content. Z_c and Z_d: contacts and
@@ -87,17 +86,17 @@ class EmulatedSimulation : public FlowPredictor {
   private:
     /// Contributions to the errors of predicted shear stresses and solid fractions.
     struct Errors;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state, stacked as in `Prediction`,
-    /// with derivatives by the friction coefficient.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn, with derivatives by
+    /// the friction coefficient.
     /// @param errors receives the contributions to the errors of the predictions; may be null
     Prediction predict_slopes(const std::vector<FlowState>& states,
                               const std::vector<EffectiveCondition>& conditions,
                               Errors* errors) const;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state, stacked as in `Prediction`.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn.
     Eigen::VectorXd predict_values(const std::vector<FlowState>& states,
                                    const std::vector<EffectiveCondition>& conditions) const;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state, stacked as in `Prediction`,
-    /// with derivatives by the friction coefficient and the covariance of the errors.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn, with derivatives by
+    /// the friction coefficient and the covariance of the errors.
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
     /// Share [1] of the rigidity shift (difference of solid fraction between rigid grains and
@@ -119,7 +118,7 @@ class EmulatedSimulation : public FlowPredictor {
     Emulator emulator_;
     std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
 
-    /// Flow state that `filled` found for a liquid content [1]. States are cached, since
+    /// State of steady shear that `filled` found for a liquid content [1]. States are cached, since
     /// derivatives and covariances need each state again.
     struct Filled {
         double liquid_content;

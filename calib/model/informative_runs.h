@@ -9,9 +9,9 @@
 
 namespace pendular {
 
-/// Whether two flow states are so similar that one simulation run serves both: they have the same
-/// effects on grains and agree within 5 % in friction, inertial number, reduced pressure, bridge
-/// volume and the sizes of the effects. Stiffness numbers are not compared.
+/// Whether two states of steady shear are so similar that one simulation run serves both: they have
+/// the same effects on grains and agree within 5 % in friction, inertial number, reduced pressure,
+/// bridge volume and the sizes of the effects. Stiffness numbers are not compared.
 bool near(const FlowState& a, const FlowState& b);
 
 /// Task for `most_informative`: the predictions that matter, and the states at which runs may be
@@ -28,12 +28,12 @@ struct RunChoice {
     std::size_t fewest = 4, most = 16;
 };
 
-/// Returns the flow states at which new runs reduce the errors of the emulator's predictions most,
-/// the most useful first; a state may occur several times. The measure of error is the sum of
-/// squares of the weighted variances of the predictions, so that the worst predictions count most.
-/// States are chosen one after the other, each with the largest reduction per computing time, which
-/// is inversely proportional to the inertial number. A run at state c reduces the covariance C of
-/// the predictions by
+/// Returns the states of steady shear at which new runs reduce the errors of the emulator's
+/// predictions most, the most useful first; a state may occur several times. The measure of error
+/// is the sum of squares of the weighted variances of the predictions, so that the worst
+/// predictions count most. States are chosen one after the other, each with the largest reduction
+/// per computing time, which is inversely proportional to the inertial number. A run at state c
+/// reduces the covariance C of the predictions by
 ///     C(., c) [C(c, c) + N]^-1 C(c, .),
 /// with the covariance N of the noise of a run with the settings `fidelity`. Between
 /// `choice.fewest` and `choice.most` states are returned.

@@ -28,7 +28,7 @@ enum class PredictionPart { values, slopes, covariance };
 /// solid fraction [1] of reading k; the last m entries are the direct measurements, each in its
 /// unit. Parts that were not requested are empty.
 struct Prediction {
-    Eigen::VectorXd value;  ///< predicted values: 2 n + m entries
+    Eigen::VectorXd value;  ///< predicted values, 2 n + m entries
     /// derivatives of `value`: a row for each value, a column for each parameter
     Eigen::MatrixXd jacobian;
     /// Covariance of the errors of `value` that come from the model, (2 n + m) x (2 n + m): noise

@@ -15,10 +15,13 @@ namespace pendular {
 /// Source: Badetti et al. (2018), who find that the line is too high at lower P*.
 constexpr double lowest_cohesion_pressure = 2.3;
 
-/// Measured strengths at one liquid content from which a constant cohesion is fitted.
+/// Measured strengths (stress ratios) of wet readings of one liquid content, to which a constant
+/// cohesion is fitted.
 struct CohesionGroup {
-    double liquid_content = 0;  ///< liquid content Phi_L/Phi_S [1], mean of the members
-    std::vector<MeasuredStrength> strengths;  ///< strengths at P* >= `lowest_cohesion_pressure`
+    /// Liquid content (liquid volume over grain volume) [1], mean of the strengths.
+    double liquid_content = 0;
+    /// Strengths at reduced pressures P* >= `lowest_cohesion_pressure`.
+    std::vector<MeasuredStrength> strengths;
 };
 
 /// Groups the wet readings' strengths (`ModelSettings::strengths`) at reduced pressures P* >=
@@ -63,8 +66,8 @@ class MohrCoulombModel : public FlowPredictor {
     /// sum weight_i tau_i.
     struct Line {
         double liquid_content = 0, constant = 0, variance = 0;
-        std::vector<Condition> conditions;  ///< dry conditions of the strengths
-        std::vector<Condition> fitted;      ///< wet conditions of the strengths
+        std::vector<Condition> conditions;  ///< conditions of the strengths, without liquid
+        std::vector<Condition> fitted;      ///< conditions of the strengths
         Eigen::RowVectorXd weight;
     };
     std::size_t line_at(double liquid_content) const;

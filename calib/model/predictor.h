@@ -46,9 +46,9 @@ class Predictor {
 class FlowNeighbourhood {
   public:
     virtual ~FlowNeighbourhood() = default;
-    /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition, stacked as in
-    /// `Prediction`. Parameters and conditions must be a short step away from those that this
-    /// object was made for.
+    /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn.
+    /// Parameters and conditions must be a short step away from those that this object was made
+    /// for.
     /// @param places for each condition, the index of the nearby condition in the list that this
     ///        object was made for
     virtual Eigen::VectorXd values(const Eigen::VectorXd& parameters,
@@ -62,8 +62,8 @@ class FlowPredictor : public Predictor {
   public:
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                        PredictionPart what = PredictionPart::covariance) const final;
-    /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition, stacked as in
-    /// `Prediction`. The conditions may contain grains and liquid changed by effects.
+    /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn. The
+    /// conditions may contain grains and liquid changed by effects.
     /// @param what parts to compute: values, derivatives or covariances
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,

@@ -18,14 +18,14 @@ namespace pendular {
 
 /// Number of simulation runs that were carried out for one reason.
 struct Order {
-    std::size_t runs = 0;  ///< number of runs
+    std::size_t runs = 0;  ///< number of runs carried out
     std::string why;       ///< reason, as in "to confirm the optimum"
 };
 
 /// Planner of the simulation runs of a calibration. It repeatedly chooses the runs that reduce the
 /// errors of a study's predictions most, carries them out and trains the predictor on them. Without
 /// earlier runs it begins with dry runs spread over friction and inertial number. It then requests
-/// runs at flow states outside the range of the earlier runs, where an emulator must not
+/// runs at states of steady shear outside the range of the earlier runs, where an emulator must not
 /// extrapolate, and runs near the optimum of a fit, which check the emulator and reduce the errors
 /// of its predictions.
 class RunPlanner {
@@ -44,7 +44,8 @@ class RunPlanner {
                const Fidelity& fidelity, std::uint64_t seed, Workers workers, KnownRuns known,
                RunBudget budget = {});
 
-    /// Predictor of dry and wet readings, trained on all runs known so far.
+    /// Predictor of dry and wet readings, trained on the earlier runs and all new runs carried out
+    /// so far.
     const std::shared_ptr<const EmulatedSimulation>& simulation() const { return simulation_; }
 
     /// Improves the predictions at a friction coefficient [1] by new runs, if runs may be
@@ -82,20 +83,20 @@ class RunPlanner {
     const std::vector<std::string>& notes() const { return notes_; }
 
   private:
-    /// Flow states at which runs may be requested: at a friction coefficient and, in the same
-    /// order, at a lower (`below`) and at a higher friction coefficient (`above`).
+    /// States of steady shear at which runs may be requested: at a friction coefficient and, in the
+    /// same order, at a lower (`below`) and at a higher friction coefficient (`above`).
     struct Candidates {
         std::vector<FlowState> at_friction, below, above;
     };
-    /// Returns the flow states at which runs may be requested for the dry (`wet` false) or the wet
-    /// conditions, at `friction` [1] and at friction coefficients on either side.
+    /// Returns the states of steady shear at which runs may be requested for the dry (`wet` false)
+    /// or the wet conditions, at `friction` [1] and at friction coefficients on either side.
     Candidates candidates(double friction, const std::vector<EffectiveCondition>& conditions,
                           bool wet) const;
-    /// Returns the dry flow states of the first runs of a planner without earlier runs: a grid of
+    /// Returns the dry states of the first runs of a planner without earlier runs: a grid of
     /// friction and inertial number.
     std::vector<FlowState> first_dry_design() const;
-    /// Returns the wet flow states of the first wet runs: they cover the study's wet conditions and
-    /// are spread over friction about `friction` [1] and over bridge volume.
+    /// Returns the wet states of the first wet runs: they cover the study's wet conditions and are
+    /// spread over friction about `friction` [1] and over bridge volume.
     std::vector<FlowState> first_wet_design(double friction) const;
     /// Simulates the states of first_wet_design() and trains the emulator on the runs, unless a
     /// training run is wet already or no runs may be requested.
@@ -133,7 +134,7 @@ class RunPlanner {
     double order(const std::vector<FlowState>& states, const std::string& why);
     /// Adds `runs` to the number of runs of the entry of orders() with the reason `why`.
     void add_order(std::size_t runs, const std::string& why);
-    /// Replaces the predictor simulation() by one that uses this emulator.
+    /// Replaces the predictor simulation() by one that uses `emulator`.
     void use(Emulator emulator);
 
     Study study_;
@@ -153,7 +154,7 @@ class RunPlanner {
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;
     std::vector<Order> orders_;
-    std::vector<dem::RunResult> made_;  ///< runs carried out so far
+    std::vector<dem::RunResult> made_;  ///< new runs carried out so far
     bool exhausted_ = false;
     int rounds_ = 0;  ///< number of calls of `improve`
     bool began_wet_ = false;

@@ -14,17 +14,17 @@ namespace pendular {
 /// Model of a study with its parameter values fitted to the readings.
 struct FittedModel {
     std::shared_ptr<const EffectModel> model;
-    Eigen::VectorXd parameters;  ///< in the order of EffectModel::parameters()
-    Eigen::MatrixXd covariance;  ///< covariance of `parameters`
+    Eigen::VectorXd parameters;  ///< fitted parameters, in the order of EffectModel::parameters()
+    Eigen::MatrixXd covariance;  ///< covariance of the errors of `parameters`
 };
 
 /// Returns a task for `most_informative`: to choose the runs that reduce the contribution of
-/// simulation noise to chi2 of all fitted models most. The targets are the flow states of the
-/// readings in each model; runs may be made there, with each model's effects at their fitted sizes
-/// and without effects. Flow states are taken at the fitted parameters and at parameters shifted up
-/// and down by one standard error along the direction in which they are least certain, since the
-/// next fit may end there. The variance of each prediction has the weight 1/sigma^2, with the
-/// standard error sigma of the reading.
+/// simulation noise to chi2 of all fitted models most. The targets are the states of steady shear
+/// of the readings in each model; runs may be made there, with each model's effects at their fitted
+/// sizes and without effects. The states are taken at the fitted parameters and at
+/// parameters shifted up and down by one standard error along the direction in which they are least
+/// certain, since the next fit may end there. The variance of each prediction has the weight
+/// 1/sigma^2, with the standard error sigma of the reading.
 /// @param lowest_inertial_number lowest inertial number of the runs [1], at which slower readings
 ///        are simulated
 RunChoice sharpening_choice(const EmulatedSimulation& simulation,

@@ -87,12 +87,14 @@ class StudyModels : public ModelSpace {
     /// Whether the emulator can predict an effect: the effect does not act on grains, or an earlier
     /// run has it as its only effect.
     bool has_runs(const Effect& effect) const;
-    /// Adds an effect to the candidates or, with the reason, to `left_aside_`.
+    /// Adds an effect to the candidates or, where it cannot be one, to `left_aside_` with the
+    /// reason.
     void add_candidate(const Effect& effect);
 
     ResolvedStudy study_;
     std::vector<Condition> conditions_;
-    std::vector<const Effect*> offered_;  ///< effect of each candidate
+    /// Effect of each candidate, in the order of candidates().
+    std::vector<const Effect*> offered_;
     std::vector<Candidate> candidates_;
     std::vector<LeftAside> left_aside_;
     std::shared_ptr<const EmulatedSimulation> simulation_;

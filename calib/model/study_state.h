@@ -15,8 +15,8 @@ namespace pendular {
 double inverse_pressure_of(const EffectiveCondition& condition, const Study& study);
 
 /// Returns the parameters of a simulation run (discrete-element method) of the study's grains at a
-/// flow state. Number of grains, stiffness number and strain are those of the settings `fidelity`.
-/// The seed has its default value.
+/// state of steady shear. Number of grains, stiffness number and strain are those of the settings
+/// `fidelity`. The seed has its default value.
 dem::RunParameters run_at(const FlowState& state, const Study& study, const Fidelity& fidelity);
 
 /// Stiffness number kappa = (E/((1 - nu^2) s22))^(2/3) of the study's `grains` at the normal stress
