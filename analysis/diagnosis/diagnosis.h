@@ -43,29 +43,32 @@ struct Diagnosis {
     std::vector<std::string> suspects;
     std::vector<Explanation> confidence_set;  ///< models that fit with the fewest further effects
     std::vector<Explanation> tried;           ///< all models that were refitted, accepted or not
-    /// Result for each candidate effect, in decreasing reduction of chi2.
+    /// Result for each candidate effect (not in the model), in decreasing reduction of chi2.
     std::vector<Finding> scan;
     /// p value [1] of each suspect measurement (part of the measurement that may be wrong), in the
     /// order of `Evidence::suspects`, corrected for the number of tests.
     std::vector<double> suspect_p;
     /// Similarity of the changes of the readings that each two of `effects` make [1]: absolute
-    /// cosine between the whitened changes, without the parts that a change of the calibrated
-    /// parameters can imitate. Empty unless the verdict is `indistinguishable`.
+    /// cosine between the whitened changes (in units of the readings' errors), without the parts
+    /// that a change of the calibrated parameters can imitate. Empty unless the verdict is
+    /// `indistinguishable`.
     Eigen::MatrixXd cosines;
     Fit fit;  ///< fit of the model without further effects
     /// Chi2 of all measured values in the fit of the model without further effects.
     double chi2 = 0;
     int dof = 0;  ///< degrees of freedom of `chi2`
     /// p values [1] of the tests of the model without further effects: for lack of fit of the
-    /// conditions' means (`lack_of_fit_p`), and for the most significant candidate effect or
-    /// suspect measurement, corrected for the number of tests (`further_p`).
+    /// conditions' means (`lack_of_fit_p`), and for the most significant candidate effect (not in
+    /// the model) or suspect measurement, corrected for the number of tests (`further_p`).
     double lack_of_fit_p = 0, further_p = 0;
-    /// For each candidate effect, covariances of the change of the readings that it causes at
-    /// amplitude 1, from errors of the emulator, in the squared units of the readings.
+    /// For each candidate effect (not in the model), covariances of the change of the readings that
+    /// it causes at the smallest size that matters (amplitude 1), from errors of the emulator, in
+    /// the squared units of the readings.
     std::vector<ModelSpace::ChangeErrors> change_errors;
     bool errors_assumed = false;  ///< whether errors of some readings are assumed, not measured
 
-    /// Returns the whitened residuals of the readings from the model without further effects.
+    /// Returns the whitened residuals (in units of their errors) of the readings from the model
+    /// without further effects.
     /// @param evidence readings that were diagnosed
     WeightedResiduals residuals(const Evidence& evidence) const {
         return {evidence.measured, fit.prediction};
@@ -80,7 +83,7 @@ struct Diagnosis {
 /// same random draws of errors. Where no model fits, the diagnosis names the effects that explain
 /// most of the misfit, if there are any.
 /// @param space the study's model and the candidates
-/// @param evidence readings with their errors and suspect measurements
+/// @param evidence readings with their errors and with parts of the measurement that may be wrong
 /// @throws InputError where there are no more measured values than fitted ones
 Diagnosis diagnose(const ModelSpace& space, const Evidence& evidence,
                    const DiagnosisOptions& options = {});

@@ -53,8 +53,8 @@ struct Explanation {
     Fit fit;
     double chi2 = 0;           ///< chi2 of all measured values in the fit
     double lack_of_fit_p = 0;  ///< p value of the test for lack of fit of the conditions' means [1]
-    /// p value [1] of the most significant candidate effect or suspect measurement that the model
-    /// does not contain, corrected for the number of tests; 1 where it was not tested.
+    /// p value [1] of the most significant effect or suspect measurement that the model does not
+    /// contain, corrected for the number of tests; 1 where it was not tested.
     double further_p = 1;
     /// Whether the model fits: neither p value is significant, and the fit converged.
     bool accepted = false;
@@ -90,15 +90,15 @@ struct Finding {
 /// Options of a diagnosis.
 struct DiagnosisOptions {
     double significance = 0.05;  ///< probability that a complete model is called incomplete [1]
-    /// Smallest power [1] of the score test of a candidate effect at which the effect counts as
-    /// excluded if the test does not find it.
+    /// Smallest power [1] of the score test of a candidate effect (not in the model) at which the
+    /// effect counts as excluded if the test does not find it.
     double wanted_power = 0.8;
     /// Number of random draws of the readings' errors, from which all p values follow. With 6000
     /// draws, a p value of 0.025 has a standard error of 0.002.
     Eigen::Index draws = 6000;
     std::uint64_t seed = 1;  ///< seed of the random draws
-    /// Largest number of pairs of candidate effects to refit, where no single candidate or suspect
-    /// measurement explains the readings.
+    /// Largest number of pairs of candidate effects (not in the model) to refit, where no single
+    /// candidate or suspect measurement explains the readings.
     std::size_t most_pairs = 12;
     std::size_t most_suspects = 12;  ///< largest number of suspect measurements to refit
     /// Starting values for the fit of the model without further effects, in the order of its

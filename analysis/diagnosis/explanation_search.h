@@ -31,15 +31,15 @@ struct Found {
     std::vector<Explanation> fitting_suspects;
 };
 
-/// Whether the score test of a candidate effect is significant enough to refit the model with the
-/// effect: the p value of this test alone is below 0.05.
+/// Whether the score test of a candidate effect (not in the model) is significant enough to refit
+/// the model with the effect: the p value of this test alone is below 0.05.
 bool looks_missing(const Finding& finding);
 
-/// Refits a study's model with each candidate that looks missing and with each significant suspect
-/// measurement and, where none of these models fits, with pairs of candidates. Returns all refitted
-/// models and those that fit. Refits run in parallel on up to `options.threads` threads. A model is
-/// not refitted if its predicted reduction of chi2 is clearly below that of a model already
-/// rejected.
+/// Refits a study's model with each candidate (effect not in the model) that looks missing and with
+/// each significant suspect measurement (part of the measurement that may be wrong) and, where none
+/// of these models fits, with pairs of candidates. Returns all refitted models and those that fit.
+/// Refits run in parallel on up to `options.threads` threads. A model is not refitted if its
+/// predicted reduction of chi2 is clearly below that of a model already rejected.
 /// @param scanned the fitted model without further effects, with its score tests
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,

@@ -11,8 +11,9 @@ namespace pendular {
 inline constexpr FitEffort refit_effort{
     .most_steps = 12, .tolerance = 1e-6, .settled = 1e-4, .elsewhere = false};
 
-/// Returns the whitened residuals of the readings from a fitted model. Derivatives by parameters at
-/// a bound are set to zero, since a parameter at its bound cannot move to imitate a change.
+/// Returns the whitened residuals (in units of their errors) of the readings from a fitted model.
+/// Derivatives by parameters at a bound are set to zero, since a parameter at its bound cannot move
+/// to imitate a change.
 /// @param fit fit of the model; amplitudes of a suspect measurement may follow its parameters
 WeightedResiduals residuals_of(const Model& model, const Measured& measured, const Fit& fit);
 
@@ -27,9 +28,10 @@ class Explanations {
     Explanations(const ModelSpace& space, const Evidence& evidence,
                  const DiagnosisOptions& options);
 
-    /// Fits the model with the candidate effects `chosen` and, if given, with an error of the
-    /// suspect measurement `suspect` (index into Evidence::suspects) to the readings. Whether the
-    /// model fits is not tested.
+    /// Fits the model with the effects `chosen` and, if given, with an error of the suspect
+    /// measurement `suspect` to the readings. Whether the model fits is not tested.
+    /// @param chosen effects to add, as indices into ModelSpace::candidates()
+    /// @param suspect part of the measurement that may be wrong, as index into Evidence::suspects
     /// @param start starting values: parameters of the model, then amplitudes of the errors
     /// @throws std::domain_error where the readings are impossible at `start`
     Explanation refit(const EffectSet& chosen, std::optional<std::size_t> suspect,
@@ -39,9 +41,9 @@ class Explanations {
     /// significant.
     void judge(Explanation& explanation) const;
 
-    /// Returns the whitened residuals of the readings from a refitted model. Derivatives by
-    /// parameters at a bound are set to zero, since a parameter at its bound cannot move to imitate
-    /// a change.
+    /// Returns the whitened residuals (in units of their errors) of the readings from a refitted
+    /// model. Derivatives by parameters at a bound are set to zero, since a parameter at its bound
+    /// cannot move to imitate a change.
     WeightedResiduals residuals_of(const Explanation& explanation) const;
     /// p value of the test for lack of fit [1]: probability that errors of readings and predictions
     /// make the mean residuals of the conditions at least as large as observed.
@@ -53,8 +55,9 @@ class Explanations {
     /// @param but index of a suspect measurement that is left out
     std::vector<ScoreTest> suspect_tests(const WeightedResiduals& residuals,
                                          std::optional<std::size_t> but = {}) const;
-    /// Returns the predictions of a refitted model with one further candidate effect (index into
-    /// ModelSpace::candidates()), as a function of the amplitude of the effect.
+    /// Returns the predictions of a refitted model with one further effect, as a function of the
+    /// amplitude of the effect.
+    /// @param candidate effect to add, as index into ModelSpace::candidates()
     Addition addition(const Explanation& explanation, std::size_t candidate) const;
 
     /// Random draws of the errors of readings and predictions that all tests use.
@@ -63,13 +66,14 @@ class Explanations {
     /// since each model has two tests, for lack of fit and for further effects.
     double half_significance() const { return options_.significance / 2; }
 
-    /// For each candidate effect, covariances of the change of the readings at amplitude 1 from
-    /// errors of the emulator. The caller sets them once, before the tests of refitted models.
+    /// For each candidate effect (not in the model), covariances of the change of the readings at
+    /// the smallest size that matters (amplitude 1) from errors of the emulator. The caller sets
+    /// them once, before the tests of refitted models.
     std::vector<ModelSpace::ChangeErrors> errors;
 
   private:
-    /// Returns the score tests of all candidate effects and suspect measurements that a refitted
-    /// model does not contain.
+    /// Returns the score tests (tests without a refit) of all effects and suspect measurements that
+    /// a refitted model does not contain.
     /// @param residuals residuals of the refitted model
     std::vector<ScoreTest> further_tests(const WeightedResiduals& residuals,
                                          const Explanation& explanation) const;

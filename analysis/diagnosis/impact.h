@@ -15,8 +15,9 @@ struct Shift {
     double size = 0;
     /// Shift in the linear approximation:
     ///     -(J'J)^-1 J' g A,
-    /// with the whitened derivatives J of the predictions by the parameters, the amplitude A at
-    /// `size`, and the whitened change g of the readings per unit of the amplitude.
+    /// with the derivatives J of the predictions by the parameters and the change g of the readings
+    /// per unit of the amplitude, both whitened (in units of the readings' errors), and the
+    /// amplitude A at `size`.
     Eigen::VectorXd linear;
     /// Shift after a refit with the effect fixed at `size`; empty: not refitted.
     Eigen::VectorXd refitted;

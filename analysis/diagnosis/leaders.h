@@ -7,8 +7,8 @@
 
 namespace pendular {
 
-/// Leading effects: candidate effects that explain most of a misfit, where no refitted model fits
-/// within the errors.
+/// Leading effects: candidate effects (not in the model) that explain most of a misfit, where no
+/// refitted model fits within the errors.
 struct Leaders {
     Explanation model;  ///< refitted model with the leading effects alone
     /// Share of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that

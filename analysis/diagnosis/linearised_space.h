@@ -47,8 +47,8 @@ class LinearisedSpace : public ModelSpace {
     Eigen::VectorXd at_, value_;
     Eigen::MatrixXd slopes_;  ///< derivatives J of the bare model's predictions by its parameters
     std::vector<Candidate> candidates_;
-    /// Change c_k of the predictions at amplitude 1, for each candidate k: a column for each of its
-    /// parameters.
+    /// Change c_k of the predictions at the smallest size that matters (amplitude 1), for each
+    /// candidate k: a column for each of its parameters.
     std::vector<Eigen::MatrixXd> changes_;
     std::vector<ChangeErrors> change_errors_;
     /// Effect sets of the refitted models without errors of suspect measurements, with predictions

@@ -21,9 +21,9 @@ namespace pendular {
 /// Sources: score tests (Rao 1948; modification indices, Soerbom 1989; power, Saris, Satorra and
 /// van der Veld 2009), with errors in the derivatives.
 struct ScoreTest {
-    /// Orthonormal basis of the columns of P g, the whitened change without the part that the
-    /// calibrated parameters imitate. It has no column if they imitate the change completely, or if
-    /// the change is not larger than its error.
+    /// Orthonormal basis of the columns of P g: the change g of the readings in units of their
+    /// errors (whitened), without the part that the calibrated parameters imitate. It has no column
+    /// if they imitate the change completely, or if the change is not larger than its error.
     Eigen::MatrixXd basis;
     /// Estimated amplitude of the effect, for each column of the change g [1].
     Eigen::VectorXd estimate;
@@ -33,13 +33,16 @@ struct ScoreTest {
     double statistic = 0;
     /// Predicted reduction of chi2 [1] when the model is refitted with the effect.
     double predicted_reduction = 0;
-    /// v = g' P g for the first column of the whitened change g [1].
+    /// Squared length v = g' P g of the change of the readings, in units of their errors
+    /// (whitened), without the part that the calibrated parameters imitate; for the first column of
+    /// g [1].
     double length = 0;
-    /// v_c = v - tr(P Cov(e_g)) for the first column of the whitened change g, with its errors e_g
-    /// [1]; a true amplitude A gives the statistic the noncentrality A^2 v_c^2/v.
+    /// Squared length v (`length`) less the part that comes from the error e_g of the change: v_c =
+    /// v - tr(P Cov(e_g)) [1]. A true amplitude A gives the statistic the noncentrality A^2
+    /// v_c^2/v.
     double information = 0;
-    /// Share of the squared length g'g of the whitened change that the calibrated parameters
-    /// imitate [1].
+    /// Share of the squared length of the change of the readings, in units of their errors
+    /// (whitened), that the calibrated parameters imitate [1].
     double share_imitated = 0;
     bool one_sided = false;  ///< whether the amplitude cannot be negative
 

@@ -26,8 +26,8 @@ struct Signature {
     double taken_at = 1;  ///< amplitude at which the change was computed [1]
 };
 
-/// Predictions of a model to which one candidate effect is added, as a function of the amplitude of
-/// this effect.
+/// Predictions of a model to which one effect is added, as a function of the amplitude of this
+/// effect.
 class Addition {
   public:
     /// Adds the candidate `added` to the model with the candidates `chosen`.
@@ -36,9 +36,9 @@ class Addition {
     Addition(const ModelSpace& space, EffectSet chosen, std::size_t added,
              Eigen::VectorXd parameters, Eigen::VectorXd values);
 
-    /// Returns the signature of the candidate effect: the change of the predicted readings, per
-    /// unit of amplitude, when its parameter moves from the neutral value (no effect) by the
-    /// smallest amount that matters.
+    /// Returns the change of the predicted readings, per unit of amplitude, when the parameter of
+    /// the added effect moves from its neutral value (no effect) by the smallest amount that
+    /// matters.
     /// @param with_errors whether to compute the covariances of the change
     Signature signature(bool with_errors) const;
     /// Computes the change of the readings in `signature` again at another amplitude of the
@@ -46,12 +46,12 @@ class Addition {
     /// amplitude is zero or makes the readings impossible.
     void retake(Signature& signature, double amplitude) const;
 
-    /// Returns the value of the candidate's parameter [its unit] at an amplitude [1], limited to
+    /// Returns the value of the added effect's parameter [its unit] at an amplitude [1], limited to
     /// its bounds.
-    /// @param one_sided as in the `Signature` of the candidate
+    /// @param one_sided whether the amplitude cannot be negative (`Signature::one_sided`)
     double value_at(double amplitude, bool one_sided) const;
-    /// Returns the amplitude of the candidate effect [1] at a value of its parameter [its unit].
-    /// @param one_sided as in the `Signature` of the candidate
+    /// Returns the amplitude of the added effect [1] at a value of its parameter [its unit].
+    /// @param one_sided whether the amplitude cannot be negative (`Signature::one_sided`)
     double amplitude_at(double value, bool one_sided) const;
 
     const Candidate& candidate() const { return space_.candidates()[added_]; }

@@ -33,7 +33,7 @@ class WeightedResiduals {
     /// Measured values, not whitened, in the units of the readings: shear stress and solid fraction
     /// of each reading in turn, then direct measurements.
     const Eigen::VectorXd& measured() const { return measured_; }
-    /// chi2 of the fit [1]: squared length of the whitened residuals.
+    /// chi2 of the fit [1]: squared length of the whitened residuals (in units of their errors).
     double chi2() const { return residuals_.squaredNorm(); }
     /// Logarithm of the determinant of the covariance of measurement and simulation, in the squared
     /// units of the readings.
@@ -66,9 +66,9 @@ class WeightedResiduals {
     /// @param covariance covariance C of the errors, in the squared units of the readings
     double variance_along(const Eigen::VectorXd& direction,
                           const Eigen::MatrixXd& covariance) const;
-    /// Removes from whitened changes of the readings what a change of the calibrated parameters can
-    /// imitate: returns P `columns`, with the projection P = I - J (J'J)^-1 J' and the whitened
-    /// derivatives J of the predictions.
+    /// Removes from changes of the readings, in units of their errors (whitened), what a change of
+    /// the calibrated parameters can imitate: returns P `columns`, with the projection P = I - J
+    /// (J'J)^-1 J' and the whitened derivatives J of the predictions.
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
     /// Returns P B, a column for each group of entries, such as the entries of each condition. B is
     /// an orthonormal basis of the whitened mean deviations of the groups, in which all entries of
@@ -77,7 +77,7 @@ class WeightedResiduals {
     /// @param groups indices of the entries of each group
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
     /// Returns the change of the calibrated parameters [their units] that comes closest, by least
-    /// squares, to a whitened change of the predictions.
+    /// squares, to a change of the predictions in units of the readings' errors (whitened).
     Eigen::VectorXd share_imitated_by(const Eigen::VectorXd& change) const;
     /// Number of linearly independent combinations of the calibrated parameters that the readings
     /// determine.

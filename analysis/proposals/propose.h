@@ -49,12 +49,13 @@ struct Proposal {
 /// Every quantity that a formula can set is varied along every quantity of the readings, with every
 /// profile (shape of the variation). Each combination is scored by a linear estimate,
 ///     chi2 reduction (g'Pr)^2/(g'Pg) - 2 ln(number of profiles of the kind),
-/// with the whitened residuals r, the whitened change g and the projection P (`WeightedResiduals`).
-/// The model is refitted with the best combinations and tested like other explanations, with the
-/// known effects and the other combinations as further effects. Pairs are tried where no single
-/// change fits. Returns at most three proposals that fit, the lowest Proposal::description() first.
-/// Where none fits, returns the best one if it removes at least half of the misfit, else nothing.
-/// @param evidence readings with their errors and suspect measurements
+/// with the residuals r and the change g of the readings, both in units of the readings' errors,
+/// and the projection P that removes what the calibrated parameters can imitate. The model is
+/// refitted with the best combinations and tested like other explanations, with the known effects
+/// and the other combinations as further effects. Pairs are tried where no single change fits.
+/// Returns at most three proposals that fit, the lowest Proposal::description() first. Where none
+/// fits, returns the best one if it removes at least half of the misfit, else nothing.
+/// @param evidence readings with their errors and with parts of the measurement that may be wrong
 /// @param diagnosis diagnosis of the study's model, which does not fit
 std::vector<Proposal> propose(const ResolvedStudy& study, const StudyModels& models,
                               const Evidence& evidence, const std::vector<Reading>& readings,

@@ -71,8 +71,8 @@ class ScoredShapes {
     /// Returns the score of two shapes together; empty where they are nearly parallel, or where a
     /// change would leave its bounds.
     std::optional<Score> score_of(std::size_t one, std::size_t other) const;
-    /// Returns the whitened change of the readings by a score's shapes at the estimated changes,
-    /// scaled to length 1.
+    /// Returns the change of the readings, in units of their errors (whitened), by a score's shapes
+    /// at the estimated changes, scaled to length 1.
     Eigen::VectorXd change_by(const Score& score) const;
     /// Adds the single shape of `other` to `alike` of `chosen`, unless its quantity is there
     /// already.

@@ -55,7 +55,7 @@ class PaperState {
     /// Stress ratio of dry grains at the friction and inertial number of the state [1].
     const Mean& dry_stress_ratio() const { return dry_stress_ratio_; }
     /// Averages over the run (solid fraction, coordination numbers, fabric, bridge forces) from
-    /// which the closures compute stresses.
+    /// which the closures (analytical formulas) compute stresses.
     const closures::State& network() const { return network_; }
     /// Capillary stresses measured in the run, over F0/a^2 [1] (F0: pull-off force of a bridge, a:
     /// grain diameter).
@@ -66,9 +66,9 @@ class PaperState {
     Mean operator[](dem::Observable which) const;
     /// Solid fraction of the run, corrected to grains of infinite stiffness [1].
     Mean rigid_solid_fraction() const;
-    /// Returns the value of a closure [1], as in `closure(&closures::ClosureValues::strength2)`,
-    /// with the part of its standard error that comes from the stress ratios of this state and of
-    /// dry grains.
+    /// Returns the value of a closure (analytical formula) [1], as in
+    /// `closure(&closures::ClosureValues::strength2)`, with the part of its standard error that
+    /// comes from the stress ratios of this state and of dry grains.
     Mean closure(double closures::ClosureValues::*value) const;
 
   private:

@@ -34,8 +34,8 @@ class Emulator {
     Emulator(const std::vector<dem::RunResult>& runs, EmulatorHyperparameters hyperparameters,
              double stiffness_number = emulated::reference_stiffness);
 
-    /// Returns an emulator with the same hyperparameters, trained on the runs of this emulator and
-    /// the runs `more`.
+    /// Returns an emulator with the same hyperparameters (amplitudes and lengths of its Gaussian
+    /// processes), trained on the runs of this emulator and the runs `more`.
     Emulator with(const std::vector<dem::RunResult>& more) const;
 
     /// Hyperparameters that were given at construction or have been fitted since, by observable.

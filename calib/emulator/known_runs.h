@@ -10,7 +10,8 @@
 namespace pendular {
 
 /// Simulation runs from which a calibration starts: training runs of the emulator, with
-/// hyperparameters that were fitted to them before.
+/// hyperparameters (amplitudes and lengths of its Gaussian processes) that were fitted to them
+/// before.
 struct KnownRuns {
     /// Training runs. If there are none and `orders_more` is true, a calibration first simulates
     /// dry runs.

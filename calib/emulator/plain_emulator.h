@@ -83,15 +83,16 @@ class PlainEmulator {
     /// `emulated::reference_stiffness` or, if no run without effects is, of that of the first run
     /// without effects.
     static bool known(const std::vector<dem::RunResult>& runs, dem::Observable which);
-    /// Fits the hyperparameters of one observable to the runs without effects of about the given
-    /// stiffness number [1] or, if there are none, of about that of the first run without effects
-    /// (`fit_hyperparameters`).
+    /// Fits the hyperparameters (amplitudes and lengths of its Gaussian processes) of one
+    /// observable to the runs without effects of about the given stiffness number [1] or, if there
+    /// are none, of about that of the first run without effects (`fit_hyperparameters`).
     /// @throws std::invalid_argument where none of these runs has a value of the observable
     static Hyperparameters learn(const std::vector<dem::RunResult>& runs, dem::Observable which,
                                  double stiffness_number = emulated::reference_stiffness);
 
   private:
-    /// Returns the hyperparameters of one observable; missing ones are fitted at the first call.
+    /// Returns the hyperparameters (amplitudes and lengths of its Gaussian processes) of one
+    /// observable; missing ones are fitted at the first call.
     Hyperparameters hyperparameters_of(dem::Observable which) const;
     /// Returns the Gaussian process that predicts an observable, trained at the first call.
     /// @throws std::invalid_argument where no training run has a value of the observable

@@ -24,7 +24,8 @@ struct Overestimate {
 /// with the shear stress s12, the normal stress s22, the reduced cohesion c* = a^2 c/F0, the
 /// reduced pressure P* = a^2 s22/F0, the grain diameter a, the pull-off force F0 of a liquid bridge
 /// and the cohesion c. A point of the line is the stress ratio of one reading. Standard errors
-/// follow from the covariance of the points and are not scaled by chi2/dof.
+/// follow from the covariance of the points and are not scaled by chi2/dof (dof: degrees of
+/// freedom).
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 struct CohesionLine {
     std::string source;  ///< values to which the line is fitted: "measured" or "simulated"

@@ -28,9 +28,9 @@ Measured stack(const std::vector<Reading>& readings,
 /// Result of one weighted least-squares fit of a model's parameters to measured values.
 struct Fit {
     Eigen::VectorXd parameters;  ///< fitted parameter values, in the order of Model::parameters()
-    /// Covariance (J' J)^-1 of the fitted parameters, not scaled by chi2/dof. J: derivatives of the
-    /// predictions by the parameters, whitened (divided by the Cholesky factor of the covariance of
-    /// measurement and simulation).
+    /// Covariance (J' J)^-1 of the fitted parameters, not scaled by chi2/dof (dof: degrees of
+    /// freedom). J: derivatives of the predictions by the parameters, whitened (divided by the
+    /// Cholesky factor of the covariance of measurement and simulation).
     Eigen::MatrixXd covariance;
     /// Addition to `covariance` that widens the standard errors of the parameters because few
     /// replicates determine the scatter of the readings (Measured::widening); empty: none.
