@@ -81,7 +81,7 @@ class PaperState {
 
 /// Straight line mu* = intercept + c*/P* through the stress ratios mu* of the states of one
 /// friction and one bridge volume at reduced pressures P* >= 2.3, weighted by their standard
-/// errors.
+/// errors. The slope c* is the reduced cohesion.
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 struct StrengthLine {
     /// Friction, bridge volume over cubed grain diameter [1].

@@ -61,7 +61,9 @@ class Emulator {
     /// counted once:
     ///     error = e(at) - W e(X) + error of the change at given f,
     /// with the error e of f and the weights W of the differences in the change.
-    /// @throws std::invalid_argument as `mean` does
+    /// @throws std::invalid_argument for an observable of which no training run has a value, for an
+    ///         observable of liquid bridges at a dry state, and for an effect that no run has as
+    ///         its only effect
     Eigen::MatrixXd covariance(const std::vector<Query>& queries) const;
 
     /// Text that names the friction, inertial number, reduced pressure or bridge volume of a state

@@ -57,7 +57,8 @@ class PlainEmulator {
         std::map<dem::Observable, PreparedShare> shares;
     };
     /// Computes the terms that the covariances of the answers to queries need.
-    /// @throws std::invalid_argument as `mean` does
+    /// @throws std::invalid_argument for an observable of which no training run has a value, and
+    ///         for an observable of liquid bridges at a dry state
     PreparedQueries prepare(const std::vector<Query>& queries) const;
     /// Covariance of the errors of the answers to `queries`, a row and a column for each query.
     Eigen::MatrixXd covariance(const PreparedQueries& queries) const;

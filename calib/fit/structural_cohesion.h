@@ -19,8 +19,8 @@ struct StructuralCohesion {
     /// Reduced cohesion c* by Rumpf's formula, mu*_0 Phi_S Z*/pi [1] (eq:cohesion3): stress ratio
     /// mu*_0 of dry grains, solid fraction Phi_S, effective coordination number Z*.
     Estimate rumpf;
-    /// Reduced cohesion c* with the capillary shear stress s12cap: `rumpf` - a^2 s12cap/F0 [1]
-    /// (eq:cohgen).
+    /// Reduced cohesion c* with the shear stress s12cap of the capillary forces: `rumpf` - a^2
+    /// s12cap/F0 [1] (eq:cohgen). a: grain diameter; F0: pull-off force of a bridge.
     Estimate generalised;
 };
 

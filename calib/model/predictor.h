@@ -64,6 +64,7 @@ class FlowPredictor : public Predictor {
                        PredictionPart what = PredictionPart::covariance) const final;
     /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn. The
     /// conditions may contain grains and liquid changed by effects.
+    /// @param parameters values of the parameters, in the order of parameters()
     /// @param what parts to compute: values, derivatives or covariances
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
