@@ -28,14 +28,14 @@ double share_explained(double chi2, int dof, const Explanation& by);
 /// empty where no effects do.
 ///
 /// Repetitions of the experiment are drawn at random. Random errors e of the readings change chi2
-/// of model m by 2 s r_m' e, with its whitened residuals r_m. The misfit that even the best model
-/// leaves is taken as a sign that all variances are larger than stated, by the factor s^2 =
-/// chi2/dof of that model (at least 1). In each repetition, the leading model has the smallest
-/// value of
+/// of model m by 2 s r_m' e, with its residuals r_m in units of their errors. The misfit that even
+/// the best model leaves is taken as a sign that all variances are larger than stated, by the
+/// factor s^2 = chi2/dof of that model (at least 1). In each repetition, the leading model has the
+/// smallest value of
 ///     chi2/s^2 + ln det Sigma_m + 2 (number of its parameters),
-/// Akaike's criterion for errors of that size; the determinant of the covariance Sigma_m of
-/// measurement and prediction prevents that a model is preferred because its own errors are large.
-/// A leading effect is part of the leading model in at least 95 of 100 repetitions. The leading
+/// Akaike's criterion for errors of that size. The determinant of the covariance Sigma_m of
+/// measurement and prediction keeps a model from leading only because its own errors are large. A
+/// leading effect is part of the leading model in at least 95 of 100 repetitions. The leading
 /// effects are returned only if the model with them alone removes at least 90 % of the excess chi2
 /// - dof.
 /// @param chi2 chi2 of the model without further effects

@@ -5,9 +5,10 @@
 
 namespace pendular {
 
-/// Fits the hyperparameters of the Gaussian process of one quantity to observations, by maximum of
-/// likelihood times prior. Broad log-normal priors keep hyperparameters finite that the
-/// observations do not determine. The maximum is found by Ceres with analytic gradients.
+/// Fits the hyperparameters (amplitudes, lengths and noise) of the Gaussian process of one quantity
+/// to observations: they maximise likelihood times prior. Broad log-normal priors keep
+/// hyperparameters finite that the observations do not determine. The maximum is found by Ceres
+/// with analytic gradients.
 /// @param domain kind of the quantity
 /// @param known observations; only those of the first quantity are used
 /// @param unit typical size of the quantity, in its unit

@@ -20,8 +20,10 @@ namespace pendular {
 /// liquid change this condition. (3) The inner model predicts the true shear stress and solid
 /// fraction, which effects on the flow may change. (4) The instrument's map turns these into the
 /// values that the instrument shows. Where no effect acts on a reading, the prediction is that of
-/// the inner model. Derivatives by an effect's parameter are central differences over a thousandth
-/// of its smallest effect of interest; predictions are smooth in the parameters, so that the
+/// the inner model.
+///
+/// Derivatives by an effect's parameter are central differences with a step of a thousandth of the
+/// parameter's smallest effect of interest; predictions are smooth in the parameters, so that the
 /// differences contain no noise. The covariance of a prediction includes the discrepancy (expected
 /// error of the model) that the study states. Predictions throw std::domain_error where no true
 /// state of the cell gives a condition that the instrument shows.

@@ -60,9 +60,9 @@ class RunPlanner {
     /// Improves the predictions of wet readings at a friction coefficient [1] by new runs, if runs
     /// may be requested. Each call first requests runs at states outside the range of the earlier
     /// runs. The first call then checks the emulator with few runs. Later calls request as many
-    /// runs as reduce the errors of the predictions by a factor 1 + `turns`, but at most 16.
+    /// runs as reduce the variances of the predictions by a factor 1 + `turns`, but at most 16.
     /// @param conditions wet conditions truly imposed on the grains
-    /// @param turns number of earlier calls
+    /// @param turns factor by which later calls reduce the variances, minus 1 [1]
     /// @throws dem::SimulationError where no wet run is known and none of the first succeeds
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
@@ -111,8 +111,7 @@ class RunPlanner {
     /// Requests runs near `friction` [1], the optimum of a fit, for the dry (`wet` false) or the
     /// wet conditions, and tests whether they agree with the emulator. If they do not, confirmed()
     /// becomes false.
-    /// @param excess factor by which the errors (weighted variances) of the predictions are to
-    ///        decrease
+    /// @param excess factor by which the weighted variances of the predictions are to decrease [1]
     void confirm(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                  double excess);
     /// Returns the states among `from` at which runs reduce the variances of the stress ratios and
@@ -127,8 +126,9 @@ class RunPlanner {
     /// emulator.
     std::vector<dem::RunResult> simulated(const std::vector<dem::RunParameters>& runs,
                                           const std::string& why);
-    /// Carries out as many runs at `states` as the time budget allows, counts them under the reason
-    /// `why` and trains the emulator on them.
+    /// Carries out the first of the runs at `states`, as many as the time budget allows before the
+    /// best states are chosen again (RunBudget::batch), counts them under the reason `why` and
+    /// trains the emulator on them.
     /// @return p value of the agreement of these runs with the earlier emulator (`agreement`); 0
     ///         where no run succeeded, 1 where the budget allowed none
     double order(const std::vector<FlowState>& states, const std::string& why);
