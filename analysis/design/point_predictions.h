@@ -12,14 +12,15 @@ inline Eigen::Index entries_at(const Point& point) {
     return point.direct ? 1 : 2;
 }
 
-/// Values that a rival model predicts at several points with its fitted parameters, point after
-/// point (`entries_at` values each), with their derivatives by these parameters and their
-/// covariance from errors of the simulation.
+/// Returns the values that a rival model predicts with its fitted parameters at several points,
+/// point after point: shear stress [Pa] and solid fraction [1] of a reading, one value of a direct
+/// measurement. Also returns the derivatives of the values by the parameters, and the covariance of
+/// the values from errors of the simulation.
 Prediction predicted_at(const Rival& rival, const std::vector<Point>& points);
 
-/// Variance of the error of each value in one measurement at each point [unit of the value
-/// squared], in the order of `predicted_at`.
-/// @param shown expected values of the measurements, in the order of `predicted_at`
+/// Returns the variance of the measurement error of each value, in its squared unit, point after
+/// point as in `predicted_at`.
+/// @param shown expected values of the measurements, point after point
 /// @param relative_noise standard errors of (shear stress, solid fraction) of one reading, over
 ///        their values [1]; direct measurements have their own standard errors instead
 Eigen::VectorXd noise_at(const std::vector<Point>& points, const Eigen::VectorXd& shown,

@@ -10,17 +10,18 @@
 
 namespace pendular {
 
-/// Rival model: one of several models of a study between which measurements should decide, with its
+/// Rival model: one of several models of a study among which measurements are to decide, with its
 /// fitted parameters.
 struct Rival {
     std::string name;  ///< effects added to the study's model, or "the model as it is"
-    std::shared_ptr<const Predictor> model;  ///< predicts readings with these effects
+    std::shared_ptr<const Predictor> model;  ///< predictor of readings with these effects
     Eigen::VectorXd parameters;  ///< fitted parameters, in the order of `model->parameters()`
     Eigen::MatrixXd covariance;  ///< covariance of the errors of `parameters`
 };
 
 /// Possible next measurement with its cost: a reading of steady shear at a condition, or a direct
-/// measurement of one parameter. Costs are in units of one dry reading.
+/// measurement of one parameter without shearing grains. The unit of costs is the cost of one dry
+/// reading.
 struct Point {
     Condition condition = {};  ///< condition of the reading; unused where `direct` is given
     /// Direct measurement of a parameter; empty: a reading.
@@ -40,9 +41,10 @@ struct Forecast {
     Eigen::MatrixXd from_simulation;  ///< covariance from errors of the simulation
 };
 
-/// Smallest noncentrality of chi2 [1] at which a test at 5 % significance distinguishes two rival
-/// models with a power of 0.8. `telling_noncentrality` is for two observables, and also serves for
-/// several points together; `telling_directly` is for the single number of a direct measurement.
+/// Smallest noncentrality of chi2 [1] at which a test at 5 % significance tells two rival models
+/// apart with a probability of 0.8: for the two observables of a reading (`telling_noncentrality`,
+/// also used for several points together), and for the single number of a direct measurement
+/// (`telling_directly`).
 inline constexpr double telling_noncentrality = 9.63, telling_directly = 7.85;
 
 }  // namespace pendular

@@ -19,10 +19,11 @@ namespace pendular {
 /// condition.
 struct SuspectMeasurement {
     std::string name;  ///< name of the part, as in "the readings of dry_1.csv"
-    /// Change of the measured entries by each kind of error at amplitude 1, entries x kinds, in the
+    /// Changes of the measured values by each kind of error at amplitude 1, entries x kinds, in the
     /// units of the readings. An entry is one observable of one reading, or a direct measurement.
     Eigen::MatrixXd columns;
-    /// Quantity that each column changes, as in "shear stress"; empty if `name` names the quantity.
+    /// Quantity that each kind of error changes, as in "shear stress"; empty if `name` names the
+    /// quantity.
     std::vector<std::string> quantities = {};
     /// Smallest amplitude of each kind of error that matters to the user [1].
     double smallest_of_interest = 1;
@@ -30,75 +31,81 @@ struct SuspectMeasurement {
     std::string group = {};
 };
 
-/// Readings and direct measurements with errors, conditions and suspect measurements, as a
-/// diagnosis uses them. An entry is one observable of one reading, or a direct measurement.
+/// Input of a diagnosis: readings and direct measurements with their errors, conditions and suspect
+/// measurements. An entry is one observable of one reading, or a direct measurement.
 struct Evidence {
-    Measured measured;            ///< measured values with their errors as estimated
-    ErrorKnowledge errors;        ///< how uncertain the sizes of these errors are
+    Measured measured;            ///< measured values with their errors
+    ErrorKnowledge errors;        ///< uncertainty of the sizes of these errors
     bool errors_assumed = false;  ///< whether errors of some readings are assumed, not measured
-    /// Groups of entries, as indices: values of one observable measured at one condition, or a
-    /// single direct measurement. Every entry is in one group.
+    /// Groups of entries, as indices. A group contains the values of one observable at one
+    /// condition, or a single direct measurement; every entry is in one group.
     std::vector<std::vector<Eigen::Index>> conditions;
     std::vector<SuspectMeasurement> suspects;  ///< parts of the measurement that may be wrong
 };
 
 /// Refitted model of a diagnosis: the study's model with further effects, or with an error of a
-/// suspect measurement, fitted to the readings; and whether it fits.
+/// suspect measurement, fitted to the readings, and the result of the tests whether it fits.
 struct Explanation {
-    EffectSet chosen;                    ///< effects added to the study's model
-    std::optional<std::size_t> suspect;  ///< index into Evidence::suspects; empty: no error fitted
+    /// Effects added to the study's model, as indices into ModelSpace::candidates().
+    EffectSet chosen;
+    /// Index into Evidence::suspects; empty: without an error of a suspect measurement.
+    std::optional<std::size_t> suspect;
     Fit fit;
-    double chi2 = 0;           ///< chi2 of all entries in this fit
-    double lack_of_fit_p = 0;  ///< p value of the lack of fit of the conditions' means [1]
-    /// p value [1] of the most significant candidate effect or suspect measurement that the model
-    /// does not contain, corrected for the number of tests; 1 also where not tested.
+    double chi2 = 0;           ///< chi2 of all measured values in the fit
+    double lack_of_fit_p = 0;  ///< p value of the test for lack of fit of the conditions' means [1]
+    /// p value [1] of the most significant effect or suspect measurement that the model does not
+    /// contain, corrected for the number of tests; 1 where it was not tested.
     double further_p = 1;
-    bool accepted = false;  ///< whether neither p value is significant and the fit converged
+    /// Whether the model fits: neither p value is significant, and the fit converged.
+    bool accepted = false;
 };
 
-/// Result of a diagnosis for one candidate (effect not in the model): its score test and, where the
-/// model was refitted with it, the reduction of chi2.
+/// Result of a diagnosis for one candidate (effect not in the model): its score test (test without
+/// a refit) and, where the model was refitted with it, the reduction of chi2.
 struct Finding {
     std::size_t candidate = 0;  ///< index into ModelSpace::candidates()
     ScoreTest test;
-    /// Estimate of the parameter by the score test [its unit]; for a switch, of the amplitude [1].
+    /// Value of the candidate's parameter, estimated by the score test [its unit]; for a switch,
+    /// the amplitude [1].
     double value = 0;
     double standard_error = 0;  ///< standard error of `value` [unit of `value`]
-    /// p value of the candidate's score test [1], corrected for the number of tests.
+    /// p value of the score test [1], corrected for the number of tests.
     double p = 1;
-    /// Probability [1] that the score test finds the effect where its parameter differs from the
-    /// neutral value (no effect) by the smallest amount that matters.
+    /// Power of the score test [1]: probability that it finds the effect where the parameter
+    /// differs from its neutral value (no effect) by the smallest amount that matters.
     double power = 0;
-    /// Smallest distance of the parameter from its neutral value (no effect) at which the score
-    /// test finds the effect with the probability DiagnosisOptions::wanted_power [unit of `value`].
+    /// Smallest difference of the parameter from its neutral value (no effect) that the score test
+    /// finds with the probability DiagnosisOptions::wanted_power [unit of `value`].
     double detectable = 0;
-    /// Reduction of chi2, from the study's model to the model refitted with this candidate alone;
-    /// empty: not refitted.
+    /// Reduction of chi2 from the study's model to the model refitted with this candidate alone
+    /// [1]; empty: not refitted.
     std::optional<double> refitted_reduction;
     std::string decision;  ///< conclusion on the candidate, as in "missing" or "no sign of it"
-    /// Whether the score test would find the effect at a size within its parameter's bounds with
-    /// the probability DiagnosisOptions::wanted_power; for a switch, whether `power` exceeds 0.1.
+    /// Whether the readings can show the effect: the score test would find it at a size within its
+    /// parameter's bounds with the probability DiagnosisOptions::wanted_power; for a switch,
+    /// whether `power` exceeds 0.1.
     bool identifiable = false;
 };
 
 /// Options of a diagnosis.
 struct DiagnosisOptions {
-    double significance = 0.05;  ///< probability that a complete model is called incomplete
-    /// Least power [1] of the score test of a candidate effect at which the effect counts as
-    /// excluded if the test does not find it.
+    double significance = 0.05;  ///< probability that a complete model is called incomplete [1]
+    /// Smallest power [1] of the score test of a candidate effect (not in the model) at which the
+    /// effect counts as excluded if the test does not find it.
     double wanted_power = 0.8;
-    /// Number of random draws of the readings' errors, from which all tests take p values; with
-    /// 6000, a p value of 0.025 has a standard error of 0.002.
+    /// Number of random draws of the readings' errors, from which all p values follow. With 6000
+    /// draws, a p value of 0.025 has a standard error of 0.002.
     Eigen::Index draws = 6000;
     std::uint64_t seed = 1;  ///< seed of the random draws
-    /// Largest number of pairs of candidate effects to refit, where no single candidate or suspect
-    /// measurement explains the readings.
+    /// Largest number of pairs of candidate effects (not in the model) to refit, where no single
+    /// candidate or suspect measurement explains the readings.
     std::size_t most_pairs = 12;
     std::size_t most_suspects = 12;  ///< largest number of suspect measurements to refit
-    /// Starting values for the fit of the model without further effects; empty: the model's own.
+    /// Starting values for the fit of the model without further effects, in the order of its
+    /// parameters; empty: Parameter::start.
     std::optional<Eigen::VectorXd> start = {};
-    /// Callback for progress: `done` of `of` steps of the work that `what` names are finished; may
-    /// be empty.
+    /// Function that is called with the progress: `done` of `of` steps of the work that `what`
+    /// names are finished; may be empty.
     std::function<void(std::string_view what, std::size_t done, std::size_t of)> progress = {};
     std::size_t threads = 1;  ///< largest number of threads for refits; no result depends on it
 };

@@ -8,15 +8,15 @@
 
 namespace pendular {
 
-/// Score tests of a fitted model for every candidate (effect not in the model) and every suspect
-/// measurement (part of the measurement that may be wrong). The lists are in the order of the
-/// candidates or of the suspects.
+/// Fitted model of a study with its score tests (tests without a refit) for every candidate (effect
+/// not in the model) and every suspect measurement (part of the measurement that may be wrong). The
+/// lists are in the order of the candidates or of the suspect measurements.
 struct Scanned {
-    const Explanation& base;                      ///< the study's model without further effects
-    const WeightedResiduals& residuals;           ///< whitened residuals of `base`
-    const std::vector<Addition>& additions;       ///< predictions of `base` with each candidate
-    const std::vector<Signature>& signatures;     ///< change of the readings by each candidate
-    const std::vector<Finding>& findings;         ///< result of each candidate's score test
+    const Explanation& base;                   ///< the study's model without further effects
+    const WeightedResiduals& residuals;        ///< whitened residuals of `base`
+    const std::vector<Addition>& additions;    ///< predictions of `base` with each candidate added
+    const std::vector<Signature>& signatures;  ///< change of the readings by each candidate
+    const std::vector<Finding>& findings;      ///< result of each candidate's score test
     const std::vector<ScoreTest>& suspect_tests;  ///< score test of each suspect measurement
 };
 
@@ -31,14 +31,16 @@ struct Found {
     std::vector<Explanation> fitting_suspects;
 };
 
-/// Whether the score test of a candidate effect is significant enough to refit the model with it:
-/// the p value of this test alone is below 0.05.
+/// Whether the score test of a candidate effect (not in the model) is significant enough to refit
+/// the model with the effect: the p value of this test alone is below 0.05.
 bool looks_missing(const Finding& finding);
 
-/// Refits the model with each candidate that looks missing and with each significant suspect
-/// measurement and, where none of these models fits, with pairs of candidates. Refits run in
-/// parallel on up to `options.threads` threads. A model is skipped where its reduction of chi2,
-/// predicted without a refit, is clearly below that of a model already rejected.
+/// Refits a study's model with each candidate (effect not in the model) that looks missing and with
+/// each significant suspect measurement (part of the measurement that may be wrong) and, where none
+/// of these models fits, with pairs of candidates. Returns all refitted models and those that fit.
+/// Refits run in parallel on up to `options.threads` threads. A model is not refitted if its
+/// predicted reduction of chi2 is clearly below that of a model already rejected.
+/// @param scanned the fitted model without further effects, with its score tests
 Found search_explanations(const ModelSpace& space, const Evidence& evidence,
                           const DiagnosisOptions& options, const Explanations& explanations,
                           const Scanned& scanned);

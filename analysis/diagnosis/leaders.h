@@ -7,34 +7,39 @@
 
 namespace pendular {
 
-/// Leading effects: candidate effects that explain most of a misfit where no refitted model fits
-/// within the errors.
+/// Leading effects: candidate effects (not in the model) that explain most of a misfit, where no
+/// refitted model fits within the errors.
 struct Leaders {
     Explanation model;  ///< refitted model with the leading effects alone
-    /// Share of the excess chi2 - dof of the study's model that `model` removes [1].
+    /// Share of the excess chi2 - dof (chi2 minus degrees of freedom) of the study's model that
+    /// `model` removes [1].
     double explained = 0;
-    /// Share of the drawn repetitions of the experiment (`find_leaders`) in which the best model
-    /// lacks at least one of these effects [1].
+    /// Share of the simulated repetitions of the experiment (`find_leaders`) in which the best
+    /// model lacks at least one of the leading effects [1].
     double rival_share = 0;
 };
 
-/// Share of the excess chi2 - dof of a model that is removed when the model is refitted with
-/// further effects, as `by` [1]: 1 where the chi2 of `by` is at most its degrees of freedom, 0
+/// Returns the share [1] of the excess chi2 - dof (chi2 minus degrees of freedom) of a model that
+/// the refitted model `by` removes: 1 where the chi2 of `by` is at most its degrees of freedom, 0
 /// where there is no excess.
 double share_explained(double chi2, int dof, const Explanation& by);
 
 /// Finds the effects that explain most of a misfit where none of the refitted models `tried` fits;
-/// empty where no effects do. `chi2` and `dof` are those of the model without further effects.
+/// empty where no effects do.
 ///
-/// Repetitions of the experiment are drawn: errors e change chi2 of model m by 2 s r_m' e, with its
-/// whitened residuals r_m. The misfit that even the best model leaves is taken as a sign that all
-/// variances are larger than stated, by the factor s^2 = chi2/dof of that model. In each
-/// repetition, the leading model is the model with the least
+/// Repetitions of the experiment are drawn at random. Random errors e of the readings change chi2
+/// of model m by 2 s r_m' e, with its residuals r_m in units of their errors. The misfit that even
+/// the best model leaves is taken as a sign that all variances are larger than stated, by the
+/// factor s^2 = chi2/dof of that model (at least 1). In each repetition, the leading model has the
+/// smallest value of
 ///     chi2/s^2 + ln det Sigma_m + 2 (number of its parameters),
-/// Akaike's criterion for errors of that size; the determinant ensures that a model is not
-/// preferred because its own errors are large. A leading effect is part of the leading model in at
-/// least 95 of 100 repetitions. The leading effects are returned only where the model with them
-/// alone removes at least 90 % of the excess.
+/// Akaike's criterion for errors of that size. The determinant of the covariance Sigma_m of
+/// measurement and prediction keeps a model from leading only because its own errors are large. A
+/// leading effect is part of the leading model in at least 95 of 100 repetitions. The leading
+/// effects are returned only if the model with them alone removes at least 90 % of the excess chi2
+/// - dof.
+/// @param chi2 chi2 of the model without further effects
+/// @param dof degrees of freedom of `chi2`
 /// Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), sections 2.5
 /// (QAIC) and 2.12 (bootstrap frequencies).
 std::optional<Leaders> find_leaders(double chi2, int dof, const std::vector<Explanation>& tried,

@@ -7,13 +7,15 @@
 
 namespace pendular {
 
-/// Most likely size of a smooth error of the model, relative to the shear stress [1], given the
-/// residuals of its fit to readings; 0 where no such error is significant (p > 0.05). The error has
-/// the correlation of `discrepancy_correlation` and adds to the errors of measurement and of the
-/// prediction. The restricted likelihood allows for the fitted parameters. Source: Patterson and
-/// Thompson, Biometrika 58 (1971) 545.
-/// @param prediction prediction of the readings, and of direct measurements after them, at the
-///        fitted parameters, with derivatives
+/// Returns the most likely size of a model's smooth error, relative to the shear stress [1], given
+/// the residuals of its fit to readings; 0 where no such error is significant (p > 0.05). Sizes
+/// from 0.05 % to 20 % are compared. The error has the correlation `discrepancy_correlation`
+/// between conditions and adds to the errors of measurement and prediction. The restricted
+/// likelihood allows for the fitted parameters.
+/// @param measured readings, followed by direct measurements
+/// @param prediction prediction of `measured` at the fitted parameters, with derivatives
+/// @param conditions conditions of the readings
+/// Source: Patterson and Thompson, Biometrika 58 (1971) 545.
 double likely_discrepancy(const Measured& measured, const Prediction& prediction,
                           const std::vector<Condition>& conditions);
 

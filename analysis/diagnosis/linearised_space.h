@@ -9,17 +9,20 @@
 
 namespace pendular {
 
-/// Model space that is linear in all parameters and amplitudes, tangent to the models of a
-/// diagnosis at one of its refitted models: the bare model at the fitted parameters theta_0
-/// predicts f_0, and candidate k changes the predictions by c_k at amplitude 1, so that
+/// Model space (a bare model and its candidates) whose predictions f are linear in all parameters
+/// theta and amplitudes A_k of candidates k:
 ///     f = f_0 + J (theta - theta_0) + sum over the chosen candidates k of c_k A_k.
-/// The candidates are those of the original space with its bounds; their values are amplitudes A, 0
-/// where there is no effect and 1 at the smallest size that matters. A prediction takes
-/// microseconds. At the estimates of the refitted model and of the refits with one effect, the
-/// predictions are those of the refitted models.
+/// The models are tangent to those of a diagnosis at one of its refitted models, which has the
+/// parameters theta_0: f_0 is the prediction of the bare model there, J its derivatives, and c_k
+/// the change of the predictions by candidate k at amplitude 1. The candidates are those of the
+/// original space with its bounds; their values are amplitudes, 0 where there is no effect and 1 at
+/// the smallest size that matters. A prediction takes microseconds. At the estimates of the
+/// refitted model, and of the refits with one effect, the predictions equal those of the refitted
+/// models.
 class LinearisedSpace : public ModelSpace {
   public:
-    /// Linearises the models of `space` about `about`, an explanation of `diagnosis`.
+    /// Linearises the models of `space` about the refitted model `about`, an explanation of
+    /// `diagnosis`.
     LinearisedSpace(const ModelSpace& space, const Diagnosis& diagnosis, const Explanation& about);
 
     const std::vector<Candidate>& candidates() const override { return candidates_; }
@@ -30,22 +33,26 @@ class LinearisedSpace : public ModelSpace {
   private:
     class Linear;
 
-    /// Adds the candidate with index `k` of `space`, and returns its amplitude in `refit`. `refit`:
-    /// refitted model with the candidate, at whose estimate the change of the readings is computed;
-    /// null: at the smallest size that matters.
+    /// Adds the candidate with index `k` of `space`, and returns its amplitude in `refit`.
+    /// @param refit refitted model with the candidate, at whose estimate the change of the readings
+    ///        is computed; null: at the smallest size that matters
     double add(const ModelSpace& space, std::size_t k, const Explanation* refit);
-    /// Covariances of the predictions of the model with an effect set, as far as `diagnosis` has
-    /// refitted it, else of the bare model.
+    /// Returns a prediction with the covariances of the model with an effect set if `diagnosis` has
+    /// refitted this model, else with those of the bare model.
     const Prediction& errors_of(const EffectSet& chosen) const;
 
-    std::vector<Parameter> parameters_;  ///< of the bare model
+    std::vector<Parameter> parameters_;  ///< parameters of the bare model
     ParameterBounds bounds_;
-    Eigen::VectorXd at_, value_;  ///< theta_0 and f_0
-    Eigen::MatrixXd slopes_;      ///< J
+    /// Parameters theta_0 and predictions f_0 of the bare model at the point of linearisation.
+    Eigen::VectorXd at_, value_;
+    Eigen::MatrixXd slopes_;  ///< derivatives J of the bare model's predictions by its parameters
     std::vector<Candidate> candidates_;
-    std::vector<Eigen::MatrixXd> changes_;  ///< c_k, a column for each parameter of the candidate
+    /// Change c_k of the predictions at the smallest size that matters (amplitude 1), for each
+    /// candidate k: a column for each of its parameters.
+    std::vector<Eigen::MatrixXd> changes_;
     std::vector<ChangeErrors> change_errors_;
-    /// Refitted models without suspects, with covariances of their predictions; the first is bare.
+    /// Effect sets of the refitted models without errors of suspect measurements, with predictions
+    /// that contain the covariances; the first is the bare model.
     std::vector<std::pair<EffectSet, Prediction>> refitted_;
 };
 

@@ -14,24 +14,25 @@ namespace pendular {
 /// the direct measurements of one parameter.
 struct Offending {
     std::string readings;  ///< name of the group, as in "the readings of dry_1.csv"
-    /// p value of their deviation [1], corrected for the number of groups tested.
+    /// p value of the deviation [1], corrected for the number of groups that were tested.
     double p = 1;
 };
 
-/// Failures of a model on the readings of a study: deviations that neither a change of the
-/// calibrated parameters nor errors of readings and simulation explain.
+/// Deviations of a study's readings from a model that neither a change of the calibrated parameters
+/// nor errors of readings and simulation explain.
 struct WhereItFails {
     Checks checks;  ///< tests of the residuals, each with its p value
     /// Groups of readings that deviate with p < 0.05, the smallest p first.
     std::vector<Offending> offending;
 };
 
-/// Finds where a fitted model fails on the readings of a study: by checks of its residuals, and by
-/// tests of the readings of each condition and file.
+/// Finds where a fitted model fails to describe the readings of a study: by checks of its residuals
+/// (`check_fit`), and by tests of the readings of each condition and each file.
+/// @param scatter scatter of the replicates
 /// @param prediction prediction of the readings, followed by the direct measurements, at the fitted
 ///        parameters, with derivatives and with the covariance from simulation
-/// @param parameters the model's calibrated parameters
-/// @param seed seed of the random errors from which the p values are computed
+/// @param parameters calibrated parameters of the model
+/// @param seed seed of the random errors from which the p values follow
 WhereItFails where_it_fails(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
                             const Prediction& prediction, const std::vector<Parameter>& parameters,
                             const std::vector<DirectMeasurement>& direct = {},

@@ -11,12 +11,12 @@
 
 namespace pendular {
 
-/// Judgement whether the fit of a study can be believed, with the reasons against it.
+/// Judgement whether the fit of a study's model can be believed, with the reasons against it.
 struct Belief {
     /// Reasons against the fit as sentences, the most serious first; empty: no reason.
     std::vector<std::string> reasons;
-    /// Whether the fitted numbers are meaningless: the friction is at the end of its range and the
-    /// model does not describe the readings, or import set more readings aside than it kept.
+    /// Whether the fitted numbers are meaningless: the model does not describe the readings and the
+    /// friction is at the end of its range, or import set more readings aside than it kept.
     bool meaningless = false;
     /// Index into `reasons` of the reason that chi2 is too large; empty where the model describes
     /// the readings.
@@ -26,21 +26,24 @@ struct Belief {
     bool believable() const { return reasons.empty(); }
 };
 
-/// p value of chi2 [1] below which a fitted model is said not to describe the readings, however
-/// uncertain their errors are.
+/// p value of chi2 [1] below which a model counts as not describing the readings, however uncertain
+/// their errors are.
 constexpr double incredible_p = 1e-6;
 
-/// Judges whether a fit can be believed: by its misfit, by parameters at the end of their range, by
-/// a column in a wrong unit, and by the doubts that import raised about readings.
+/// Judges whether a fit can be believed. Reasons against it are its misfit, parameters at the end
+/// of their range, a column in a wrong unit, and doubts (reasons not to believe a measured value)
+/// that import found.
 /// @param parameters definitions of the fitted parameters, friction first
+/// @param misfit chi2 of the fit with its degrees of freedom
+/// @param mistake column that was probably read in a wrong unit, if one was found
 Belief belief_in(const Fit& fit, const std::vector<Parameter>& parameters, const Misfit& misfit,
                  const Measurements& measurements, const std::optional<UnitMistake>& mistake);
 
-/// Number of doubts (reasons not to believe a measurement) for which import excluded readings or
-/// rows of recordings from the study.
+/// Number of doubts (reasons not to believe a measured value) because of which import excluded
+/// readings or rows of recordings.
 std::size_t doubts_that_set_aside(const Measurements& measurements);
 
-/// Text that states where the standard errors of the readings come from, as in "errors from 22
+/// Returns a text that states the source of the readings' standard errors, as in "errors from 22
 /// repeated readings".
 std::string error_basis(const Measurements& measurements);
 

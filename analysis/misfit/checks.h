@@ -10,7 +10,7 @@
 namespace pendular {
 
 /// Quantity that varies between readings, such as the normal stress, along which residuals are
-/// checked.
+/// checked for trends.
 struct Covariate {
     std::string name;
     /// Value of the quantity at each entry (one observable of one reading, or a direct
@@ -18,30 +18,32 @@ struct Covariate {
     Eigen::VectorXd values;
 };
 
-/// Result of one test whether the residuals of a fitted model are consistent with the errors of
-/// readings and prediction alone.
+/// Result of one statistical test whether errors of readings and predictions alone explain the
+/// residuals of a fitted model.
 struct Check {
     enum class Kind {
         lack_of_fit,  ///< lack of fit of the conditions' means
-        score,        ///< sum of a calibrated parameter's scores, cumulated along a covariate
-        trend,        ///< increase or decrease of an observable's residuals with a covariate
-        runs,         ///< few changes of sign between successive residuals
-        neighbours    ///< correlation between the residuals of neighbouring conditions
+        /// Cumulated sum, along a covariate, of the scores (derivatives of -chi2/2) of a calibrated
+        /// parameter.
+        score,
+        trend,      ///< increase or decrease of an observable's residuals with a covariate
+        runs,       ///< few changes of sign between successive residuals of an observable
+        neighbours  ///< correlation between the residuals of neighbouring conditions
     };
     Kind kind = Kind::lack_of_fit;
-    /// Name of the covariate that the check uses; empty: none. A check of neighbours uses all
-    /// covariates: "all, length 0.3", with the length of its kernel.
+    /// Name of the covariate along which the check was made; empty: none. A check of neighbours
+    /// uses all covariates and has the name "all, length 0.3", with the length of its kernel.
     std::string covariate = {};
-    std::string of = {};  ///< parameter or observable that is checked, by name; empty: all
-    /// Test statistic, as `check_fit` defines it for this kind of check; only the statistic of a
-    /// trend has a sign.
+    std::string of = {};  ///< name of the parameter or observable that is checked; empty: all
+    /// Test statistic [1], which `check_fit` defines for each kind of check. Only the statistic of
+    /// a trend has a sign: positive where measured values increase more than predicted ones.
     double statistic = 0;
     double p = 1;  ///< p value: probability of a statistic as large if the model is right [1]
 };
 /// Name of a kind of check for output, such as "lack of fit".
 std::string_view to_string(Check::Kind kind);
 
-/// All checks of the residuals of one fit, with a p value for all together.
+/// All checks of the residuals of one fit, with a p value for all checks together.
 struct Checks {
     /// The checks, one for each kind, covariate and parameter or observable.
     std::vector<Check> all;
@@ -50,10 +52,10 @@ struct Checks {
     double p = 1;
 };
 
-/// Observable and condition of each measured entry, as checks of a fit need them. An entry is one
+/// Observable and condition of each measured entry, which the checks of a fit need. An entry is one
 /// observable of one reading, or one direct measurement.
 struct EntryKinds {
-    /// Observable of each entry, as index into `observables`; the index of a direct measurement is
+    /// Observable of each entry, as index into `observables`; for a direct measurement, an index
     /// beyond the end of `observables`.
     std::vector<std::size_t> observable;
     std::vector<std::string> observables;  ///< names of the observables of readings
@@ -62,23 +64,27 @@ struct EntryKinds {
     /// Names of the calibrated parameters, in the order of the columns of
     /// WeightedResiduals::slopes().
     std::vector<std::string> parameters;
-    bool replicated = false;  ///< whether any reading has replicates; there is then no runs check
+    bool replicated = false;  ///< whether any reading has replicates; if so, runs are not checked
 };
 
-/// Checks where and along which quantities a model fails, beyond what its calibrated parameters can
-/// imitate: all checks use the projected residuals P r. The p values of all checks come from the
-/// same random draws of errors, so that the probability of all checks together is exact: the share
-/// of draws in which the smallest p value of any check is as small as observed.
+/// Checks where, and along which quantities, a model deviates from the readings beyond what a
+/// change of its calibrated parameters can imitate. All checks use the projected whitened residuals
+/// P r of `WeightedResiduals`. The p values of all checks come from the same random draws of
+/// errors, so that the p value of all checks together is exact: the share of draws in which the
+/// smallest p value of any check is as small as observed.
 ///
 /// - Lack of fit: squared length of the residuals in the space of the conditions' means.
-/// - Score: the score process  S(x) = sum_{x_i <= x} (L^-1 J)_i (L^-1 (y - f))_i  of a parameter
-/// returns to zero at the optimum and fluctuates like a Brownian bridge. The statistic is its
-/// largest distance from zero over its standard deviation (after Hjort and Koning 2002). Entries
-/// are whitened; with correlated errors each contains a part of the entries before it.
-/// - Trend: component of the residuals of one observable along the measured value times the rank
-/// of the covariate.
-/// - Runs: negative number of changes of sign between successive readings of one observable.
-/// - Neighbours: r' K r with a Gaussian kernel K over ranks of all covariates, at three lengths.
+/// - Score: the sum S(x) = sum_{x_i <= x} (L^-1 J)_i (L^-1 (y - f))_i over the entries i whose
+///   covariate x_i is at most x, for one parameter (y: measured values, f: predictions, J:
+///   derivative of f by the parameter, L: Cholesky factor of the covariance). S returns to zero at
+///   the optimum and fluctuates like a Brownian bridge. The statistic is its largest distance from
+///   zero over its standard deviation (after Hjort and Koning 2002).
+/// - Trend: component of the residuals of one observable along the measured value times the rank of
+///   the covariate.
+/// - Runs: negative number of changes of sign between successive readings of one observable, only
+///   without replicates.
+/// - Neighbours: r' K r with a Gaussian kernel K over the ranks of all covariates, at three
+///   lengths.
 Checks check_fit(const WeightedResiduals& residuals, const EntryKinds& kinds,
                  const std::vector<Covariate>& covariates, const NullDraws& draws);
 

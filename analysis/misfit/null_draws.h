@@ -9,79 +9,87 @@
 
 namespace pendular {
 
-/// Errors that several readings share, such as the error of a filling of the cell, which is the
-/// source of one error in all its readings. An entry is one observable of one reading. The variance
-/// of a source is estimated from mean squares of an analysis of variance,
+/// Errors that several readings share. Each source of error, such as one filling of the cell, makes
+/// one error in all its readings. The variance of a source is estimated by an analysis of variance
+/// from mean squares between and within sources:
 ///     variance = max(0, between - within)/steps.
 struct SharedErrors {
-    Eigen::MatrixXd loadings;  ///< error of each entry by a source of variance 1, entries x sources
-    /// Variance of each source, as included in the covariance of the readings.
+    /// Errors of the entries by sources of variance 1, entries x sources; an entry is one
+    /// observable of one reading.
+    Eigen::MatrixXd loadings;
+    /// Variance of each source [1], as contained in the covariance of the readings.
     double variance = 0;
-    /// Mean squares between sources and, within a source, between steps.
+    /// Mean squares between sources and, within a source, between its steps of constant set points.
     double between = 0, within = 0;
-    /// Degrees of freedom of `between`; infinite: `variance` is known.
+    /// Degrees of freedom of `between`; infinite: `variance` is known exactly.
     double freedom_between = INFINITY;
     double freedom_within = INFINITY;  ///< degrees of freedom of `within`
     double steps = 1;                  ///< effective number of steps of each source
 };
 
-/// How uncertain the sizes of the readings' errors are, since few replicates determine them. An
-/// entry is one observable of one reading, or a direct measurement. The part of an entry's error
-/// that no other entry shares belongs to a kind; its size is estimated once for each kind.
+/// Uncertainty of the sizes of the readings' errors, which few replicates determine. An entry is
+/// one observable of one reading, or a direct measurement. The part of its error that an entry does
+/// not share with others belongs to a kind; one estimate gives the size of all errors of a kind.
 struct ErrorKnowledge {
-    std::vector<std::size_t> kind;  ///< kind of each entry's own error, as index into `freedom`
-    /// Degrees of freedom with which the size of each kind of error was estimated; infinite: the
-    /// size is known.
+    /// Kind of the unshared error of each entry, as index into `freedom`.
+    std::vector<std::size_t> kind;
+    /// Degrees of freedom of the estimated size of each kind of error; infinite: the size is known.
     std::vector<double> freedom;
     std::vector<SharedErrors> shared;  ///< errors that several readings share
-    Eigen::Index readings = 0;  ///< number of readings; reading k has the entries 2k and 2k + 1
-    /// Degrees of freedom with which the correlation between the two observables of a reading was
-    /// estimated; infinite: it is known.
+    Eigen::Index readings = 0;  ///< number of readings; reading k has the entries 2 k and 2 k + 1
+    /// Degrees of freedom of the estimated correlation between the errors of the two observables of
+    /// a reading; infinite: the correlation is known.
     double correlation_freedom = INFINITY;
-    /// Uncertainty of the dependence of errors on normal stress: a draw multiplies the errors of
-    /// the entries by exp(z v), for each vector v of this list and one standard normal z.
+    /// Uncertainty of the dependence of errors on normal stress: for each vector v of this list, a
+    /// draw multiplies the errors of the entries by exp(z v), with one standard normal number z.
     std::vector<Eigen::VectorXd> log_sizes;
 
-    /// Returns the knowledge on n entries whose errors have exactly known sizes and are not shared.
+    /// Returns the description of n entries whose errors have exactly known sizes and are not
+    /// shared.
     static ErrorKnowledge known(Eigen::Index n);
 };
 
 /// Random draws of the errors that readings and predictions would have if the model were complete
-/// (null hypothesis), including the uncertainty of the errors' sizes. One set of draws serves all
-/// tests of a diagnosis, so that its error rate holds for all tests together. In each draw,
-/// - errors of each kind are z sqrt(nu/chi2_nu): z is normal with the estimated covariance, and nu
-///   are the degrees of freedom of that estimate;
-/// - errors that readings share have the variance
-///   max(0, between nu_b/chi2_nu_b - within nu_w/chi2_nu_w)/steps;
-/// - the correlation between the two observables of a reading deviates from its estimate by
-///   tanh(z/sqrt(nu - 2)), z standard normal, after Fisher;
+/// (null hypothesis). They include the uncertainty of the errors' sizes. One set of draws serves
+/// all tests of a diagnosis, so that its error rate holds for all tests together. In each draw,
+/// - unshared errors of one kind are z sqrt(nu/chi2_nu), with normal numbers z of the estimated
+///   covariance, the degrees of freedom nu of the estimate and a random number chi2_nu of the chi2
+///   distribution;
+/// - errors that readings share have the variance max(0, between nu_b/chi2_nu_b - within
+///   nu_w/chi2_nu_w)/steps, with the mean squares of `SharedErrors` and their degrees of freedom
+///   nu_b and nu_w;
+/// - the correlation between the errors of the two observables of a reading deviates from its
+///   estimate by tanh(z/sqrt(nu - 2)), with a standard normal number z, after Fisher;
 /// - errors of the prediction are normal with the prediction's covariance.
 /// Source: generalised pivotal quantities of variance components, Burdick, Borror and Montgomery
 /// (2005), Design and Analysis of Gauge R&R Studies, appendix B.
 class NullDraws {
   public:
-    /// Draws `count` sets of errors of the measured entries and of their predictions, from random
-    /// numbers with this seed.
+    /// Draws `count` sets of errors of the measured values and of their predictions.
+    /// @param measured measured values with the covariance of their errors
+    /// @param seed seed of the random numbers
     NullDraws(const Measured& measured, const ErrorKnowledge& knowledge, std::uint64_t seed,
               Eigen::Index count);
 
     /// Number of draws (sets of errors).
     Eigen::Index count() const { return errors_.cols(); }
-    /// Components B' e of the drawn errors e along a basis, one column for each draw; e is whitened
-    /// as these residuals, with drawn errors of measurement and prediction [1]. B is `basis`.
+    /// Components of the drawn errors along the columns of `basis` [1]: a row for each column of
+    /// `basis`, a column for each draw. The errors of measurement and prediction are first whitened
+    /// as `residuals` are (divided by the Cholesky factor of their covariance).
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis) const {
         return along(residuals, basis, count());
     }
-    /// Components along a basis of the first `draws` drawn errors only.
+    /// Components of the first `draws` drawn errors along the columns of `basis` [1]: a row for
+    /// each column of `basis`, a column for each draw.
     Eigen::MatrixXd along(const WeightedResiduals& residuals, const Eigen::MatrixXd& basis,
                           Eigen::Index draws) const;
-    /// Drawn errors of measurement and prediction, whitened as these residuals are (divided by the
-    /// Cholesky factor of the covariance) [1], entries x draws.
+    /// Drawn errors of measurement and prediction [1], entries x draws, whitened as `residuals` are
+    /// (divided by the Cholesky factor of their covariance).
     Eigen::MatrixXd whitened(const WeightedResiduals& residuals) const;
 
-    /// p value [1] of a statistic with the value `observed`, from its values `drawn` in random
-    /// draws: (1 + number of draws with a statistic of at least `observed`) / (1 + number of
-    /// draws).
+    /// p value [1] of a statistic with the value `observed`: (1 + number of entries of `drawn` that
+    /// are at least `observed`)/(1 + number of entries).
+    /// @param drawn value of the statistic in each random draw of errors
     static double p(double observed, const Eigen::VectorXd& drawn);
 
   private:

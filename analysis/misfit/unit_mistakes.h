@@ -11,32 +11,34 @@
 
 namespace pendular {
 
-/// Column of a recording that may have been read in a wrong unit, with the factor that removes the
-/// misfit.
+/// Column of recordings that may have been read in a wrong unit, with the factor on its numbers
+/// that removes the misfit.
 struct UnitMistake {
     std::string column;  ///< name of the column, as in "angular velocity"
-    /// Files concerned: "of all recordings", "of wet_1.csv" or "of the files dry_*.csv".
+    /// Files concerned, as a text: "of all recordings", "of wet_1.csv" or "of the files dry_*.csv".
     std::string files;
-    double factor = 1;  ///< factor that corrects the numbers of the column by multiplication [1]
-    std::string unit;   ///< meaning of the factor: "numbers in rpm were read as rad/s"
+    double factor = 1;  ///< factor by which the numbers of the column must be multiplied [1]
+    std::string unit;   ///< text on the meaning of the factor: "numbers in rpm were read as rad/s"
     /// chi2 of all readings without and with the factor on the column, each with the friction
-    /// fitted. Assumed errors of the model, 0.5 % of shear stress and 0.1 % of solid fraction, are
-    /// included.
+    /// fitted. Errors of the model of 0.5 % of shear stress and 0.1 % of solid fraction are
+    /// assumed.
     double chi2_before = 0, chi2_after = 0;
     int dof = 0;  ///< degrees of freedom of `chi2_before` and of `chi2_after`
 
-    /// Sentence that tells the user which column to check, the factor and the reduction of chi2.
+    /// Returns a sentence for the user that names the column to check, the factor and the reduction
+    /// of chi2.
     std::string sentence() const;
 };
 
 /// Finds a column of the recordings that was probably read in a wrong unit: multiplying its numbers
-/// by one factor reduces chi2 by at least 70 %, to at most 3.5 per degree of freedom. Factors are
-/// 10^n, 2 pi, 60, 57.3, 9.81, their inverses and combinations that occur between units. A factor
-/// is tried on the column of all recordings, of the files of one entry of the study, and of one
-/// file; the friction is fitted again each time, other parameters are fixed. Among factors that
-/// reduce chi2 about equally, the ratio of two named units has precedence over a power of ten.
-/// Returns nothing where no factor does so, or where chi2 without a factor is below 2 per degree of
-/// freedom.
+/// by one factor reduces chi2 by at least 70 %, to at most 3.5 per degree of freedom. Empty where
+/// no factor does so, or where chi2 without a factor is below 2 per degree of freedom.
+///
+/// The factors are 10^n, 2 pi, 60, 57.3, 9.81, their inverses and combinations that occur between
+/// units. Each factor is tried on the column of all recordings, of the files of one entry of the
+/// study, and of one file. The friction is fitted again each time; other parameters are fixed.
+/// Among factors that reduce chi2 about equally, the ratio of two named units has precedence over a
+/// power of ten.
 /// @param parameters values of the model's fitted parameters, friction first
 std::optional<UnitMistake> find_unit_mistake(const Predictor& model,
                                              const std::vector<Reading>& readings,

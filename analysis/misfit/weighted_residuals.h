@@ -10,67 +10,80 @@
 
 namespace pendular {
 
-/// Whitened residuals r of a fit, in units of their errors, and the projection P that removes from
-/// a change of the readings what a change of the calibrated parameters theta can imitate:
+/// Residuals of a fit in units of their errors (whitened residuals r), with the projection P that
+/// removes from a change of the readings what a change of the calibrated parameters theta can
+/// imitate:
 ///     r = L^-1 (y - f),   J = L^-1 df/dtheta,   P = I - J (J'J)^-1 J',
-/// y: measured values, f: predictions, L L' = Sigma_measurement + Sigma_simulation. P comes from a
-/// QR decomposition and is never formed; combinations of parameters that the readings do not
-/// determine remove nothing.
+/// with the measured values y, the predictions f and L L' = Sigma_measurement + Sigma_simulation,
+/// the covariances of measurement and simulation. P is applied by means of a QR decomposition;
+/// combinations of parameters that the readings do not determine remove nothing.
 class WeightedResiduals {
   public:
     /// @param prediction prediction of the measured values at the fitted parameters, with its
     ///        derivatives by these parameters and its covariance from errors of the simulation
     /// @throws std::logic_error where the covariance of measurement and prediction together is not
-    ///         positive definite
+    ///         positive definite, or that of the prediction has negative eigenvalues
     WeightedResiduals(const Measured& measured, const Prediction& prediction);
 
-    /// Number of entries: measured values of all readings and direct measurements.
+    /// Number of entries: two for each reading, one for each direct measurement.
     Eigen::Index size() const { return residuals_.size(); }
-    /// Whitened residuals r = L^-1 (measured - predicted) [1].
+    /// Whitened residuals [1]: L^-1 (measured - predicted), with the Cholesky factor L of the
+    /// covariance of measurement and simulation.
     const Eigen::VectorXd& residuals() const { return residuals_; }
-    /// Measured values y of all entries, not whitened, in the units of the readings.
+    /// Measured values, not whitened, in the units of the readings: shear stress and solid fraction
+    /// of each reading in turn, then direct measurements.
     const Eigen::VectorXd& measured() const { return measured_; }
-    /// Squared length of the whitened residuals: chi2 of the fit [1].
+    /// chi2 of the fit [1]: squared length of the whitened residuals (in units of their errors).
     double chi2() const { return residuals_.squaredNorm(); }
-    /// ln det(Sigma_measurement + Sigma_simulation) of the covariance matrices in the units of the
-    /// readings.
+    /// Logarithm of the determinant of the covariance of measurement and simulation, in the squared
+    /// units of the readings.
     double log_determinant() const;
 
-    /// Whitens changes of the readings: L^-1 times `columns`, which are in the units of the
-    /// readings, with L L' the covariance of measurement and simulation.
+    /// Whitens changes of the readings: returns L^-1 `columns`, with the Cholesky factor L of the
+    /// covariance of measurement and simulation.
+    /// @param columns changes in the units of the readings, entries x changes
     Eigen::MatrixXd whiten(const Eigen::MatrixXd& columns) const;
-    /// Changes of the readings in their units from whitened ones: L times `columns`.
+    /// Converts whitened changes back to the units of the readings: returns L `columns`, with the
+    /// Cholesky factor L of the covariance of measurement and simulation.
     Eigen::MatrixXd unwhiten(const Eigen::MatrixXd& columns) const;
-    /// L^-T times whitened columns, with L L' the covariance of measurement and simulation. The
-    /// product of the result with a change in the units of the readings equals the product of
-    /// `columns` with the whitened change.
+    /// Returns L^-T `columns`, with the Cholesky factor L of the covariance of measurement and
+    /// simulation. The product of the returned columns with a change in the units of the readings
+    /// equals the product of `columns` with the whitened change.
     Eigen::MatrixXd whiten_basis(const Eigen::MatrixXd& columns) const;
-    /// Lower triangular root R of the whitened covariance of the prediction's errors [1]:
-    /// R R' = L^-1 Sigma_simulation L^-T.
+    /// Lower triangular root R of the whitened covariance of the prediction's errors [1]: R R' =
+    /// L^-1 Sigma_simulation L^-T, with the Cholesky factor L of the covariance of measurement and
+    /// simulation.
     const Eigen::MatrixXd& prediction_root() const { return prediction_root_; }
-    /// Trace of P L^-1 C L^-T [1], for a covariance C of the entries in the units of the readings:
-    /// expected squared length of whitened errors of this covariance, beyond what a change of the
-    /// calibrated parameters can imitate.
+    /// Expected squared length [1] of whitened errors, beyond what a change of the calibrated
+    /// parameters can imitate: the trace of P L^-1 C L^-T. L: Cholesky factor of the covariance of
+    /// measurement and simulation; P: projection that removes what the calibrated parameters
+    /// imitate.
+    /// @param covariance covariance C of the errors, in the squared units of the readings
     double trace_of_projected(const Eigen::MatrixXd& covariance) const;
-    /// Variance [1] of the component of errors along `direction` d, a vector in whitened units, for
-    /// errors with the covariance C in the units of the readings: d' L^-1 C L^-T d, with the
-    /// Cholesky factor L that whitens.
+    /// Variance [1] of the component of whitened errors along a direction d: d' L^-1 C L^-T d, with
+    /// the Cholesky factor L of the covariance of measurement and simulation.
+    /// @param direction vector d in whitened units
+    /// @param covariance covariance C of the errors, in the squared units of the readings
     double variance_along(const Eigen::VectorXd& direction,
                           const Eigen::MatrixXd& covariance) const;
-    /// Removes from whitened changes of the readings what a change of the calibrated parameters can
-    /// imitate: P times `columns`.
+    /// Removes from changes of the readings, in units of their errors (whitened), what a change of
+    /// the calibrated parameters can imitate: returns P `columns`, with the projection P = I - J
+    /// (J'J)^-1 J' and the whitened derivatives J of the predictions.
     Eigen::MatrixXd project(const Eigen::MatrixXd& columns) const;
-    /// P times an orthonormal basis of the whitened mean deviations of groups of entries, such as
-    /// the entries of each condition; scatter within a group is not in the span of the basis. In a
-    /// mean deviation, all entries of a group deviate in proportion to their measured values.
+    /// Returns P B, a column for each group of entries, such as the entries of each condition. B is
+    /// an orthonormal basis of the whitened mean deviations of the groups, in which all entries of
+    /// a group deviate in proportion to their measured values; P is the projection that removes
+    /// what a change of the calibrated parameters can imitate.
+    /// @param groups indices of the entries of each group
     Eigen::MatrixXd means_over(const std::vector<std::vector<Eigen::Index>>& groups) const;
-    /// Change of the calibrated parameters [their units] that comes closest, by least squares, to a
-    /// given whitened change of the prediction.
+    /// Returns the change of the calibrated parameters [their units] that comes closest, by least
+    /// squares, to a change of the predictions in units of the readings' errors (whitened).
     Eigen::VectorXd share_imitated_by(const Eigen::VectorXd& change) const;
     /// Number of linearly independent combinations of the calibrated parameters that the readings
     /// determine.
     Eigen::Index determined() const { return basis_.cols(); }
-    /// Whitened derivatives J = L^-1 df/dtheta of the predictions by the calibrated parameters,
+    /// Whitened derivatives of the predictions f by the calibrated parameters theta, L^-1
+    /// df/dtheta, with the Cholesky factor L of the covariance of measurement and simulation;
     /// entries x parameters.
     const Eigen::MatrixXd& slopes() const { return slopes_; }
 

@@ -9,22 +9,27 @@
 
 namespace pendular {
 
-/// Quantity of the readings along which a change may vary, such as the normal stress.
+/// Quantity of the readings along which an unknown change of the model may vary, such as the normal
+/// stress.
 struct ReadingCoordinate {
-    std::string variable;  ///< name of the quantity as a variable of formulas, "normal_stress"
+    std::string variable;  ///< name of the quantity in formulas, as in "normal_stress"
     std::string unit;      ///< SI unit of the quantity
     Eigen::VectorXd at;    ///< value at each reading [unit]
 };
 
-/// Quantities of the readings that vary by more than a tenth, as coordinates for formulas on the
-/// instrument if `of_instrument`, else for formulas on the flow or on grains and liquid.
+/// Returns the quantities of the readings along which a change may vary: normal stress, inertial
+/// number or angular velocity, liquid content and time, as far as they vary by more than a tenth.
+/// @param of_instrument whether the change acts on the instrument, whose formulas contain the
+///        angular velocity; other formulas contain the inertial number
+/// @throws std::bad_optional_access if `of_instrument` and the study has no cell
 std::vector<ReadingCoordinate> coordinates_of(const std::vector<Reading>& readings,
                                               const Study& study, bool of_instrument);
 
-/// Way in which a change depends on a coordinate x; c is a constant and x_max, x_min are the
-/// largest and the smallest x of the readings (x > 0 only).
+/// Way in which the size of a change depends on a coordinate x of the readings, such as time. c is
+/// a constant; x_max and x_min are the largest and the smallest x of the readings (for powers and
+/// the logarithm, of the readings with x > 0).
 enum class Dependence {
-    none,        ///< 1: the same at all readings
+    none,        ///< 1, equal at all readings
     power,       ///< (x/x_max)^c, or (x/x_min)^c where c is negative
     logarithm,   ///< ln(x/x_min)/ln(x_max/x_min)
     above,       ///< 1 where x > c, else 0
@@ -35,33 +40,38 @@ enum class Dependence {
     oscillation  ///< sin(2 pi x/c + phase)
 };
 
-/// Dependence of a change on one coordinate of the readings, with size at most 1 at the readings.
+/// Size of a change at each reading as a function of one coordinate of the readings; at most 1.
 struct Profile {
     Dependence dependence = Dependence::none;
-    std::string variable;  ///< coordinate, as variable of formulas; empty for `none`
+    std::string variable;  ///< name of the coordinate in formulas; empty for `none`
     std::string unit;      ///< SI unit of the coordinate
-    double constant = 0;   ///< c of `Dependence` [unit, or 1 for a power]
+    double constant = 0;   ///< constant c of `Dependence` [unit of the coordinate; 1 for a power]
     double phase = 0;      ///< phase of an oscillation [rad]
-    /// Value of the coordinate at which the size is 1 [unit]; 0 where there is no such value.
+    /// Value of the coordinate at which the size is 1 [its unit]; 0 where the formula needs no such
+    /// value.
     double full_at = 0;
     Eigen::VectorXd along;  ///< value of the coordinate at each reading [unit]
     Eigen::VectorXd at;     ///< size of the change at each reading [1]
-    /// Price of the choice among n profiles of this kind: 2 ln n, to be added to chi2 [1].
+    /// Penalty for the choice of one among n profiles of this kind, to be added to chi2 [1]: 2 ln
+    /// n.
     double price = 0;
 
-    /// The profile as a formula of its coordinate, such as "(normal_stress/3000)^0.5".
+    /// Returns the size as a formula of the coordinate, as study.toml can contain it, such as
+    /// "exp(-time/600)".
     std::string formula() const;
 };
 
-/// Profile of a change that is the same at all `readings`.
+/// Returns the profile of a change that is equal at all readings.
+/// @param readings number of readings
 Profile same_everywhere(std::size_t readings);
 
-/// Profiles along a coordinate: powers, a logarithm, steps and kinks between its values and, in
-/// time, decays and, if `oscillations`, oscillations.
+/// Returns the profiles along a coordinate that are tried: powers, a logarithm, and steps and kinks
+/// between its values; along time, instead of powers and logarithm, a linear change, decays and, if
+/// `oscillations`, oscillations.
 std::vector<Profile> profiles_along(const ReadingCoordinate& coordinate, bool oscillations);
 
-/// Oscillations near `profile`, with period and phase varied in small steps; empty where `profile`
-/// is no oscillation.
+/// Returns oscillations near the oscillation `profile`, with period and phase varied in small
+/// steps; empty where `profile` is no oscillation.
 std::vector<Profile> finer_profiles(const Profile& profile, const ReadingCoordinate& coordinate);
 
 }  // namespace pendular

@@ -12,21 +12,22 @@
 
 namespace pendular {
 
-/// Changes of unknown cause, scored by their linear estimates on the residuals of one fit.
+/// Changes of unknown cause (shapes), scored by their linear estimates on the residuals of one fit.
 class ScoredShapes {
   public:
-    /// One shape, or two together.
+    /// Score of one shape, or of two together.
     struct Score {
-        std::vector<std::size_t> shapes;  ///< indices of the shapes
+        std::vector<std::size_t> shapes;  ///< indices of one or two shapes
         double reduction = 0;             ///< predicted reduction of chi2 [1]
-        double price = 0;                 ///< price of the choice of the shapes, added to chi2 [1]
-        std::vector<double> changes;      ///< estimated changes, in their units
-        /// Single shapes of other quantities that change the readings in nearly the same way and
-        /// describe them about as shortly; set by `unlike`.
+        double price = 0;  ///< penalty for the choice of the shapes, to be added to chi2 [1]
+        std::vector<double> changes;  ///< estimated changes of the shapes, in their units
+        /// Single shapes of other quantities that change the readings in nearly the same way, at a
+        /// similar score; set by `unlike`.
         std::vector<std::size_t> alike;
     };
 
-    /// Scores all shapes of a study.
+    /// Scores all shapes that a study's quantities and readings allow.
+    /// @param models models of the study
     /// @param base fit of the study's model without further effects
     /// @param explanations tests of that model, whose random draws give p values
     /// @param threads largest number of threads for the random draws
@@ -35,25 +36,26 @@ class ScoredShapes {
                  const Explanations& explanations, std::size_t threads);
 
     const ShapeOfChange& shape(std::size_t index) const { return shapes_[index]; }
-    /// Scores of single shapes, the shortest description (`reduction` less `price`) first.
+    /// Returns the scores of all single shapes, in decreasing `reduction` minus `price`.
     std::vector<Score> singles() const;
-    /// Best scores of pairs of the `most` best shapes with all shapes, the shortest description
-    /// first.
+    /// Returns the scores of pairs of shapes, each of the `most` best shapes with every shape, in
+    /// decreasing `reduction` minus `price`.
     std::vector<Score> pairs(std::size_t most) const;
-    /// The first `count` scores such that no two of them change the readings in nearly the same
-    /// way; the scores that are left out are kept in `Score::alike`.
+    /// Returns the first `count` of `scores` such that no two of them change the readings in nearly
+    /// the same way. A score left out is noted in `Score::alike` of the score that it resembles.
     std::vector<Score> unlike(const std::vector<Score>& scores, std::size_t count) const;
-    /// Estimated change by a single shape, with its standard error, in the unit of the change.
+    /// Returns the estimated change of the shape with index `index` and its standard error, in the
+    /// unit of the change.
     std::pair<double, double> estimate(std::size_t index) const;
-    /// Probability that some shape reduces chi2 by at least `reduction` where nothing is missing
-    /// [1], in a linear estimate.
+    /// p value [1]: probability that the best of all shapes reduces chi2 by at least `reduction` if
+    /// nothing is missing, in a linear estimate.
     double p(double reduction) const;
 
   private:
-    /// Quantity that may change, with the change of the readings per unit of its change.
+    /// Quantity that may change, with the change of the readings per unit of the quantity's change.
     struct Changeable {
         ChangedQuantity quantity;
-        Eigen::VectorXd response;  ///< entries of all readings, in their units per unit
+        Eigen::VectorXd response;  ///< change of all entries per unit of the quantity's change
         std::vector<ReadingCoordinate> coordinates;
     };
 
@@ -61,16 +63,19 @@ class ScoredShapes {
     void add_profiles(std::size_t changeable);
     /// Adds oscillations with periods and phases near those of the best ones.
     void refine();
-    /// Computes directions, lengths and components of the shapes from index `first` on.
+    /// Computes the whitened directions and lengths of the shapes from index `first` on, and the
+    /// components of the residuals along them.
     void project_from(std::size_t first);
     void draw(const NullDraws& draws, std::size_t threads);
     Score score_of(std::size_t index) const;
-    /// Score of two shapes together; empty where they are nearly parallel or where a change would
-    /// leave its bounds.
+    /// Returns the score of two shapes together; empty where they are nearly parallel, or where a
+    /// change would leave its bounds.
     std::optional<Score> score_of(std::size_t one, std::size_t other) const;
-    /// Change of the readings by a score's shapes at the estimated changes, whitened, of length 1.
+    /// Returns the change of the readings, in units of their errors (whitened), by a score's shapes
+    /// at the estimated changes, scaled to length 1.
     Eigen::VectorXd change_by(const Score& score) const;
-    /// Adds a single shape to `Score::alike` where it concerns a quantity that is not named yet.
+    /// Adds the single shape of `other` to `alike` of `chosen`, unless its quantity is there
+    /// already.
     void add_alike(Score& chosen, const Score& other) const;
 
     WeightedResiduals residuals_;
@@ -78,7 +83,7 @@ class ScoredShapes {
     std::vector<ShapeOfChange> shapes_;
     std::vector<std::size_t> changed_by_;  ///< index into `changeables_` for each shape
     Eigen::MatrixXd directions_;           ///< whitened changes of length 1, P g/|P g|, as columns
-    Eigen::VectorXd lengths_;              ///< |P g| for each shape [1/unit of its change]
+    Eigen::VectorXd lengths_;              ///< length |P g| for each shape [1/unit of its change]
     Eigen::VectorXd along_;                ///< component of the residuals along each direction
     Eigen::VectorXd drawn_;                ///< largest reduction by any shape in each random draw
 };

@@ -9,36 +9,38 @@
 
 namespace pendular {
 
-/// Quantity that a change of unknown cause may act on: one that a formula of an [[effect]] can set.
+/// Quantity on which a change of unknown cause may act, with the bounds of the change. A formula of
+/// an [[effect]] in study.toml can set it.
 struct ChangedQuantity {
-    std::string target;      ///< name of the quantity in formulas, such as "torque"
-    bool relative = true;    ///< whether the change is a factor on the quantity, else it is added
-    std::string unit;        ///< SI unit of the change: "1" where it is relative
+    std::string target;  ///< name of the quantity in formulas, such as "torque"
+    /// True: the quantity is multiplied by 1 + change; false: the change is added.
+    bool relative = true;
+    std::string unit;        ///< SI unit of the change; "1" where `relative`
     double smallest = 0.01;  ///< smallest change that matters [unit]
     double lower = -0.9;     ///< smallest change considered [unit]
     double upper = 9;        ///< largest change considered [unit]
 
-    /// Kind of the quantity: of the instrument, of the flow, or of grains and liquid.
+    /// Kind of the quantity: it belongs to the instrument, the flow, or the grains and liquid.
     WrittenEffect::Kind kind() const;
 };
 
-/// Change of unknown cause: the change of a quantity varies with one coordinate of the readings,
-/// such as time, as a profile does.
+/// Change of unknown cause: which quantity changes, and how the change varies with one coordinate
+/// of the readings, such as time.
 struct ShapeOfChange {
     ChangedQuantity quantity;
     Profile profile;
 
-    /// The change as a table [[effect]] of study.toml with this name. Its parameter "change" is the
-    /// change where the size of the profile is 1.
+    /// Returns the change as a table [[effect]] of study.toml with this name. Its parameter
+    /// "change" is the change at readings where the profile has size 1.
     WrittenEffect written(const std::string& name) const;
-    /// Name of the effect, made from the changed quantity, the dependence and the coordinate, such
-    /// as "torque-above-time".
+    /// Returns a name for the change as an effect, made from the changed quantity, the dependence
+    /// and the coordinate, such as "torque-above-time".
     std::string name() const;
 };
 
-/// Quantities that may change in a study with these readings: quantities of the flow and of the
-/// grains; in a study with a cell, also the quantities that the instrument shows; with wet
-/// readings, also the surface tension of the liquid.
+/// Returns the quantities that may change in a study with these readings: those of the flow and of
+/// the grains; in a study with a cell, also those that the instrument shows; with wet readings,
+/// also the surface tension of the liquid.
 std::vector<ChangedQuantity> quantities_that_may_change(const ResolvedStudy& study,
                                                         const std::vector<Reading>& readings);
 

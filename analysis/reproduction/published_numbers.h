@@ -6,11 +6,11 @@
 
 namespace pendular {
 
-/// Compares the simulations of the parameter study with each number that Badetti et al. (2018)
-/// state of dry and wet grains. A published number without an error is taken to half a unit of its
-/// last digit, a range to half a unit of the last digit of its more precise end, and a number of
-/// one digit with the word "about" to 10 %; limits that the text states with a sign such as <= are
-/// taken as they stand. Rows whose states no run simulates are left out.
+/// Compares simulations with each number that Badetti et al. (2018) state about dry and wet grains,
+/// and returns a row for each. A published number without an error is taken to be exact to half a
+/// unit of its last digit; a range, to half a unit of the last digit of its more precise end; a
+/// number of one digit with the word "about", to 10 %. Limits that the text states with a sign such
+/// as <= are taken literally. Rows whose states no run simulates are left out.
 std::vector<ScoreboardRow> compare_with_published(const PaperStudy& study);
 
 }  // namespace pendular

@@ -9,34 +9,39 @@
 
 namespace pendular {
 
-/// A number or range that Badetti et al. (2018) state, with what the simulations give.
+/// Comparison of a number or range that Badetti et al. (2018) state with the values that
+/// simulations give.
 struct ScoreboardRow {
     std::string section;    ///< heading under which the row stands
     std::string what;       ///< quantity and condition, with its unit
     std::string published;  ///< published value or range, as text
-    std::string ours;       ///< value with its standard error, or range of the values, as text
-    double lower = 0, upper = 0;     ///< published range; of a value, the value -+ its error
-    double least = 0, greatest = 0;  ///< smallest and largest of our values
-    /// Distance of our most distant value from the published range, in combined standard errors
-    /// [1]; 0 inside the range.
+    /// Simulated value with its standard error, or range of the simulated values, as text.
+    std::string ours;
+    /// Published range; for a single value, the value minus and plus its error.
+    double lower = 0, upper = 0;
+    double least = 0, greatest = 0;  ///< smallest and largest simulated value
+    /// Distance of the farthest simulated value from the published value or range, in standard
+    /// errors [1]: combined ones for a published value, those of the simulation for a range; 0
+    /// inside the range.
     double distance = 0;
-    int values = 0;      ///< number of our values
-    int outside = 0;     ///< number of our values that are further outside than allowed
-    std::string where;   ///< states of the values outside, as text; empty: none
+    int values = 0;   ///< number of simulated values
+    int outside = 0;  ///< number of simulated values that are further away than `allowed_distance`
+    std::string where;   ///< text that names the farthest value outside and its state; empty: none
     bool agrees = true;  ///< whether `distance` is at most `allowed_distance`
 };
 
-/// Largest distance of a value that agrees from a published value or range, in combined standard
+/// Largest distance of a simulated value that agrees from the published value or range, in standard
 /// errors [1]. By chance, one of 370 values is further away.
 inline constexpr double allowed_distance = 3;
 
-/// A value of ours with the state that it belongs to, as text.
+/// A simulated value with the name of its state.
 struct StateValue {
     Mean mean;
     std::string where;
 };
 
-/// Rows on one parameter study, in the order in which they are added.
+/// Table that compares the simulations of one parameter study with published numbers; its rows are
+/// in the order in which they are added.
 class Scoreboard {
   public:
     using Quantity = std::function<Mean(const PaperState&)>;
@@ -44,28 +49,42 @@ class Scoreboard {
 
     explicit Scoreboard(const PaperStudy& study) : study_(study), states_(&study.states()) {}
 
-    /// Begins a section, under whose heading the next rows stand.
+    /// Begins a section of the table, with the heading `name`, for the next rows.
     void section(std::string name) { section(std::move(name), study_.states()); }
-    /// Begins a section whose rows are of other states than those of the grid.
-    /// @param states must live as long as the scoreboard
+    /// Begins a section of the table, with the heading `name`, whose rows describe `states` instead
+    /// of those of the parameter study.
+    /// @param states must outlive the scoreboard
     void section(std::string name, const std::vector<PaperState>& states) {
         section_ = std::move(name);
         states_ = &states;
     }
-    /// Adds a row of a published value with its standard error.
+    /// Adds a row that compares a published value, with its standard error, with a simulated value.
+    /// @param what quantity and condition, with its unit
+    /// @param published the published value as text
+    /// @param expected the published value
+    /// @param ours the simulated value
     void value(const std::string& what, const std::string& published, const Mean& expected,
                const Mean& ours);
-    /// Adds a row of values of ours that a published range should contain; none without values.
+    /// Adds a row that compares a published range with simulated values; none if `ours` is empty.
+    /// @param what quantity and condition, with its unit
+    /// @param published the published range as text
+    /// @param lower, upper ends of the published range
+    /// @param ours the simulated values
     void range(const std::string& what, const std::string& published, double lower, double upper,
                const std::vector<StateValue>& ours);
     void range(const std::string& what, const std::string& published, double lower, double upper,
                const Mean& ours) {
         range(what, published, lower, upper, std::vector<StateValue>{{ours, ""}});
     }
-    /// Adds a row for each friction, of the states that fulfil a condition.
+    /// Adds a row for each friction of the parameter study: compares a published range with the
+    /// values of `quantity` at the states of the section that have this friction and fulfil the
+    /// condition `which`.
+    /// @param what quantity and condition, with its unit
+    /// @param published the published range as text
     void each_friction(const std::string& what, const std::string& published, double lower,
                        double upper, const Quantity& quantity, const Condition& which);
-    /// Values of a quantity at the states of the section that fulfil a condition.
+    /// Returns the values of a quantity at the states of the section that fulfil the condition
+    /// `which`.
     std::vector<StateValue> values(const Quantity& quantity, const Condition& which) const;
 
     const PaperStudy& study() const { return study_; }

@@ -6,34 +6,36 @@
 
 namespace pendular {
 
-/// Weighted places z_i, for fast sums of Gaussian bells about them. With the differences
-/// d_i = z_i - a to a place a and inverse squares of lengths c_k, the sums are
+/// Fast sums of weighted Gaussian bells in up to five coordinates. The bells have centres z_i and
+/// weights w_i. With the distances d_ik = z_ik - a_k from a place a and the inverse squares c_k of
+/// the lengths of the bells, the sums at a are
 ///     S = sum_i w_i exp(-sum_k c_k d_ik^2/2)  and  S_k = sum_i w_i d_ik exp(-sum_k c_k d_ik^2/2).
-/// All instruction sets give the same bits.
+/// All instruction sets of the processor give identical bits.
 class BellSums {
   public:
     static constexpr std::size_t most_coordinates = 5;
     using Place = std::array<double, most_coordinates>;
 
-    /// @param coordinates number of coordinates that count, 2, 4 or 5; further entries of places
-    ///        are ignored
-    /// @param inverse_squares inverse squares c_k of the lengths
+    /// @param coordinates number of coordinates, 2, 4 or 5; further entries of places are ignored
+    /// @param inverse_squares inverse squares c_k of the lengths of the bells, one for each
+    ///        coordinate
     BellSums(std::size_t coordinates, const Place& inverse_squares)
         : coordinates_(coordinates), inverse_squares_(inverse_squares) {}
 
-    /// Adds a place with its weight; a place of weight 0 changes no sum and is not stored.
+    /// Adds a bell with its centre and weight. A bell of weight 0 changes no sum and is not stored.
     void add(const Place& place, double weight);
 
-    /// Returns S, then S_k of each coordinate (0 where the coordinate is ignored), at the place
-    /// `at`.
+    /// Returns the sums at a place: S, then S_k for each coordinate k. S_k is 0 for ignored
+    /// coordinates.
     std::array<double, 1 + most_coordinates> at(const Place& at) const;
 
   private:
     std::size_t coordinates_;
     Place inverse_squares_;
     std::size_t count_ = 0;
-    /// Blocks of places, as many as a vector register has lanes: for each block the first
-    /// coordinate of all its places, ..., the last, then the weights (0 beyond the last place).
+    /// Centres and weights in blocks of as many bells as a vector register has lanes. A block
+    /// contains the first coordinates of its bells, then the second, and so on, then the weights (0
+    /// beyond the last bell).
     std::vector<double> blocks_;
 };
 

@@ -7,18 +7,23 @@
 
 namespace pendular {
 
-/// Emulated sum of the observables `sum` at a wet flow state, with its derivatives by friction and
-/// by ln(V0/a^3), V0 the bridge volume.
+/// Returns the emulated sum of several observables at a wet state, with its derivatives by the
+/// friction coefficient and by ln V0 (V0: bridge volume).
+/// @param sum observables to add
 StructureResponse respond(const Emulator& emulator, const std::vector<dem::Observable>& sum,
                           const FlowState& state);
 
-/// Emulated coordination number Z at a wet flow state [1], contacts and distant bridges together,
-/// with its derivatives by friction and by ln(V0/a^3), V0 the bridge volume.
+/// Returns the emulated coordination number Z = Z_c + Z_d at a wet state [1], with its derivatives
+/// by the friction coefficient and by ln V0 (V0: bridge volume). Z_c and Z_d: contacts and bridges
+/// without contact per grain.
 StructureResponse coordination(const Emulator& emulator, const FlowState& state);
 
-/// Emulated bridge volume V0/a^3 [1] that gives the liquid content Phi_L/Phi_S [1] at the friction,
-/// inertial number and reduced pressure of the wet state `state`: the solution of Phi_L/Phi_S = 3
-/// Z(V0) V0/(pi a^3), with the emulated coordination number Z.
+/// Returns the bridge volume over a^3 [1] at which the wet grains have a given liquid content, at
+/// the friction, inertial number and reduced pressure of `state`. It solves
+///     liquid_content = 3 Z(V0) V0/(pi a^3)
+/// for the bridge volume V0, with the grain diameter a and the emulated coordination number Z (at
+/// least 1).
+/// @param liquid_content volume of liquid over volume of grains [1]
 /// Source: Badetti et al. (2018), eq:lcont.
 double bridge_volume_of(const Emulator& emulator, double liquid_content, FlowState state);
 

@@ -5,18 +5,22 @@
 
 namespace pendular {
 
-/// Fits the hyperparameters of the Gaussian process of one quantity, the first of `known`: they
-/// maximise likelihood times prior, found by Ceres with analytic gradients. Broad log-normal priors
-/// keep hyperparameters finite that the observations do not determine.
+/// Fits the hyperparameters (amplitudes, lengths and noise) of the Gaussian process of one quantity
+/// to observations: they maximise likelihood times prior. Broad log-normal priors keep
+/// hyperparameters finite that the observations do not determine. The maximum is found by Ceres
+/// with analytic gradients.
+/// @param domain kind of the quantity
+/// @param known observations; only those of the first quantity are used
 /// @param unit typical size of the quantity, in its unit
 /// @throws std::invalid_argument where `known` has no observation
 Hyperparameters fit_hyperparameters(Domain domain, const Observations& known, double unit);
 
-/// Returns the function that `fit_hyperparameters` minimises, -ln(likelihood) - ln(prior) up to a
+/// Returns the cost that `fit_hyperparameters` minimises [1]: -ln(likelihood) - ln(prior), up to a
 /// constant; infinite where the covariance of the observations is not positive definite.
 /// @param unit typical size of the quantity, in its unit
-/// @param gradient receives the derivatives of the returned value by the logarithms of the
-///         hyperparameters, in the order of `Hyperparameters::names`; may be null
+/// @param hyperparameters hyperparameters at which the cost is evaluated
+/// @param gradient receives the derivatives of the cost by the logarithms of the hyperparameters,
+///        in the order of `Hyperparameters::names`; may be null
 double hyperparameter_cost(Domain domain, const Observations& known, double unit,
                            const Hyperparameters& hyperparameters, double* gradient);
 

@@ -8,51 +8,56 @@
 
 namespace pendular {
 
-/// Noisy observed values of m quantities, functions of the coordinates of a flow state, at n
-/// places.
+/// Observed values, with noise, of m quantities at n places. The quantities are functions of the
+/// coordinates of a state of steady shear.
 struct Observations {
     std::vector<Coordinates> at;         ///< places of the observations, n
     Eigen::MatrixXd values;              ///< observed values, n x m: a row for each place
-    std::vector<Eigen::MatrixXd> noise;  ///< m x m covariance of the noise at each place
+    std::vector<Eigen::MatrixXd> noise;  ///< covariance of the noise at each place, m x m
 
     /// Returns the observations of one quantity alone, given by its column in `values`.
     Observations only(Eigen::Index quantity) const;
 };
 
-/// Gaussian process of m random functions, each with its own kernel (prior covariance), observed at
-/// some places with noise that is correlated between the functions at one place. The joint
-/// posterior of values and derivatives at other places is
+/// Gaussian process of m random functions, each with its own kernel (prior covariance). The
+/// functions are observed at some places with noise, which is correlated between the functions at
+/// one place. The joint posterior of values and derivatives at other places is
 ///     mean = k' (K + N)^-1 y,  covariance = k(*, *) - k' (K + N)^-1 k,
-/// with the observed values y, their prior covariance K and noise N, and the prior covariance k of
-/// the observations with the predicted values.
+/// with the observed values y, their prior covariance K, the covariance N of their noise, the prior
+/// covariance k of the observations with the predicted values, and the prior covariance k(*, *) of
+/// the predicted values.
 /// Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), eq. 2.23, 2.24;
 /// derivatives: section 9.4.
 class GaussianProcess {
   public:
-    /// Conditions the process on the observations `known`. The noise covariance at each place is
-    /// multiplied by the noise factors of the kernels' hyperparameters and increased by the squares
-    /// of their between-run scatter.
+    /// Trains the process on the observations `known`. The covariance of the noise at each place is
+    /// multiplied by the noise factors of the kernels' hyperparameters; then the squares of the
+    /// between-run scatters are added to the variances.
+    /// @param kernels kernel of each function, in the order of the columns of `known.values`
     /// @throws std::logic_error where the covariance of the observations is not positive definite
     GaussianProcess(std::vector<Kernel> kernels, const Observations& known);
 
-    /// Value or derivative to predict, of the quantity with the index `quantity`.
+    /// A value or derivative to predict, of the function with the index `quantity`.
     struct Requested {
         Eigen::Index quantity = 0;
         Functional functional;
     };
-    /// Posterior mean of each requested value or derivative.
+    /// Posterior mean of each requested value or derivative, in the order of `requested`.
     Eigen::VectorXd mean(const std::vector<Requested>& requested) const;
-    /// Requested values and derivatives with the terms that their covariances need, computed once.
+    /// Requested values and derivatives, with the terms that their covariances need.
     struct Solved {
         std::vector<Requested> requested;
         std::vector<Kernel::Prepared> places;  ///< place of each request
-        /// L^-1 k with the Cholesky factor L of K + N and the prior covariance k of the
-        /// observations (rows) with the requested values (columns).
+        /// Matrix L^-1 k, with the Cholesky factor L of K + N (prior covariance of the observations
+        /// plus their noise) and the prior covariance k of the observations (rows) with the
+        /// requested values (columns).
         Eigen::MatrixXd half;
     };
     /// Computes the terms that the covariances of requested values and derivatives need.
     Solved solve(std::vector<Requested> requested) const;
-    /// Posterior covariance of the requested values and derivatives, one row and column for each.
+    /// Posterior covariance of the requested values and derivatives, a row and a column for each. +
+    /// Eigen::MatrixXd covariance(const std::vector<Requested>& requested) const { Posterior
+    /// covariance of the requested values and derivatives, a row and a column for each.
     Eigen::MatrixXd covariance_of(const Solved& requested) const;
     Eigen::MatrixXd covariance(const std::vector<Requested>& requested) const {
         return covariance_of(solve(requested));
@@ -62,11 +67,11 @@ class GaussianProcess {
     Eigen::MatrixXd covariance_between(const Solved& a, const Solved& b) const;
 
   private:
-    /// Prior covariance of the observations (rows: all places for the first quantity, then for the
-    /// next) with the requested values and derivatives (columns).
+    /// Prior covariance of the observations (rows: all places for the first function, then all for
+    /// the next) with the requested values and derivatives (columns).
     Eigen::MatrixXd with_known(const std::vector<Requested>& requested) const;
 
-    /// Prior covariance of the requests i of `a` and j of `b`.
+    /// Prior covariance of request i of `a` with request j of `b`.
     double prior_covariance(const Solved& a, std::size_t i, const Solved& b, std::size_t j) const;
 
     Kernel::Prepared prepared(const Requested& requested) const {
@@ -74,12 +79,13 @@ class GaussianProcess {
     }
 
     std::vector<Kernel> kernels_;
-    /// Places of the observations, for each quantity.
+    /// Places of the observations, for each function.
     std::vector<std::vector<Kernel::Prepared>> known_;
-    Eigen::LLT<Eigen::MatrixXd> factor_;  ///< Cholesky factor of K + N, quantity by quantity
-    /// Places of the observations with weights (K + N)^-1 y.
+    /// Cholesky factor of K + N, one function after the other.
+    Eigen::LLT<Eigen::MatrixXd> factor_;
+    /// For each function, sums over the places of the observations with the weights (K + N)^-1 y.
     std::vector<Kernel::Known> sums_over_;
-    /// Posterior mean coefficients of the polynomial of each quantity.
+    /// Posterior mean of the coefficients of the polynomial of each function.
     std::vector<Eigen::VectorXd> coefficients_;
 };
 

@@ -7,7 +7,8 @@
 
 namespace pendular {
 
-/// Range of flow states in which the known runs support predictions. A state is supported where
+/// Range of states of steady shear in which the known runs support predictions. A state is
+/// supported where
 /// - it lies in the convex hull of the runs' states in the emulator's coordinates x = ln(friction +
 ///   0.02), q = sqrt(I), ln(1 + 10/P*) and ln(V0/a^3), or outside by at most `margin` of the range
 ///   that the runs cover (I: inertial number; P* = a^2 s22/F0: reduced pressure; V0: bridge volume;
@@ -24,16 +25,16 @@ class KnownRange {
     /// Largest distance of a supported state from the convex hull of the runs, in coordinates
     /// scaled by the range of the runs [1].
     static constexpr double margin = 0.01;
-    /// Largest relative standard errors of the predicted stress ratio and solid fraction at a
-    /// supported state [1].
+    /// Largest standard errors of the predicted stress ratio and solid fraction at a supported
+    /// state, relative to the predicted values [1].
     static constexpr double largest_ratio_error = 0.15;
     static constexpr double largest_fraction_error = 0.02;
     /// Range of predicted solid fractions that count as physical in dense flow [1]: from far below
     /// loose packing to crystals.
     static constexpr double lowest_fraction = 0.4, highest_fraction = 0.74;
 
-    /// Finds the range of flow states that an emulator's training runs support. The emulator must
-    /// outlive this object.
+    /// Finds the range of states of steady shear that an emulator's training runs support. The
+    /// emulator must outlive this object.
     explicit KnownRange(const Emulator& emulator);
 
     /// Whether any run without effects has liquid bridges.
@@ -41,34 +42,35 @@ class KnownRange {
     /// Whether any run without effects is dry.
     bool knows_dry() const { return dry_.runs > 0; }
 
-    /// Reason why the training runs do not support predictions at a flow state, as in "friction 0.9
-    /// is above 0.6"; empty where they do.
+    /// Reason why the training runs do not support predictions at a state of steady shear, as in
+    /// "friction 0.9 is above 0.6"; empty where they support them.
     std::string why_unsupported(const FlowState& state) const;
 
-    /// Returns a supported flow state close to an unsupported one: the nearest point of the convex
-    /// hull of the runs or, where the prediction there is too uncertain or unphysical, the first
-    /// supported point on the way from that point to the nearest run.
+    /// Returns a supported state of steady shear close to the unsupported state `state`: the
+    /// nearest point of the convex hull of the runs or, where the prediction there is too uncertain
+    /// or unphysical, the first supported point on the straight way from there to the nearest run.
     /// @throws std::invalid_argument for a wet state where no run without effects is wet, and for a
     ///         dry state where none is dry
     FlowState nearest_supported(const FlowState& state) const;
 
   private:
     using Point = Eigen::Vector4d;
-    /// Points whose convex hull of flow states is supported, in coordinates scaled to 0 to 1 over
-    /// the range of the runs.
+    /// Points whose convex hull is the supported range of states of steady shear, in coordinates
+    /// scaled to 0 to 1 over the range of the runs.
     struct Cloud {
         Eigen::Matrix<double, 4, Eigen::Dynamic> corners;  ///< a column for each point
         Eigen::Index runs = 0;  ///< number of runs, which are the first columns
     };
     const Cloud& cloud_for(const FlowState& state) const { return state.dry() ? dry_ : wet_; }
-    /// Coordinates of a flow state, scaled to 0 to 1 over the range of the runs.
+    /// Coordinates of a state of steady shear, scaled to 0 to 1 over the range of the runs.
     Point place(const FlowState& state) const;
-    /// Flow state with these coordinates, which are scaled to 0 to 1 over the range of the runs.
+    /// State of steady shear with the coordinates `place`, which are scaled to 0 to 1 over the
+    /// range of the runs.
     FlowState state_at(const Point& place) const;
     /// Point of the convex hull of a cloud that is nearest to a place, in scaled coordinates.
     Point nearest_in_hull(const Point& place, const Cloud& cloud) const;
-    /// Reason why the emulator's prediction of stress ratio or solid fraction at a flow state is
-    /// too uncertain or unphysical; empty where neither is.
+    /// Reason why the emulator's prediction of stress ratio or solid fraction at a state of steady
+    /// shear is too uncertain or unphysical; empty where neither is.
     std::string why_unsure(const FlowState& state) const;
 
     const Emulator& emulator_;

@@ -9,19 +9,23 @@
 
 namespace pendular {
 
-/// Training runs of an emulator with those of its hyperparameters that were fitted before.
+/// Simulation runs from which a calibration starts: training runs of the emulator, with
+/// hyperparameters (amplitudes and lengths of its Gaussian processes) that were fitted to them
+/// before.
 struct KnownRuns {
-    /// Training runs. If empty, a calibration first simulates dry runs, if `orders_more`.
+    /// Training runs. If there are none and `orders_more` is true, a calibration first simulates
+    /// dry runs.
     std::vector<dem::RunResult> runs;
-    EmulatorHyperparameters hyperparameters;  ///< by observable; missing ones are fitted
-    bool orders_more = true;                  ///< whether the planner may request new simulations
+    /// Hyperparameters by observable; missing ones are fitted.
+    EmulatorHyperparameters hyperparameters;
+    bool orders_more = true;  ///< whether the planner may request new simulations
 };
 
-/// Returns those of `runs` that can train an emulator for a study: they are usable
-/// (`emulated::usable`), have no effects but those that the study lists, at least 1000 grains or as
-/// many as `fidelity` (set of simulation settings), and a Poisson ratio within 0.1 of the study's
-/// grains; wet runs have the study's bridge force law. A difference of 0.1 changes the ratio of
-/// tangential to normal stiffness by less than a tenth.
+/// Returns the runs that can train an emulator for a study. Such a run is usable
+/// (`emulated::usable`), has only effects that the study lists, at least 1000 grains or as many as
+/// the settings `fidelity`, and a Poisson ratio within 0.1 of that of the study's grains (0.1
+/// changes the ratio of tangential to normal stiffness by less than a tenth). A wet run has the
+/// study's formula of the bridge force.
 std::vector<dem::RunResult> runs_serving(const Study& study, const Fidelity& fidelity,
                                          const std::vector<dem::RunResult>& runs);
 

@@ -8,11 +8,12 @@
 
 namespace pendular {
 
-/// Variable by which an emulated observable is differentiated: friction, ln I, 1/P* or V0/a^3.
+/// Variable by which an emulated observable is differentiated: the friction coefficient, ln I (I:
+/// inertial number), 1/P* (P*: reduced pressure) or V0/a^3 (V0: bridge volume, a: grain diameter).
 enum class Input { friction, log_inertial_number, inverse_pressure, bridge_volume };
 
-/// Query to the emulator: for the value of an observable at a flow state, or for a derivative of
-/// the observable there.
+/// Question to the emulator: the value of an observable at a state of steady shear, or its
+/// derivative by one variable.
 struct Query {
     FlowState state;
     dem::Observable which = dem::Observable::stress_ratio;

@@ -2,8 +2,8 @@
 
 namespace pendular {
 
-/// Quantity of the network of contacts and bridges at a flow state, such as the coordination
-/// number, with its derivatives.
+/// Quantity of the network of contacts and liquid bridges at a state of steady shear, such as the
+/// coordination number, with its derivatives.
 struct StructureResponse {
     /// Value of the quantity, in its unit.
     double value = 0;

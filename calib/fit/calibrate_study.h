@@ -17,28 +17,31 @@ namespace pendular {
 
 /// Settings of a calibration (fit of a study's model, with simulations as needed).
 struct CalibrationRequest {
-    Fidelity fidelity;       ///< size, stiffness, slowest shear and strain of new simulations
+    Fidelity fidelity;  ///< settings of new simulations: size, stiffness, slowest shear and strain
     std::uint64_t seed = 1;  ///< seed from which the seeds of simulations follow
-    bool profile = false;    ///< whether to compute the 68 % `profile_interval` of the friction
-    /// Criteria for the end of the rounds of simulations and fits.
+    /// Whether to compute the 68 % interval of the friction (`profile_interval`).
+    bool profile = false;
+    /// Criteria that end the rounds of simulations and fits.
     CalibrationOptions options = {};
-    /// Time limit of the simulations, except for the first simulations of a calibration that begins
-    /// without earlier runs.
+    /// Time limit of the simulations. The first simulations of a calibration without earlier runs
+    /// are not limited.
     RunBudget budget = {};
-    /// Options for the lines of stress ratio of wet readings against 1/P*.
+    /// Options for the straight lines of stress ratio against 1/P* that are fitted to wet readings
+    /// (P*: reduced pressure).
     CohesionOptions cohesion = {};
-    /// Runs on which the emulator is trained at the beginning. If there are none and
+    /// Earlier runs, on which the emulator is trained at the beginning. If there are none and
     /// `KnownRuns::orders_more` is true, dry runs spread over friction and inertial number are
     /// simulated first.
     KnownRuns known = {};
-    /// Callback before a further stage of simulations, with the name of the stage: "wet readings".
+    /// Function that is called before a further stage of simulations, with the name of the stage:
+    /// "wet readings".
     std::function<void(std::string_view)> stage = {};
 };
 
-/// Calibrates a study: fits the parameters of its model to readings. The model uses an emulator
-/// trained on earlier runs and on new runs that are simulated as needed. With fit_to = "dry" the
-/// fit uses the dry readings, and the wet readings are predicted, unless an effect needs a joint
-/// fit (`fitted_count`); with fit_to = "all" it uses all readings.
+/// Fits the parameters of a study's model to its readings. The model uses an emulator that is
+/// trained on earlier runs and on new runs, which are simulated as needed. With fit_to = "dry" in
+/// study.toml, the dry readings are fitted and the wet readings predicted, unless an effect needs a
+/// joint fit (`needs_joint_fit`). With fit_to = "all", all readings are fitted.
 /// @param report called after each round of simulations and fit; may be empty
 /// @throws InputError where there is no reading to fit, a reading cannot be simulated
 ///         (`check_range`), or the study lists effects on grains and there are no earlier runs
@@ -55,28 +58,30 @@ Calibration calibrate_study(const ResolvedStudy& study, const Measurements& meas
 void check_range(const std::vector<Reading>& readings, const Study& study,
                  const Fidelity& fidelity);
 
-/// Number of readings that a study's calibration fits. They are the first of `readings`, in which
-/// the dry readings must come first. All readings are fitted where fit_to = "all" or a listed
-/// effect needs a joint fit of dry and wet readings (`needs_joint_fit`), else the dry readings.
+/// Returns how many of `readings`, taken from the first, a calibration of the study fits: all where
+/// fit_to = "all" or a listed effect needs a joint fit of dry and wet readings (`needs_joint_fit`),
+/// else the dry readings.
+/// @param readings readings of the study, dry readings first
 std::size_t fitted_count(const ResolvedStudy& study, const std::vector<Reading>& readings);
 
-/// Predicts shear stress [Pa] and solid fraction [1] at conditions that the calibration did not
-/// fit, at its fitted parameters. The covariance includes the error of the fit: it is the model's
-/// covariance plus J Cov(parameters) J', corrected for errors of the model that predictions and
-/// fitted readings share (corrections, common runs) and for which the fit has already compensated.
-/// Without shared errors and with a linear model, the chi2 of fitted and of predicted readings add
-/// up to the chi2 of a joint fit.
+/// Predicts shear stress [Pa] and solid fraction [1] at conditions that a calibration did not fit,
+/// at its fitted parameters, for each condition in turn. The covariance includes the error of the
+/// fit: it is the model's covariance plus J C J', with the covariance C of the parameters and the
+/// derivatives J of the predictions. It is corrected for errors of the model that predictions and
+/// fitted readings share (corrections, common runs), since the fit has already compensated for
+/// them. Without shared errors and with a linear model, the chi2 of fitted and of predicted
+/// readings add up to the chi2 of a joint fit.
 Prediction predict_unseen(const Predictor& model, const Calibration& calibration,
                           const std::vector<Condition>& conditions);
 
 /// Predicts shear stress [Pa] and solid fraction [1] of all readings of a calibration at its fitted
-/// parameters. The covariance includes the error of the fit for readings that were not fitted
-/// (`predict_unseen`).
+/// parameters, for each reading in turn. For readings that were not fitted, the covariance includes
+/// the error of the fit (`predict_unseen`); their covariance with fitted readings is set to 0.
 Prediction predict_readings(const Predictor& model, const Calibration& calibration);
 
-/// Fits the cohesion lines (stress ratio against 1/P*) of a calibration again, to its wet readings
-/// and to the predictions of its wet readings, and replaces the calibration's lines and their
-/// notes.
+/// Fits the cohesion lines (straight lines of stress ratio against 1/P*, P*: reduced pressure) of a
+/// calibration again and replaces its lines and their notes. Lines are fitted to the measured and
+/// to the predicted wet readings; a study without wet readings has none.
 void draw_cohesion_lines(Calibration& calibration);
 
 }  // namespace pendular

@@ -9,11 +9,10 @@
 
 namespace pendular {
 
-/// Notes for the user of a calibration: on readings whose predictions the runs do not support, on
-/// errors dominated by simulation, on wet readings at low reduced pressures, at which shear may be
-/// in bands, on parameters at a bound or undetermined, and the planner's notes.
-/// @param wet_known whether the noise of the wet runs is small compared with the errors of the wet
-///         readings that were not fitted
+/// Returns sentences for the user that qualify the result of a calibration. They name readings
+/// whose predictions the runs do not support, errors dominated by simulation, wet readings at
+/// reduced pressures so low that the grains may shear in bands, and parameters at a bound or
+/// undetermined; the notes of `planner` are included.
 std::vector<std::string> notes_on(const Calibration& calibration, const ResolvedStudy& study,
                                   const RunPlanner& planner, bool wet_known);
 

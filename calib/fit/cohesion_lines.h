@@ -11,71 +11,82 @@
 
 namespace pendular {
 
-/// Relative deviation of a cohesion line from the stress ratio of a point that the line was not
-/// fitted to.
+/// Relative deviation of a cohesion line from the stress ratio of a wet reading to which the line
+/// was not fitted.
 struct Overestimate {
-    double reduced_pressure = 0;  ///< P* of the point [1]
-    Estimate relative;  ///< (line - value)/value, with the stress ratio `value` of the point [1]
+    double reduced_pressure = 0;  ///< reduced pressure P* of the reading [1]
+    Estimate relative;  ///< (line - value)/value, with the stress ratio `value` of the reading [1]
 };
 
-/// Mohr-Coulomb line fitted to wet readings of one liquid content and one inertial number,
+/// Straight line (Mohr-Coulomb) fitted to the stress ratios of wet readings of one liquid content
+/// and one inertial number,
 ///     |s12|/s22 = intercept + c*/P*
-/// with the reduced cohesion c* and reduced pressure P*, and errors from the covariance of the
-/// points, not scaled by chi2/dof.
+/// with the shear stress s12, the normal stress s22, the reduced cohesion c* = a^2 c/F0, the
+/// reduced pressure P* = a^2 s22/F0, the grain diameter a, the pull-off force F0 of a liquid bridge
+/// and the cohesion c. A point of the line is the stress ratio of one reading. Standard errors
+/// follow from the covariance of the points and are not scaled by chi2/dof (dof: degrees of
+/// freedom).
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 struct CohesionLine {
-    std::string source;         ///< "measured" or "simulated"
-    double liquid_content = 0;  ///< liquid content Phi_L/Phi_S [1], mean of the points
+    std::string source;  ///< values to which the line is fitted: "measured" or "simulated"
+    /// Liquid content (liquid volume over grain volume) [1], mean of the points.
+    double liquid_content = 0;
     /// Inertial number I [1], mean of the points; 0: the quasi-static limit.
     double inertial_number = 0;
     Estimate stress_ratio_intercept;     ///< intercept: stress ratio for 1/P* -> 0 [1]
-    Estimate reduced_cohesion;           ///< c* = a^2 c/F0 [1]
+    Estimate reduced_cohesion;           ///< reduced cohesion c* = a^2 c/F0 [1]
     double correlation = 0;              ///< correlation of the errors of intercept and c* [1]
-    Estimate cohesion;                   ///< c = c* F0/a^2 [Pa]
+    Estimate cohesion;                   ///< cohesion c = c* F0/a^2 [Pa]
     int points = 0;                      ///< number of points that the line is fitted to
     double chi2 = 0;                     ///< chi2 of the fit
     int dof = 0;                         ///< degrees of freedom of the fit
-    double lowest_reduced_pressure = 0;  ///< lowest P* of the fitted points [1]
-    /// Deviations of the line from the points with P* below
+    double lowest_reduced_pressure = 0;  ///< lowest reduced pressure P* of the fitted points [1]
+    /// Deviations of the line from the readings at reduced pressures P* below
     /// `CohesionOptions::lowest_reduced_pressure`, in decreasing P*.
     std::vector<Overestimate> below;
 };
 
-/// Stress ratio |s12|/s22 [1] that a cohesion line gives at a reduced pressure P* [1].
+/// Returns the stress ratio, shear stress over normal stress [1], of a cohesion line at a reduced
+/// pressure [1].
 double stress_ratio(const CohesionLine& line, double reduced_pressure);
 
-/// Options for the fit of cohesion lines (stress ratio of wet grains against 1/P*).
+/// Options for the fit of cohesion lines: straight lines of stress ratio against 1/P* (P*: reduced
+/// pressure).
 struct CohesionOptions {
-    /// Lowest reduced pressure P* of the points to which a line is fitted [1]. The default is the
-    /// choice of Badetti et al. (2018); the straight line is too high for P* <= 1.
+    /// Lowest reduced pressure P* [1] of the readings to which a line is fitted. The default is
+    /// that of Badetti et al. (2018); a straight line is too high for P* <= 1.
     double lowest_reduced_pressure = lowest_cohesion_pressure;
 
-    /// Whether a line is fitted to points at this reduced pressure P*: true if P* is at or above
-    /// `lowest_reduced_pressure`, with a tolerance for rounding errors of P*.
+    /// Whether a line is fitted to readings at this reduced pressure [1]: it is at least
+    /// `lowest_reduced_pressure`, with a tolerance for rounding errors.
     bool fits(double reduced_pressure) const;
 };
 
-/// Checks the options for the fit of cohesion lines.
+/// Checks the options for the fit of cohesion lines (straight lines of stress ratio against 1/P*).
 /// @throws InputError where the lowest reduced pressure is not positive and finite
 void check_options(const CohesionOptions& options);
 
-/// Fits straight lines of stress ratio against 1/P* to the wet readings as measured, one line for
-/// each group of `wet_groups`, in the order of the groups. A group without two distinct P* (2 %
-/// apart) at or above the limit of `options` has no line. Notes on groups without a line, and on
-/// the reduced pressures that a line leaves out, are appended to `notes`.
+/// Fits a straight line of the measured stress ratio against 1/P* (P*: reduced pressure) to each
+/// group of wet readings of steady shear (`wet_groups`). The lines are in the order of the groups.
+/// A group without two values of P* at or above the limit of `options` that are 2 % apart has no
+/// line.
+/// @param notes receives sentences for the user on groups without a line and on readings that a
+///        line leaves out
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          const GrainProperties& grains, const Liquid& liquid,
                                          const CohesionOptions& options,
                                          std::vector<std::string>& notes);
 
-/// Fits straight lines of stress ratio against 1/P* to the model's predictions of the wet readings,
-/// with the same procedure as for measured lines. The points are weighted by the covariance of the
-/// readings; the errors of the lines follow from the full covariance of the predictions. (Weights
-/// by the covariance of the predictions would mislead: where errors are nearly common to all
-/// points, small differences between the points decide the line, and simulated stress ratios are
-/// not exactly linear in 1/P*.) chi2 shows whether the errors of the readings are small enough to
-/// reveal this curvature.
+/// Fits a straight line of the predicted stress ratio against 1/P* (P*: reduced pressure) to each
+/// group of wet readings of steady shear (`wet_groups`), with the rules for measured lines. The
+/// points are weighted by the covariance of the measured readings; the standard errors of the lines
+/// follow from the full covariance of the predictions. Weights by the covariance of the predictions
+/// would mislead: where errors are nearly common to all points, small differences between the
+/// points determine the line, and simulated stress ratios are not exactly linear in 1/P*. chi2
+/// shows whether the errors of the readings are small enough to reveal this curvature.
 /// @param predicted predictions of all `readings`, with their covariance
+/// @param notes receives sentences for the user on groups without a line and on readings that a
+///        line leaves out
 std::vector<CohesionLine> cohesion_lines(const std::vector<Reading>& readings,
                                          const Prediction& predicted, const GrainProperties& grains,
                                          const Liquid& liquid, const CohesionOptions& options,

@@ -6,12 +6,13 @@
 
 namespace pendular {
 
-/// Fits a model as two calls of `fit` do, the second with the simulation errors at the result of
-/// the first, with fewer evaluations of the model, for a start from which Gauss-Newton steps lead
-/// to the minimum. Each step leads to the minimum of chi2 of the model's tangent within the bounds
-/// of the parameters (found by Ceres), or to a half, a quarter, ... of the way there as long as
-/// chi2 would not fall.
-/// @param simulation covariance of the simulation errors in the first call, such as that of a model
+/// Fits a model's parameters to measured values from a start near the minimum of chi2. The result
+/// is that of two calls of `fit`, the second with the simulation errors at the result of the first,
+/// but the model is evaluated less often. Each Gauss-Newton step goes to the minimum of chi2 of the
+/// linearised model within the bounds of the parameters; the step is halved as long as chi2 would
+/// rise.
+/// @param start starting values, in the order and units of the parameters
+/// @param simulation covariance of the simulation errors in the first fit, such as that of a model
 ///        with fewer effects; null: that of the model at `start`
 /// @throws std::logic_error where the covariance of measurement and simulation is not positive
 ///         definite

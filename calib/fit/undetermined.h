@@ -7,9 +7,10 @@
 
 namespace pendular {
 
-/// Returns one sentence, with advice, for each combination of fitted parameters that the readings
-/// do not determine: along the combination, the standard error exceeds the range of the parameters.
-/// The combinations are principal axes of Fit::covariance in units of the parameters' ranges.
+/// Returns a sentence with advice for each combination of fitted parameters that the readings do
+/// not determine: the standard error along the combination exceeds the range of the parameters. The
+/// combinations are the principal axes of Fit::covariance in units of the parameters' ranges. Empty
+/// where the readings determine all parameters.
 std::vector<std::string> undetermined(const Fit& fit, const std::vector<Parameter>& parameters);
 
 }  // namespace pendular

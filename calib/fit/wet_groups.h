@@ -7,26 +7,28 @@
 
 namespace pendular {
 
-/// Group of wet readings with about equal liquid contents and inertial numbers, all in steady shear
-/// or all points of failure (`wet_groups`).
+/// Group of wet readings with about equal liquid contents and inertial numbers. Its members are all
+/// readings of steady shear or all points of failure (peaks of the shear stress).
 struct WetGroup {
     std::vector<std::size_t> members;  ///< indices of the readings in the list of all readings
-    double liquid_content = 0;         ///< liquid content Phi_L/Phi_S [1], mean of the members
+    /// Liquid content (liquid volume over grain volume) [1], mean of the members.
+    double liquid_content = 0;
     /// Inertial number I [1], mean of the members; 0: the quasi-static limit.
     double inertial_number = 0;
     bool at_failure = false;  ///< whether the members are points of failure
 };
 
-/// Groups the wet readings among `readings`. All members of a group agree with its first member
-/// within 2 % in liquid content and within 20 % in inertial number. Quasi-static readings (inertial
-/// number 0) form groups of their own, and so do points of failure. Groups are sorted by liquid
-/// content, then by inertial number, steady shear first.
+/// Groups the wet readings among `readings` by liquid content and inertial number. Each member
+/// agrees with the first member of its group within 2 % in liquid content and 20 % in inertial
+/// number. Quasi-static readings (inertial number 0) form groups of their own, and so do points of
+/// failure. The groups are sorted by liquid content, then by inertial number; a group of steady
+/// shear comes before one of points of failure.
 std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
 
-/// Whether two values differ by at most `tolerance` times the larger of their magnitudes.
+/// Whether two values differ by at most `tolerance` [1] times the larger of their magnitudes.
 bool agree(double a, double b, double tolerance);
 
-/// Largest difference between the inertial numbers of a group's first and any other member,
+/// Largest difference between the inertial numbers of the first and any other member of a group,
 /// relative to the larger one [1].
 constexpr double inertial_number_tolerance = 0.2;
 

@@ -11,17 +11,24 @@
 
 namespace pendular {
 
-/// Assembles the model of a study: the emulated `simulation`, or the formula for wet grains of the
-/// level of the ladder of closures that the base model and the effects reach (`level_with`), with
-/// effects added. Without effects the model predicts exactly what the base predicts.
-/// @param effects in the order of their parameters; must outlive the model
-/// @throws InputError where the level is `mohr_coulomb` and the study has no strengths to fit
-///         cohesions to (`MohrCoulombModel`)
+/// Returns the model that predicts the shear stress [Pa] and solid fraction [1] of a study's
+/// readings. The emulated simulation predicts dry grains. Wet grains are predicted by the
+/// simulation or by the analytical formula (closure) that `level_with` selects. The effects then
+/// change the predictions; without effects, the predictions of simulation or formula are returned
+/// unchanged.
+/// @param simulation emulated simulation of the study's grains
+/// @param effects effects of the model, in the order of their parameters; they must outlive the
+///        model
+/// @throws InputError where the formula has constant cohesions (`closures::Level::mohr_coulomb`)
+///         and the study has no wet reading of steady shear at a reduced pressure of at least 2.3,
+///         to which a cohesion could be fitted
 std::shared_ptr<const EffectModel> assemble_model(
     const Study& study, std::shared_ptr<const EmulatedSimulation> simulation,
     const std::vector<const Effect*>& effects);
 
-/// Highest level of the ladder of closures among the base model of a study and these effects.
+/// Returns the level of the formula that a model uses for wet grains: the highest, in the order of
+/// `closures::Level`, among that of the study's base model and those of `effects` that replace an
+/// approximation of the formula.
 closures::Level level_with(const Study& study, const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

@@ -9,19 +9,27 @@
 
 namespace pendular {
 
-/// Model of wet grains by a closure (analytical formula): shear stress of wet grains from the
-/// simulated stress ratio mu*_dry of dry grains and the simulated structure at the reduced pressure
-/// P*, with solid fraction Phi_S and coordination number Z,
-///     mu* = mu*_dry(mu, I) [1 + Phi_S Z/(pi P*)]                        (rumpf, strength3)
-///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)] - a^2 s12cap/(F0 P*)  (strength2)
-///     mu* = mu*_dry(mu, I) [1 - s22cap/s22] - s12cap/s22                (strength1)
-/// where Z is Z_c + 0.5 Z_d on the level `rumpf` of the ladder of closures, and Z* above. Dry shear
-/// stresses and all solid fractions are those of `EmulatedSimulation`. The covariance of
-/// predictions leaves out the errors of Z and of the capillary stresses, a few per mille.
+/// Predictor of the strength of wet grains by an analytical formula (closure) of Badetti et al.
+/// (2018). The formula gives the stress ratio mu* of wet grains from mu*_dry, the simulated stress
+/// ratio of dry grains of friction coefficient mu at inertial number I, and from the simulated
+/// structure:
+///     mu* = mu*_dry(mu, I) [1 + Phi_S Z/(pi P*)]                        (level rumpf)
+///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)]                       (level strength3)
+///     mu* = mu*_dry(mu, I) [1 + Phi_S Z*/(pi P*)] - a^2 s12cap/(F0 P*)  (level strength2)
+///     mu* = mu*_dry(mu, I) [1 - s22cap/s22] - s12cap/s22                (level strength1)
+/// with the reduced pressure P* = a^2 s22/F0, grain diameter a, normal stress s22, pull-off force
+/// F0 of a liquid bridge, solid fraction Phi_S, coordination numbers Z = Z_c + 0.5 Z_d and Z* = Z_c
+/// + Z_d F_d/F0 (Z_c contacts and Z_d bridges without contact per grain, the latter with mean force
+/// F_d), and the normal stress s22cap and shear stress s12cap of the capillary forces.
+/// `EmulatedSimulation` predicts the shear stresses of dry grains and all solid fractions. The
+/// covariance of a prediction omits the errors of Z, Z* and the capillary stresses, which are a few
+/// per mille.
 /// Source: Badetti et al. (2018), eq:cohesion3 after Rumpf, eq:strength1 to eq:strength3.
 class ClosureModel : public FlowPredictor {
   public:
-    /// @param level one of the levels with the formulas above
+    /// @param simulation emulated simulation of the study's grains
+    /// @param study study with the grains, the liquid and the settings of the model
+    /// @param level `rumpf`, `strength3`, `strength2` or `strength1`: selects the formula
     ClosureModel(std::shared_ptr<const EmulatedSimulation> simulation, const Study& study,
                  closures::Level level)
         : simulation_(std::move(simulation)), study_(study), level_(level) {}
@@ -41,9 +49,9 @@ class ClosureModel : public FlowPredictor {
     closures::Level level_;
 };
 
-/// Returns `conditions`, followed by a copy of each wet one with liquid content 0, in the same
-/// order. The copies lack effects on grains that need liquid and keep all else, such as the
-/// friction.
+/// Returns `conditions`, followed by a dry copy of each wet condition, in the order of the wet
+/// conditions. A dry copy has liquid content 0 and lacks effects on grains that need liquid;
+/// everything else is that of the wet condition.
 std::vector<EffectiveCondition> with_dry_twins(const std::vector<EffectiveCondition>& conditions);
 
 }  // namespace pendular

@@ -8,19 +8,23 @@
 
 namespace pendular {
 
-/// Correlation [1] between a model's smooth errors at two conditions:
+/// Correlation [1] between the errors of a model's predictions at two conditions a and b, where
+/// these errors vary smoothly with the condition:
 ///     exp(-[ln(s22_a/s22_b)^2/L_s^2 + (sqrt I_a - sqrt I_b)^2/L_I^2
 ///           + (sqrt w_a - sqrt w_b)^2/L_w^2]/2),
 /// with the normal stress s22, the inertial number I, the liquid content w, L_s = ln 10 and L_I =
-/// L_w = 0.1: the error changes over a decade of normal stress, between inertial numbers 0 and
-/// 0.01, and between liquid contents 0 and 0.01. Squared exponential as in Kennedy and O'Hagan,
-/// J. R. Stat. Soc. B 63 (2001) 425.
+/// L_w = 0.1. The error changes over a decade of normal stress, between inertial numbers 0 and
+/// 0.01, and between liquid contents 0 and 0.01.
+/// Source: squared exponential as in Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425.
 double discrepancy_correlation(const Condition& a, const Condition& b);
 
-/// Covariance of predicted values by the discrepancy of their model: its expected smooth error,
-/// relative to (shear stress, solid fraction) [1]. The errors of the two observables are
-/// independent of each other.
-/// @param values predicted shear stress [Pa] and solid fraction [1] at each condition, in turn
+/// Covariance of the smooth error that the user expects of a model's predictions, in the squared
+/// units of `values`, a row and a column for each of `values`. Entries i and k of one observable
+/// have the covariance
+///     discrepancy^2 x discrepancy_correlation x values(i) values(k);
+/// the errors of shear stress and solid fraction are uncorrelated.
+/// @param values predicted shear stress [Pa] and solid fraction [1] of each condition, in turn
+/// @param discrepancy expected error relative to (shear stress, solid fraction) [1]
 Eigen::MatrixXd discrepancy_covariance(const std::vector<Condition>& conditions,
                                        const Eigen::VectorXd& values,
                                        const std::array<double, 2>& discrepancy);

@@ -11,24 +11,27 @@
 
 namespace pendular {
 
-/// Predictor that adds physical effects to an inner model. Its parameters are those of the inner
-/// model, then those of the effects, named "EFFECT.PARAMETER". Effects that are switches are on and
-/// have no parameter.
+/// Predictor of shear stress [Pa] and solid fraction [1] with physical effects, such as wall slip,
+/// added to an inner model without effects. Its parameters are those of the inner model, then those
+/// of the effects, named "EFFECT.PARAMETER". An effect that is a switch is on and has no parameter.
 ///
-/// The condition of a reading is the one that the instrument shows. A prediction takes four steps:
-/// the inverted instrument map gives the condition that is truly imposed; effects on grains and
-/// liquid change this condition; the inner model predicts the true shear stress and solid fraction,
-/// which effects on the flow may change; the instrument map turns them into the values that the
-/// instrument shows. A reading that no effect touches is predicted exactly as by the inner model.
+/// A prediction starts from the condition that the instrument shows and takes four steps. (1) The
+/// inverse of the instrument's map gives the condition truly imposed. (2) Effects on grains and
+/// liquid change this condition. (3) The inner model predicts the true shear stress and solid
+/// fraction, which effects on the flow may change. (4) The instrument's map turns these into the
+/// values that the instrument shows. Where no effect acts on a reading, the prediction is that of
+/// the inner model.
+///
 /// Derivatives by an effect's parameter are central differences with a step of a thousandth of the
-/// smallest change of the parameter that matters. Predictions are smooth functions of the
-/// parameters, so that the differences contain no noise. The covariance of a prediction includes
-/// the discrepancy that the study states for its model.
+/// parameter's smallest effect of interest; predictions are smooth in the parameters, so that the
+/// differences contain no noise. The covariance of a prediction includes the discrepancy (expected
+/// error of the model) that the study states. Predictions throw std::domain_error where no true
+/// state of the cell gives a condition that the instrument shows.
 class EffectModel : public Predictor {
   public:
-    /// Adds `effects` to the model `inside`. The effects must outlive this model. Effects that
-    /// switch on terms of the closure (formula of the base model `rumpf`) change nothing here: the
-    /// caller passes a model `inside` whose closure has these terms already.
+    /// Adds the effects `effects`, which must outlive this model, to the inner model `inside`.
+    /// Effects that replace an approximation of the formula for wet grains (ChangeClosure) change
+    /// nothing here: the caller passes an inner model whose formula contains them.
     EffectModel(std::shared_ptr<const FlowPredictor> inside, const Study& study,
                 std::vector<const Effect*> effects);
 
@@ -37,43 +40,53 @@ class EffectModel : public Predictor {
                        PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override;
 
-    /// Covariances of the simulation errors of the change of the readings predicted at `conditions`
-    /// from the model `without`, which has the same inner model and fewer effects, to this model.
-    /// They follow from the joint errors of the inner model's predictions at both sets of
-    /// conditions, which are nearly equal where an effect moves a condition little.
+    /// Covariances, in squared units of the readings, of the simulation errors of a change of
+    /// predictions: from the model `without`, which has the same inner model and fewer effects, to
+    /// this model. The readings are those at `conditions`: shear stress [Pa] and solid fraction [1]
+    /// of each in turn. The errors of both predictions are computed together, since they nearly
+    /// cancel where an effect changes a condition little.
+    /// @param parameters parameters of this model
+    /// @param parameters_without parameters of the model `without`
     ModelSpace::ChangeErrors change_errors(const Eigen::VectorXd& parameters,
                                            const EffectModel& without,
                                            const Eigen::VectorXd& parameters_without,
                                            const std::vector<Condition>& conditions) const;
 
-    /// Effects of the model, each with the values of its parameters taken from `parameters`, which
-    /// has the order of parameters(); the value of a switch is 1.
+    /// Returns the effects of the model, each with the values of its parameters in SI units. A
+    /// switch has the value 1.
+    /// @param parameters values of all parameters, in the order of parameters()
     std::vector<ActiveEffect> effects_at(const Eigen::VectorXd& parameters) const;
 
-    /// Returns for each condition that the instrument shows the condition that is truly imposed on
-    /// the grains, as effects on grains and liquid change it: the inner model predicts there.
+    /// Returns, for each condition that the instrument shows, the condition truly imposed on the
+    /// grains, with grains and liquid as the effects change them. The inner model predicts at the
+    /// returned conditions.
+    /// @param parameters values of all parameters, in the order of parameters()
     std::vector<EffectiveCondition> imposed(const Eigen::VectorXd& parameters,
                                             const std::vector<Condition>& conditions) const;
 
   private:
     struct Truths;
-    /// Truly imposed conditions, with the states of the cell and instrument maps, for readings at
-    /// shown `conditions`.
+    /// Returns the truly imposed condition, the true state of the cell and the instrument's map for
+    /// each of the `conditions` that the instrument shows.
     Truths truths_at(const Eigen::VectorXd& parameters,
                      const std::vector<Condition>& conditions) const;
-    /// Values of the inner model's parameters, which come first in `parameters`.
+    /// Returns the values of the inner model's parameters, which come first in `parameters`.
     Eigen::VectorXd inside_parameters(const Eigen::VectorXd& parameters) const {
         return parameters.head(static_cast<Eigen::Index>(inside_->parameters().size()));
     }
-    /// Shear stress [Pa] and solid fraction [1] that the instrument shows for each reading where
-    /// the inner model predicts the true values `predicted`, stacked as in `Prediction`.
+    /// Returns the shear stress [Pa] and solid fraction [1] that the instrument shows for each
+    /// reading in turn.
+    /// @param predicted true shear stresses [Pa] and solid fractions [1] that the inner model
+    ///        predicts, for each reading in turn
     Eigen::VectorXd shown(const Truths& truths, const Eigen::VectorXd& predicted) const;
-    /// Derivatives of the values that `shown` returns by the entries of `predicted`, the true shear
-    /// stresses [Pa] and solid fractions [1].
+    /// Derivatives of the values that the instrument shows (function `shown`) by the true shear
+    /// stresses [Pa] and solid fractions [1] `predicted`: a row for each shown value and a column
+    /// for each true value.
     Eigen::SparseMatrix<double> shown_by_predicted(const Truths& truths,
                                                    const Eigen::VectorXd& predicted) const;
-    /// Sets the columns of `result.jacobian` that belong to the effects' parameters and, where any
-    /// effect acts on grains, also those of the inner model's parameters, by difference quotients.
+    /// Sets the derivatives of the prediction `result` by the effects' parameters. Where an effect
+    /// acts on grains, also sets the derivatives by the inner model's parameters. All are
+    /// difference quotients.
     /// @param predicted true values that the inner model predicts at `parameters`
     void add_slopes(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                     const Truths& truths, const Eigen::VectorXd& predicted,
@@ -85,8 +98,9 @@ class EffectModel : public Predictor {
     std::vector<Parameter> parameters_;
 };
 
-/// Whether any of the effects needs a joint fit of dry and wet readings: because it changes dry
-/// readings, or has a parameter to fit, which dry readings alone do not determine.
+/// Whether a model with these effects must be fitted to dry and wet readings together: one of the
+/// effects changes readings other than wet ones, or has a parameter to fit, which dry readings
+/// alone do not determine.
 bool needs_joint_fit(const std::vector<const Effect*>& effects);
 
 }  // namespace pendular

@@ -8,14 +8,17 @@
 
 namespace pendular {
 
-/// Predictions of an `EmulatedSimulation` near n conditions. The part of plain grains is
-/// expanded to first order in friction, ln I, 1/P* and ln V0 (bridge volume) about the conditions;
-/// responses to effects on grains and to stiffness, which are cheap, are evaluated anew. The volume
-/// follows from the liquid content with the expanded coordination number. Difference quotients over
-/// short steps are as exact as those of the predictions themselves.
+/// Fast predictions of an `EmulatedSimulation` near given conditions, for difference quotients over
+/// short steps. Predictions without effects on grains are expanded to first order in friction, ln
+/// I, 1/P* and ln V0 about each condition (I: inertial number, P*: reduced pressure, V0: bridge
+/// volume). Changes by effects on grains and by stiffness are cheap and computed again for each
+/// prediction. The bridge volume follows from the liquid content and the expanded coordination
+/// number. The difference quotients are as exact as those of the predictions themselves.
 class EmulatedNeighbourhood : public FlowNeighbourhood {
   public:
-    /// @param friction friction coefficient at which the predictions are expanded [1]
+    /// @param simulation emulated simulation, which must outlive this object
+    /// @param friction friction coefficient about which the predictions are expanded [1]
+    /// @param conditions conditions about which the predictions are expanded
     EmulatedNeighbourhood(const EmulatedSimulation& simulation, double friction,
                           const std::vector<EffectiveCondition>& conditions);
 
@@ -24,31 +27,38 @@ class EmulatedNeighbourhood : public FlowNeighbourhood {
                            const std::vector<std::size_t>& places) const override;
 
   private:
-    /// Emulated quantities: stress ratio, solid fraction, overlap, coordination numbers of contacts
-    /// and of distant bridges, the last two of wet states.
+    /// Number of the emulated quantities: stress ratio, solid fraction, overlap and, for wet
+    /// grains, the coordination numbers of contacts and of bridges without contact.
     static constexpr Eigen::Index quantities = 5;
     using Quantities = Eigen::Vector<double, quantities>;
-    /// Expansion about one condition.
+    /// Expansion of the emulated quantities about one condition.
     struct Place {
         FlowState state;
-        double liquid_content = 0;  ///< Phi_L/Phi_S [1]
+        double liquid_content = 0;  ///< volume of liquid over volume of grains [1]
         Quantities value = Quantities::Zero();
-        /// Part of `value` from effects on grains and stiffness.
+        /// Part of `value` that comes from effects on grains and stiffness.
         Quantities by_effects = Quantities::Zero();
-        /// Derivatives by friction, ln I, 1/P* and ln V0; the first three omit that part.
+        /// Derivatives of `value` by friction, ln I, 1/P* and ln V0. The first three omit the part
+        /// `by_effects`.
         Eigen::Matrix<double, quantities, 4> slopes = Eigen::Matrix<double, quantities, 4>::Zero();
 
         double coordination() const { return value(3) + value(4); }
     };
 
     void expand();
-    /// Sets the parts that effects on grains and stiffness contribute.
+    /// Sets `by_effects` of each place, and adds its derivative by ln V0 to the slopes.
     void expand_effects();
-    /// Parts of the quantities from effects on grains and stiffness at each state.
+    /// Returns the parts of the five emulated quantities that come from effects on grains and
+    /// stiffness, for each state.
     std::vector<Quantities> effects_at(const std::vector<FlowState>& states) const;
-    /// Whether the expansion about a place holds at a state, whose liquid is given too.
+    /// Whether the expansion about a place can predict a state: both are wet or both dry, and
+    /// either both inertial numbers are positive or they are equal. A wet place needs a
+    /// coordination number above 1.
     static bool reaches(const Place& place, const FlowState& state);
-    /// Stress ratio, solid fraction and overlap at a state near a place.
+    /// Returns stress ratio, solid fraction and overlap over grain diameter [1] at a state near a
+    /// place.
+    /// @param liquid_content liquid content of the state [1]
+    /// @param by_effects part of the quantities from effects on grains and stiffness at the state
     static Eigen::Vector3d flow_at(const Place& place, const FlowState& state,
                                    double liquid_content, const Quantities& by_effects);
 

@@ -13,12 +13,13 @@
 
 namespace pendular {
 
-/// Predictor of shear stress and solid fraction of dry and wet grains by the emulator (Gaussian
-/// processes trained on runs). Its only parameter is the friction.
+/// Predictor of the shear stress [Pa] and solid fraction [1] of dry and wet grains by the emulator
+/// (Gaussian processes trained on simulation runs). Its only parameter is the friction coefficient.
 ///
-/// Predictions hold for the stiffness number of the study's grains at each normal stress or, where
-/// the study states no Young's modulus, that of the fidelity (set of simulation settings). A liquid
-/// content is converted into a bridge volume by means of the emulated coordination number.
+/// A prediction holds for the stiffness number of the study's grains at the normal stress of the
+/// condition or, where the study states no Young's modulus, for that of the simulation settings
+/// (`Fidelity`). The liquid content is converted to a bridge volume by means of the emulated
+/// coordination number.
 class EmulatedSimulation : public FlowPredictor {
   public:
     EmulatedSimulation(const Study& study, const Fidelity& fidelity, Emulator emulator);
@@ -32,66 +33,84 @@ class EmulatedSimulation : public FlowPredictor {
         const Eigen::VectorXd& parameters,
         const std::vector<EffectiveCondition>& conditions) const override;
 
-    /// Flow state of a condition where the study's grains have the friction coefficient `friction`,
-    /// to which the condition's friction difference is added [1]. A wet state has the bridge volume
-    /// that gives the condition's liquid content.
+    /// Returns the state of steady shear, in dimensionless numbers, of the study's grains at a
+    /// condition. A wet state has the bridge volume that gives the condition's liquid content.
+    /// @param friction friction coefficient of the study's grains [1], to which the friction
+    ///        difference of the condition is added
     FlowState flow_state_at(double friction, const EffectiveCondition& condition) const;
-    /// Flow state as `flow_state_at` gives it, but without the bridge volume of a wet state.
+    /// Returns the state of steady shear of the study's grains at a condition without the bridge
+    /// volume, which costs time to compute: it is 0.
+    /// @param friction friction coefficient of the study's grains [1], to which the friction
+    ///        difference of the condition is added
     FlowState unfilled_state_at(double friction, const EffectiveCondition& condition) const;
-    /// Shear stress [Pa] and solid fraction [1] at a condition where the emulator predicts `flow`:
-    /// stress ratio and solid fraction of rigid grains, and overlap over grain diameter [1].
+    /// Converts emulated numbers to the shear stress [Pa] and solid fraction [1] of a reading at
+    /// `condition`. The solid fraction is changed from rigid grains to grains of the study's
+    /// stiffness.
+    /// @param flow stress ratio, solid fraction of rigid grains, and mean overlap over grain
+    ///        diameter [1]
     Eigen::Vector2d reading_of(const Eigen::Vector3d& flow,
                                const EffectiveCondition& condition) const;
-    /// Returns the wet flow state `state` with its bridge volume replaced by the one that gives the
-    /// liquid content Phi_L/Phi_S [1].
+    /// Returns the wet state `state` with the bridge volume that gives a liquid content, the volume
+    /// of liquid over the volume of grains [1].
     FlowState filled(const FlowState& state, double liquid_content) const;
-    /// Effective coordination number Z* at a wet condition [1] with its derivative by the friction
-    /// at constant liquid content.
+    /// Effective coordination number Z* = Z_c + Z_d F_d/F0 at a wet condition [1], with its
+    /// derivative by the friction coefficient at constant liquid content. Z_c and Z_d: contacts and
+    /// bridges without contact per grain; F_d: mean force of the latter; F0: pull-off force of a
+    /// bridge.
+    /// @param friction friction coefficient of the study's grains [1]
     StructureResponse effective_coordination(double friction,
                                              const EffectiveCondition& condition) const;
     /// Approximate coordination number Z_c + 0.5 Z_d at a wet condition [1], with its derivative by
-    /// the friction at constant liquid content (`closures::approximate_coordination`).
+    /// the friction coefficient at constant liquid content. Z_c and Z_d: contacts and bridges
+    /// without contact per grain.
+    /// @param friction friction coefficient of the study's grains [1]
     StructureResponse approximate_coordination(double friction,
                                                const EffectiveCondition& condition) const;
-    /// Capillary normal stress a^2 s22cap/F0 at a wet condition [1], negative, with its derivative
-    /// by the friction at constant liquid content.
+    /// Normal stress of the capillary forces at a wet condition over F0/a^2 [1], negative, with its
+    /// derivative by the friction coefficient at constant liquid content. F0: pull-off force of a
+    /// bridge; a: grain diameter.
+    /// @param friction friction coefficient of the study's grains [1]
     StructureResponse capillary_normal_stress(double friction,
                                               const EffectiveCondition& condition) const;
-    /// Capillary shear stress a^2 s12cap/F0 at a wet condition [1] with its derivative by the
-    /// friction at constant liquid content.
+    /// Shear stress of the capillary forces at a wet condition over F0/a^2 [1], with its derivative
+    /// by the friction coefficient at constant liquid content. F0: pull-off force of a bridge; a:
+    /// grain diameter.
+    /// @param friction friction coefficient of the study's grains [1]
     StructureResponse capillary_shear_stress(double friction,
                                              const EffectiveCondition& condition) const;
 
     const Emulator& emulator() const { return emulator_; }
-    /// Friction within the parameter's range that is nearest to `friction` [1].
+    /// Returns the friction coefficient between 0 and 1 that is nearest to `friction` [1].
     double allowed(double friction) const;
 
   private:
-    /// Contributions to the standard errors of predicted shear stresses and solid fractions.
+    /// Contributions to the errors of predicted shear stresses and solid fractions.
     struct Errors;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state, with derivatives by the
-    /// friction; if `errors` is not null, also writes the contributions to their standard errors to
-    /// it.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn, with derivatives by
+    /// the friction coefficient.
+    /// @param errors receives the contributions to the errors of the predictions; may be null
     Prediction predict_slopes(const std::vector<FlowState>& states,
                               const std::vector<EffectiveCondition>& conditions,
                               Errors* errors) const;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state, stacked as in `Prediction`.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn.
     Eigen::VectorXd predict_values(const std::vector<FlowState>& states,
                                    const std::vector<EffectiveCondition>& conditions) const;
-    /// Predicts shear stress [Pa] and solid fraction [1] at each state, with derivatives by the
-    /// friction and the covariances of their errors.
+    /// Predicts shear stress [Pa] and solid fraction [1] at each state in turn, with derivatives by
+    /// the friction coefficient and the covariance of the errors.
     Prediction predict_all(const std::vector<FlowState>& states,
                            const std::vector<EffectiveCondition>& conditions) const;
-    /// Share [1] of the rigidity shift of the solid fraction (from rigid grains to grains of the
-    /// emulator's reference stiffness number) that the study's grains at this condition do not
-    /// have.
+    /// Share [1] of the rigidity shift (difference of solid fraction between rigid grains and
+    /// grains of stiffness number `emulated::reference_stiffness`) that is missing in the study's
+    /// grains at a condition, because they are stiffer. Negative for softer grains.
     double stiffness_left(const EffectiveCondition& condition) const;
-    /// A stress over s22 at a wet condition, emulated, in units of F0/a^2 [1], with its derivative
-    /// by the friction at constant liquid content.
+    /// Emulated capillary stress at a wet condition, converted from units of the normal stress to
+    /// units of F0/a^2 [1], with its derivative by the friction coefficient at constant liquid
+    /// content. F0: pull-off force of a bridge; a: grain diameter.
+    /// @param which observable: a capillary stress over the normal stress
     StructureResponse capillary_stress(dem::Observable which, double friction,
                                        const EffectiveCondition& condition) const;
-    /// Returns `response`, a quantity at the wet state `state`, with its derivative by friction
-    /// converted from constant bridge volume to constant liquid content.
+    /// Converts the derivative of a quantity by the friction coefficient at the wet state `state`
+    /// from constant bridge volume to constant liquid content.
     StructureResponse at_constant_content(StructureResponse response, const FlowState& state) const;
 
     Study study_;
@@ -99,9 +118,8 @@ class EmulatedSimulation : public FlowPredictor {
     Emulator emulator_;
     std::vector<Parameter> parameters_{{.name = "friction", .lower = 0, .upper = 1, .start = 0.15}};
 
-    /// Flow state that `filled` found for a liquid content Phi_L/Phi_S [1]. States are cached,
-    /// since derivatives and covariances need them again; each state is the same whatever the order
-    /// of requests.
+    /// State of steady shear that `filled` found for a liquid content [1]. States are cached, since
+    /// derivatives and covariances need each state again.
     struct Filled {
         double liquid_content;
         FlowState state;

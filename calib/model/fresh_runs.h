@@ -10,15 +10,15 @@
 
 namespace pendular {
 
-/// Source of seeds for new runs: each run that it describes differs from all earlier runs, since a
-/// repetition of an earlier run would confirm nothing.
+/// Source of random seeds for new simulation runs. Each new run differs from all earlier runs,
+/// since repeating an earlier run would give the identical result.
 class FreshSeeds {
   public:
-    /// @param seed the user's seed, from which the seeds of the runs follow
+    /// @param seed seed of the user, from which the seeds of all runs follow
     explicit FreshSeeds(std::uint64_t seed) : seed_(seed) {}
 
-    /// Parameters of new runs of the study's grains at `states`, in this order, none of which is
-    /// among the runs `known`.
+    /// Returns the parameters of a new run of the study's grains at each of `states`, in this
+    /// order. None of the new runs is among the runs `known`.
     std::vector<dem::RunParameters> runs_at(const std::vector<FlowState>& states,
                                             const Study& study, const Fidelity& fidelity,
                                             const std::vector<dem::RunResult>& known);
@@ -29,17 +29,17 @@ class FreshSeeds {
     std::uint64_t next_ = std::uint64_t{1} << 32;
 };
 
-/// Returns those of `runs` that can train an emulator (`emulated::usable`), and adds a note for the
-/// user to `notes` for each of the others.
+/// Returns the runs that can train an emulator (`emulated::usable`). For each other run, a sentence
+/// for the user that states why the run is not used is appended to `notes`.
 std::vector<dem::RunResult> usable_of(const std::vector<dem::RunResult>& runs,
                                       std::vector<std::string>& notes);
 
-/// Probability (p-value) of a difference between the stress ratios and solid fractions of `fresh`
-/// runs and the predictions of an emulator that was not trained on them, at least as large as
-/// observed [1]; 1 without runs.
+/// p value of the agreement between `fresh` runs and an emulator that was not trained on them [1]:
+/// the probability that chance makes chi2 of the stress ratios and solid fractions at least as
+/// large as observed. 1 if there are no runs.
 double agreement(const Emulator& emulator, const std::vector<dem::RunResult>& fresh);
 
-/// Significance level [1]: below this p-value (`agreement`) new runs disagree with the emulator's
+/// p value of `agreement` [1] below which new runs count as different from the emulator's
 /// predictions.
 constexpr double disagreement = 0.01;
 

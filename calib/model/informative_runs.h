@@ -9,30 +9,34 @@
 
 namespace pendular {
 
-/// Whether two flow states have the same effects and agree within 5 % in friction, inertial number,
-/// reduced pressure, bridge volume and the sizes of the effects, so that one run serves both.
+/// Whether two states of steady shear are so similar that one simulation run serves both: they have
+/// the same effects on grains and agree within 5 % in friction, inertial number, reduced pressure,
+/// bridge volume and the sizes of the effects. Stiffness numbers are not compared.
 bool near(const FlowState& a, const FlowState& b);
 
-/// Choice of the flow states at which runs reduce the errors of predictions most.
+/// Task for `most_informative`: the predictions that matter, and the states at which runs may be
+/// made to reduce their errors.
 struct RunChoice {
     std::vector<FlowState> targets;  ///< states whose predictions matter
-    /// Weights of the variances of the predicted stress ratio and solid fraction at each target, in
-    /// this order [1].
+    /// Weights of the variances of predictions [1]: for each target, of its stress ratio, then of
+    /// its solid fraction.
     Eigen::VectorXd weights;
     std::vector<FlowState> from;  ///< states at which runs may be made
-    /// Factor by which the weighted variances are to decrease [1].
+    /// Factor by which the root of the sum of squares of the weighted variances is to decrease [1].
     double factor = 1;
     /// Smallest and largest number of runs that are chosen.
     std::size_t fewest = 4, most = 16;
 };
 
-/// Flow states at which runs reduce the sum of the squared weighted variances of the emulator's
-/// predictions most, the most useful first: the squares let the worst predictions count most. The
-/// states are chosen one after the other, some repeatedly, each with the largest reduction for its
-/// time, which is inversely proportional to the inertial number. A run at c
+/// Returns the states of steady shear at which new runs reduce the errors of the emulator's
+/// predictions most, the most useful first; a state may occur several times. The measure of error
+/// is the sum of squares of the weighted variances of the predictions, so that the worst
+/// predictions count most. States are chosen one after the other, each with the largest reduction
+/// per computing time, which is inversely proportional to the inertial number. A run at state c
 /// reduces the covariance C of the predictions by
 ///     C(., c) [C(c, c) + N]^-1 C(c, .),
-/// with the noise N of a run of this fidelity (set of simulation settings).
+/// with the covariance N of the noise of a run with the settings `fidelity`. Between
+/// `choice.fewest` and `choice.most` states are returned.
 std::vector<FlowState> most_informative(const Emulator& emulator, const Fidelity& fidelity,
                                         const RunChoice& choice);
 

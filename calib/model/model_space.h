@@ -17,22 +17,23 @@ struct Candidate {
     std::vector<EffectParameter> parameters;
     /// Group to which the candidate belongs in tables, such as "instrument"; may be empty.
     std::string group = {};
-    /// Place on a ladder of models: a candidate contains all candidates of lower levels above 0;
-    /// 0: on no ladder.
+    /// Level of the candidate on a ladder of models. A candidate contains all candidates of lower
+    /// levels above 0; a candidate of level 0 is on no ladder.
     int level = 0;
 
-    /// Whether the candidate is a switch: present or absent, without a parameter to fit.
+    /// Whether the candidate is a switch: it is present or absent and has no parameter to fit.
     bool is_switch() const;
     /// Number of parameters that the candidate adds to a fit; 0 for a switch.
     std::size_t free_parameters() const;
 };
 
 /// Set of candidates (possible additions to a bare model), as indices into
-/// ModelSpace::candidates(), in the order in which their parameters follow those of the bare model.
+/// ModelSpace::candidates(). The parameters of the candidates follow those of the bare model in the
+/// order of the indices.
 using EffectSet = std::vector<std::size_t>;
 
-/// Space of models: a bare model and all models made by adding some of the candidates, such as
-/// physical effects, to it. Any number of threads may use it at once.
+/// Set of models: a bare model, and all models made from it by adding candidates such as physical
+/// effects. Several threads may use it at once.
 class ModelSpace {
   public:
     virtual ~ModelSpace() = default;
@@ -40,25 +41,27 @@ class ModelSpace {
     /// All candidates for addition to the bare model.
     virtual const std::vector<Candidate>& candidates() const = 0;
 
-    /// Returns the bare model with the candidates `chosen` added. Its parameters are those of the
-    /// bare model, then those of the chosen candidates; switches have none.
+    /// Returns the bare model with the candidates `chosen` added. The parameters of the returned
+    /// model are those of the bare model, then those of the chosen candidates; switches have none.
     virtual std::shared_ptr<const Model> with(const EffectSet& chosen) const = 0;
 
-    /// Number of values that were fitted to the readings beforehand and are no parameters, such as
-    /// the cohesions of straight lines; each takes a degree of freedom.
+    /// Number of values that were fitted to the readings before the fit of the model, such as
+    /// constant cohesions. They are no parameters of the model, but each takes a degree of freedom.
     virtual int fitted_beforehand() const { return 0; }
 
     /// Covariances of the simulation errors of the change g = f(with) - f(without) of n predicted
-    /// values f, when a candidate is added to a model; n x n each, empty where the errors are
-    /// negligible.
+    /// values f when a candidate is added to a model; n x n each, in the squared units of the
+    /// values; empty where the errors are negligible.
     struct ChangeErrors {
         Eigen::MatrixXd change;  ///< Cov(g, g), covariance of the errors of the change
-        /// Cov(f(without), g), of the predictions before the change with the change
+        /// Cov(f(without), g), covariance of the errors of the predictions before the change with
+        /// those of the change.
         Eigen::MatrixXd with_without;
     };
-    /// Covariances of the simulation errors of the change of predictions from the model with
-    /// candidates `chosen` at `parameters` to the model with the further candidate `added`, whose
-    /// first parameter has `value` (1 for a switch).
+    /// Returns the covariances of the simulation errors of the change of predictions when the
+    /// candidate `added` is added to the model with the candidates `chosen`; empty by default.
+    /// @param parameters parameters of the model with the candidates `chosen`
+    /// @param value value of the first parameter of `added`; 1 for a switch
     virtual ChangeErrors change_errors(const EffectSet& /*chosen*/,
                                        const Eigen::VectorXd& /*parameters*/, std::size_t /*added*/,
                                        double /*value*/) const {

@@ -10,36 +10,43 @@
 
 namespace pendular {
 
-/// Lowest reduced pressure P* of readings to which a straight line of stress ratio against 1/P* is
-/// fitted [1]. Source: Badetti et al. (2018), who find the line too high below.
+/// Lowest reduced pressure P* [1] of readings to which a straight line of stress ratio against 1/P*
+/// is fitted.
+/// Source: Badetti et al. (2018), who find that the line is too high at lower P*.
 constexpr double lowest_cohesion_pressure = 2.3;
 
-/// Measured strengths at one liquid content from which a constant cohesion is fitted.
+/// Measured strengths (stress ratios) of wet readings of one liquid content, to which a constant
+/// cohesion is fitted.
 struct CohesionGroup {
-    double liquid_content = 0;  ///< liquid content Phi_L/Phi_S [1], mean of the members
-    std::vector<MeasuredStrength> strengths;  ///< strengths at P* >= `lowest_cohesion_pressure`
+    /// Liquid content (liquid volume over grain volume) [1], mean of the strengths.
+    double liquid_content = 0;
+    /// Strengths at reduced pressures P* >= `lowest_cohesion_pressure`.
+    std::vector<MeasuredStrength> strengths;
 };
 
-/// Groups the study's strengths at P* >= `lowest_cohesion_pressure` by liquid content, 2 % apart at
-/// most, in increasing liquid content; empty where the study has no liquid.
+/// Groups the wet readings' strengths (`ModelSettings::strengths`) at reduced pressures P* >=
+/// `lowest_cohesion_pressure` by liquid content, in increasing liquid content. Liquid contents of a
+/// group agree within 2 %. Empty if there is no liquid.
 std::vector<CohesionGroup> cohesion_groups(const ModelSettings& model,
                                            const GrainProperties& grains,
                                            const std::optional<Liquid>& liquid);
 
-/// Base model `mohr-coulomb`: stress ratio of wet grains as a straight line in 1/P*,
+/// Predictor of the base model "mohr-coulomb": the stress ratio mu* of wet grains is a straight
+/// line in 1/P*,
 ///     mu* = mu*_dry(mu, I) + c*/P*
-/// with the simulated stress ratio mu*_dry of dry grains and a constant reduced cohesion c* for
-/// each liquid content. Each c* is fitted by weighted least squares to the study's strengths y_i at
-/// P*_i >= `lowest_cohesion_pressure`, wherever the friction is:
+/// with the reduced pressure P*, the simulated stress ratio mu*_dry of dry grains of friction
+/// coefficient mu at inertial number I, and a constant reduced cohesion c* for each liquid content.
+/// Each c* is fitted, for every value of mu, by weighted least squares to the study's measured
+/// strengths (stress ratios) y_i at P*_i >= `lowest_cohesion_pressure`:
 ///     c* = sum w_i (y_i - mu*_dry(mu, I_i))/P*_i / sum w_i/P*_i^2,    w_i = 1/error(y_i)^2.
-/// At other liquid contents c* is that of the nearest fitted content, by ratio. Dry shear stresses
-/// and all solid fractions are those of `EmulatedSimulation`. The covariance includes the errors of
-/// c* at conditions to which it was not fitted; at the others the fit leaves residuals smaller than
-/// the errors of the readings, and a misfit has one degree of freedom less for each c*.
+/// At any other liquid content, c* is that of the fitted liquid content with the nearest logarithm.
+/// Shear stresses of dry grains and all solid fractions are those of `EmulatedSimulation`. The
+/// covariance of predictions includes the error of c* only at conditions to which c* was not
+/// fitted; a misfit has one degree of freedom less for each fitted c* (`fitted_cohesions`).
 /// Source: Badetti et al. (2018), eq:mohrcoulomb2.
 class MohrCoulombModel : public FlowPredictor {
   public:
-    /// @param study with `strengths` in its model settings
+    /// @param study study with the measured strengths of its wet readings (`with_strengths`)
     /// @throws InputError where the study has no strength at P* >= `lowest_cohesion_pressure`
     MohrCoulombModel(std::shared_ptr<const EmulatedSimulation> simulation, const Study& study);
 
@@ -49,16 +56,18 @@ class MohrCoulombModel : public FlowPredictor {
                             PredictionPart what = PredictionPart::covariance) const override;
     ParameterBounds bounds() const override { return simulation_->bounds(); }
 
-    /// Fitted reduced cohesions: liquid content [1] and c* [1] at a friction [1].
+    /// Returns the fitted reduced cohesions at a friction coefficient [1]: pairs of liquid content
+    /// [1] and reduced cohesion c* [1], in increasing liquid content.
     std::vector<std::pair<double, double>> cohesions(double friction) const;
 
   private:
-    /// One fitted cohesion as a linear function of the simulated dry shear stresses tau_i [Pa] at
-    /// its strengths: c* = constant - sum weight_i tau_i.
+    /// Fitted reduced cohesion c* of one liquid content, as a linear function of the simulated
+    /// shear stresses tau_i [Pa] of dry grains at the conditions of its strengths: c* = constant -
+    /// sum weight_i tau_i.
     struct Line {
         double liquid_content = 0, constant = 0, variance = 0;
-        std::vector<Condition> conditions;  ///< dry conditions of the strengths
-        std::vector<Condition> fitted;      ///< wet conditions of the strengths
+        std::vector<Condition> conditions;  ///< conditions of the strengths, without liquid
+        std::vector<Condition> fitted;      ///< conditions of the strengths
         Eigen::RowVectorXd weight;
     };
     std::size_t line_at(double liquid_content) const;
@@ -69,13 +78,15 @@ class MohrCoulombModel : public FlowPredictor {
     std::vector<Line> lines_;
 };
 
-/// Number of cohesions that a study's model fits to the strengths of wet readings: 0 unless the
-/// model is on the level `mohr_coulomb` of the ladder of closures.
+/// Number of constant cohesions that a study's model fits to the strengths of wet readings: one for
+/// each liquid content of base model "mohr-coulomb", 0 for other base models and where an effect
+/// replaces the cohesions by another formula.
 int fitted_cohesions(const ModelSettings& model, const GrainProperties& grains,
                      const std::optional<Liquid>& liquid);
 
-/// Returns the study with the strengths of its wet readings in its model settings, where its base
-/// model is "mohr-coulomb"; else the study as it is.
+/// Returns the study with the strengths (stress ratios with standard errors) of its wet readings of
+/// steady shear in its model settings. Returns the study unchanged unless its base model is
+/// "mohr-coulomb".
 Study with_strengths(Study study, const std::vector<Reading>& readings);
 
 }  // namespace pendular

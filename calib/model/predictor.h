@@ -10,23 +10,24 @@
 
 namespace pendular {
 
-/// Model that predicts shear stress and solid fraction as an instrument shows them, at any
-/// conditions, while a `Model` predicts one given set of readings. A predictor never changes, so
-/// that any number of threads may use it at once.
+/// Predictor of the shear stress [Pa] and solid fraction [1] that an instrument shows, at any
+/// conditions. (A `Model`, in contrast, predicts one given set of readings.) A predictor never
+/// changes, so that several threads may use it at once.
 class Predictor {
   public:
     virtual ~Predictor() = default;
 
     virtual const std::vector<Parameter>& parameters() const = 0;
 
-    /// Predicts shear stress [Pa] and solid fraction [1] at each condition, stacked as `Prediction`
-    /// describes, at `parameters` in the order of parameters(); `what` selects values, derivatives
-    /// or covariances.
+    /// Predicts the shear stress [Pa] and solid fraction [1] that the instrument shows at each
+    /// condition: entries 2 k and 2 k + 1 of the predicted values belong to condition k.
+    /// @param parameters values of the parameters, in the order of parameters()
+    /// @param what parts to compute: values, derivatives or covariances
     virtual Prediction predict(const Eigen::VectorXd& parameters,
                                const std::vector<Condition>& conditions,
                                PredictionPart what = PredictionPart::covariance) const = 0;
 
-    /// Range of each parameter over which simulation supports the predictions.
+    /// Range of each parameter within which simulation runs support the predictions.
     virtual ParameterBounds bounds() const = 0;
 
     /// Predicted stress ratio [1] and solid fraction [1], in this order, with the covariance of
@@ -35,49 +36,55 @@ class Predictor {
         Eigen::Vector2d value;
         Eigen::Matrix2d covariance;
     };
-    /// Predicts stress ratio and solid fraction at one condition, such as a point of a curve, at
-    /// `parameters` in the order of parameters().
+    /// Predicts stress ratio and solid fraction at one condition, such as a point of a curve.
+    /// @param parameters values of the parameters, in the order of parameters()
     Point predict_at(const Eigen::VectorXd& parameters, const Condition& condition) const;
 };
 
-/// Predictions of a `FlowPredictor` near given conditions, for difference quotients over short
-/// steps.
+/// Predictions of a `FlowPredictor` near given parameter values and conditions, made fast for
+/// difference quotients over short steps.
 class FlowNeighbourhood {
   public:
     virtual ~FlowNeighbourhood() = default;
-    /// Predicts true shear stress [Pa] and solid fraction [1], stacked as `Prediction` describes,
-    /// at `parameters` and each of the conditions, both a short step away from those at which the
-    /// neighbourhood was made.
-    /// @param places index of each condition among those at which the neighbourhood was made
+    /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn.
+    /// Parameters and conditions must be a short step away from those that this object was made
+    /// for.
+    /// @param places for each condition, the index of the nearby condition in the list that this
+    ///        object was made for
     virtual Eigen::VectorXd values(const Eigen::VectorXd& parameters,
                                    const std::vector<EffectiveCondition>& conditions,
                                    const std::vector<std::size_t>& places) const = 0;
 };
 
-/// Predictor of the true shear stress and solid fraction in the cell, before an instrument shows
-/// them.
+/// Predictor of the true shear stress [Pa] and solid fraction [1] in the cell, which the instrument
+/// may show differently.
 class FlowPredictor : public Predictor {
   public:
     Prediction predict(const Eigen::VectorXd& parameters, const std::vector<Condition>& conditions,
                        PredictionPart what = PredictionPart::covariance) const final;
-    /// Predicts true shear stress [Pa] and solid fraction [1] at each condition, with grains and
-    /// liquid as effects have changed them, stacked as `Prediction` describes.
+    /// Predicts the true shear stress [Pa] and solid fraction [1] at each condition in turn. The
+    /// conditions may contain grains and liquid changed by effects.
+    /// @param parameters values of the parameters, in the order of parameters()
+    /// @param what parts to compute: values, derivatives or covariances
     virtual Prediction predict_flow(const Eigen::VectorXd& parameters,
                                     const std::vector<EffectiveCondition>& conditions,
                                     PredictionPart what = PredictionPart::covariance) const = 0;
-    /// Prepares predictions near `parameters` and `conditions`; by default, they are predicted by
-    /// `predict_flow`. The predictor must outlive the result.
+    /// Prepares fast predictions near `parameters` and `conditions` for difference quotients. The
+    /// predictor must outlive the result. By default, the result calls `predict_flow`.
     virtual std::unique_ptr<const FlowNeighbourhood> neighbourhood(
         const Eigen::VectorXd& parameters, const std::vector<EffectiveCondition>& conditions) const;
 };
 
-/// Returns the prediction `readings` extended by an entry for each direct measurement, predicted at
-/// the parameter values `values`; these entries have no simulation error.
+/// Returns the prediction `readings` with an entry appended for each direct measurement: the value
+/// of the measured parameter among `values`, or the neutral value where the model lacks the
+/// parameter. The appended entries have no simulation error.
+/// @param parameters parameters of the model
+/// @param values values of these parameters, in their order
 Prediction with_direct(Prediction readings, const std::vector<DirectMeasurement>& direct,
                        const std::vector<Parameter>& parameters, const Eigen::VectorXd& values);
 
-/// Model made from a predictor: it predicts the readings at the given conditions, then the given
-/// direct measurements (of effects' parameters).
+/// Model that predicts the readings at given conditions, followed by given direct measurements of
+/// effects' parameters, by means of a predictor.
 class ModelOfReadings : public Model {
   public:
     ModelOfReadings(std::shared_ptr<const Predictor> predictor, std::vector<Condition> conditions,

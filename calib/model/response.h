@@ -6,36 +6,44 @@
 
 namespace pendular {
 
-/// Second-order expansion of N predicted values about parameter values theta:
+/// Second-order expansion of N predicted values f in the p parameters of a model, about theta:
 ///     f(theta + d) = value + sum_i first_i d_i + sum_(i <= j) second_ij d_i d_j.
 struct Response {
-    Eigen::VectorXd at;     ///< theta, in the units of the p parameters
-    Eigen::VectorXd value;  ///< predicted values at theta: N entries
+    /// Parameter values theta of the expansion, in the units of the parameters.
+    Eigen::VectorXd at;
+    Eigen::VectorXd value;  ///< predicted values at theta, N
     Eigen::MatrixXd first;  ///< derivatives by the parameters, N x p
     Eigen::MatrixXd
-        second;  ///< coefficients of d_i d_j, N x p (p + 1)/2, as `products` orders them
+        second;  ///< coefficients of d_i d_j, N x p (p + 1)/2, in the order of `products`
 
-    /// Expanded values at theta + `change`, N entries.
+    /// Returns the expanded values at theta + `change`, N entries. `change` has the units of the
+    /// parameters.
     Eigen::VectorXd after(const Eigen::VectorXd& change) const;
 };
 
-/// Products d_i d_j with i <= j of the entries of `change`: (1, 1), (1, 2), ... (1, p), (2, 2), ...
+/// Returns the products d_i d_j with i <= j of the p entries d of `change`, in the order (1, 1),
+/// (1, 2), ..., (1, p), (2, 2), ..., (p, p): p (p + 1)/2 entries.
 Eigen::VectorXd products(const Eigen::VectorXd& change);
 
-/// Expands a model's predictions about `parameters`. The second derivatives are differences of the
-/// model's derivatives over `steps`, which are cut off at the ends of the parameters' ranges.
-/// @param steps length of the steps in the units of the parameters, such as standard errors
+/// Returns the second-order expansion of a model's predictions about `parameters`. The second
+/// derivatives are differences of the model's first derivatives over `steps`; a step that would
+/// leave the parameter's range goes the other way and ends at the lower end of the range at most.
 Response respond(const Model& model, const Eigen::VectorXd& parameters,
                  const Eigen::VectorXd& steps);
 
-/// Box of parameter values around the point of expansion in which the expansion differs from the
-/// model by at most `tolerance` in each of the first entries: at the ends of each parameter's
-/// range, at all corners of up to three parameters, and at 8 fixed corners of more. Of several such
-/// boxes, the largest with ends at 40, 20, 10, 5, ... `steps` from the point counts, for each
-/// parameter by itself and then for all of them. The ends lie within `range`.
-/// @param tolerance allowed difference of each entry, in its unit; entries of the response beyond
-///        its size are not compared
-/// @param steps units of the boxes, such as standard errors
+/// Returns a range of each parameter, around the parameter values of an expansion, within which the
+/// expansion differs from the model's predictions by at most `tolerance` in every compared entry.
+///
+/// Each end is first found with the other parameters fixed: the largest of 40, 20, 10, 5, ...
+/// `steps` at which the expansion holds, within `range`. All ranges are then reduced by one factor,
+/// 1, 1/2, 1/4 or 1/8, until the expansion holds at the corners of the box: at all corners for up
+/// to three parameters, at eight of them for more. If it never does, the box contains only the
+/// parameter values of the expansion.
+/// @param tolerance largest difference of each of the first entries, in the unit of the entry;
+///        further entries are not compared
+/// @param steps lengths in which the ends are measured, in the units of the parameters, such as
+///        standard errors
+/// @param range limits of the box
 ParameterBounds trusted_box(const Model& model, const Response& response,
                             const Eigen::VectorXd& tolerance, const Eigen::VectorXd& steps,
                             const ParameterBounds& range);

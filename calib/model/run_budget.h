@@ -9,36 +9,41 @@
 
 namespace pendular {
 
-/// Time that simulation runs may take, counted from the construction of the budget.
+/// Time limit for simulation runs. The time begins when the budget is constructed.
 class RunBudget {
   public:
     /// Budget without a limit.
     RunBudget() = default;
-    /// Budget of `seconds` from now [s].
+    /// Budget that ends `seconds` from now [s]. + bool limited() const Whether there is a time
+    /// limit.
     explicit RunBudget(double seconds);
 
     bool limited() const { return end_.has_value(); }
-    /// Time left [s]; infinite without a limit, never below 0.
+    /// Time left [s]: at least 0; infinite without a limit.
     double seconds_left() const;
-    /// Number n such that the first n of `runs` are expected to end within the time left minus the
-    /// time `reserved` for other work [s]; without a limit, the number of all runs.
-    /// @param measured finished runs, from whose wall times the wall times of `runs` are estimated
+    /// Returns how many of `runs`, taken from the first, are expected to end within the time left
+    /// minus the time `reserved` for other work [s]; all of them without a limit.
+    /// @param measured finished runs, from whose wall times those of `runs` are estimated
     ///        (`expected_seconds`)
+    /// @param threads number of runs carried out at the same time
     std::size_t affordable(const std::vector<dem::RunParameters>& runs,
                            const std::vector<dem::RunResult>& measured, int threads,
                            double reserved = 0) const;
 
-    /// Number n such that the first n of `runs` should be carried out before the best runs are
-    /// chosen again: the number of runs that are `affordable` within a third of the time left, or
-    /// one run per thread if that is more. At most the number of affordable runs.
+    /// Returns how many of `runs`, taken from the first, to carry out before the best runs are
+    /// chosen again: as many as are expected to end within a third of the time left, or one for
+    /// each thread if that is more, but not more than `affordable` returns.
+    /// @param measured finished runs, from whose wall times those of `runs` are estimated
+    /// @param threads number of runs carried out at the same time
+    /// @param reserved time for other work [s]
     std::size_t batch(const std::vector<dem::RunParameters>& runs,
                       const std::vector<dem::RunResult>& measured, int threads,
                       double reserved = 0) const;
 
-    /// Carries out runs as `run_all` does, but ends at the end of the budget minus the time
-    /// `reserved` [s]. In that case it returns the runs that are finished and in the store of
-    /// `workers`, in the order of `runs`.
-    /// @throws whatever `run_all` throws; dem::Interrupted only where the user stops the work
+    /// Carries out runs (`run_all`) until they are finished or the budget, minus the time
+    /// `reserved` for other work [s], ends. Returns the results in the order of `runs`; if the
+    /// budget ends first, only those of finished runs that are in the store of `workers`.
+    /// @throws dem::Interrupted where the user stops the work, and whatever else `run_all` throws
     std::vector<dem::RunResult> run(const std::vector<dem::RunParameters>& runs,
                                     const Workers& workers, double reserved = 0) const;
 

@@ -8,15 +8,15 @@
 
 namespace pendular {
 
-/// Inertial numbers I [1] of the runs to simulate for readings at `conditions`, never below
-/// `lowest`: one where the inertial numbers of the conditions agree within 5 %; else as many,
-/// evenly spaced in ln I, that neighbours differ by at most a factor 10/3. At least two, from which
-/// to extrapolate, where the inertial number of any condition is more than 5 % below `lowest`.
-/// Empty without conditions.
+/// Returns the inertial numbers [1] at which to simulate for readings at `conditions`, in
+/// increasing order and never below `lowest` [1]. One is returned where the inertial numbers of the
+/// conditions agree within 5 %; otherwise they span those of the conditions, evenly spaced in their
+/// logarithm and at most a factor 10/3 apart. Where a condition lies more than 5 % below `lowest`,
+/// at least two are returned, from which to extrapolate. Empty if there are no conditions.
 std::vector<double> inertial_numbers_for(const std::vector<Condition>& conditions, double lowest);
 
-/// Whether the inertial number of any of `conditions` is more than 5 % below `lowest`, the lowest
-/// inertial number of the runs [1], so that the prediction there is extrapolated.
+/// Whether the prediction at one of `conditions` is extrapolated: its inertial number is more than
+/// 5 % below `lowest`, the lowest inertial number of the runs [1].
 bool extrapolated(const std::vector<Condition>& conditions, double lowest);
 
 /// Wet condition at which runs are to be simulated, given by its dimensionless numbers.
@@ -26,21 +26,24 @@ struct WetSetting {
     double inertial_number = 0;   ///< inertial number I [1]
 };
 
-/// Settings of the runs to simulate for the wet conditions among `conditions`: all pairs of reduced
-/// pressure and liquid content that differ from each other by more than 5 % in at least one of the
-/// two, but at most `most_wet_pairs`, chosen as far from each other as possible. Each pair is taken
-/// at the lowest and at the highest of the inertial numbers that `inertial_numbers_for` returns for
-/// the wet conditions, never below `lowest` [1].
+/// Returns the settings of the runs to simulate for the wet conditions among `conditions`. They
+/// contain all pairs of reduced pressure and liquid content of the conditions that differ by more
+/// than 5 % in at least one of the two, but at most `most_wet_pairs` pairs, chosen as far apart as
+/// possible. Each pair is taken at the lowest and at the highest of the inertial numbers that
+/// `inertial_numbers_for` returns for the wet conditions.
+/// @param lowest lowest inertial number of the runs [1]
 /// @throws std::invalid_argument where there are wet conditions but the study has no liquid
 std::vector<WetSetting> wet_settings_for(const std::vector<Condition>& conditions,
                                          const Study& study, double lowest);
 /// Largest number of pairs of reduced pressure and liquid content that `wet_settings_for` returns.
 constexpr std::size_t most_wet_pairs = 12;
 
-/// Latin hypercube sample: for each of `settings` a random place in [-1, 1]^2, from which the
-/// planner sets the friction and bridge volume of a run. Among the settings of one inertial number,
-/// the places are evenly spread along both axes. Places are drawn without regard to the settings'
-/// reduced pressures and liquid contents.
+/// Returns a Latin hypercube sample in the square [-1, 1]^2: one point for each of `settings`, in
+/// their order. The planner of runs uses the coordinates of a point to vary the friction and the
+/// bridge volume of a run. The points of all settings with one inertial number are evenly spread
+/// along both axes. They are drawn independently of the reduced pressures and liquid contents of
+/// the settings.
+/// @param seed seed of the random order
 std::vector<std::pair<double, double>> latin_places(const std::vector<WetSetting>& settings,
                                                     std::uint64_t seed);
 

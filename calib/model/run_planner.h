@@ -16,117 +16,125 @@
 
 namespace pendular {
 
-/// Number of simulation runs that a `RunPlanner` requested for one reason.
+/// Number of simulation runs that were carried out for one reason.
 struct Order {
-    std::size_t runs = 0;  ///< number of runs
+    std::size_t runs = 0;  ///< number of runs carried out
     std::string why;       ///< reason, as in "to confirm the optimum"
 };
 
-/// Planner of simulations: it decides repeatedly which runs would reduce the errors of a study's
-/// predictions most, carries them out and trains a better predictor on them. It requests two kinds
-/// of runs: runs outside the known range (flow states that the earlier runs enclose), where an
-/// emulator must not extrapolate, and runs near the optimum of a fit, which check the emulator and
-/// are chosen to reduce the variance of the predictions most. Without earlier runs it begins with
-/// runs spread over the frictions and inertial numbers of the study.
+/// Planner of the simulation runs of a calibration. It repeatedly chooses the runs that reduce the
+/// errors of a study's predictions most, carries them out and trains the predictor on them. Without
+/// earlier runs it begins with dry runs spread over friction and inertial number. It then requests
+/// runs at states of steady shear outside the range of the earlier runs, where an emulator must not
+/// extrapolate, and runs near the optimum of a fit, which check the emulator and reduce the errors
+/// of its predictions.
 class RunPlanner {
   public:
-    /// Makes a first predictor from the earlier runs. Without earlier runs it simulates dry runs
-    /// spread over friction and inertial number at once, if runs may be requested
-    /// (`KnownRuns::orders_more`).
+    /// Trains a first predictor on the earlier runs `known`. Where there are none and runs may be
+    /// requested (`KnownRuns::orders_more`), first simulates dry runs spread over friction and
+    /// inertial number.
     /// @param conditions conditions of the study's readings, which are to be predicted
-    /// @param budget time limit of all runs except these first runs
-    /// @throws std::invalid_argument where no earlier run can serve as a training run, or
-    ///         conditions are wet but the study has no liquid
-    /// @throws dem::SimulationError where none of these first dry runs succeeds
+    /// @param fidelity settings of the simulations
+    /// @param seed seed from which the seeds of the runs follow
+    /// @param budget time limit of all later runs
+    /// @throws std::invalid_argument where no earlier run can serve as a training run, or a
+    ///         condition is wet but the study has no liquid
+    /// @throws dem::SimulationError where none of the first dry runs succeeds
     RunPlanner(const Study& study, const std::vector<Condition>& conditions,
                const Fidelity& fidelity, std::uint64_t seed, Workers workers, KnownRuns known,
                RunBudget budget = {});
 
-    /// Predictor of dry and wet readings, trained on all runs known so far.
+    /// Predictor of dry and wet readings, trained on the earlier runs and all new runs carried out
+    /// so far.
     const std::shared_ptr<const EmulatedSimulation>& simulation() const { return simulation_; }
 
-    /// Improves the predictions at a friction [1] for truly imposed `conditions` by new runs, if
-    /// runs may be requested. The first call requests runs at states outside the range of the known
-    /// runs, later calls request runs near `friction` that check and improve the emulator.
+    /// Improves the predictions at a friction coefficient [1] by new runs, if runs may be
+    /// requested. The first call requests runs at states outside the range of the known runs. Later
+    /// calls request runs near `friction`, which check and improve the emulator.
+    /// @param conditions conditions truly imposed on the grains, dry and wet
     /// @param excess variance that the noise of the runs causes in a fit, over the largest
     ///        acceptable variance [1]
     /// @throws dem::SimulationError where wet runs are needed, none is known and none of the first
     ///         succeeds
     void improve(double friction, const std::vector<EffectiveCondition>& conditions, double excess);
-    /// Improves the predictions at a friction [1] for wet `conditions` by new runs, if runs may be
-    /// requested. The first call checks the emulator with few runs; later calls request as many as
-    /// reduce the variance of the predictions by a factor 1 + `turns`, but at most 16. All calls
-    /// first request runs at states outside the range of the earlier runs.
+    /// Improves the predictions of wet readings at a friction coefficient [1] by new runs, if runs
+    /// may be requested. Each call first requests runs at states outside the range of the earlier
+    /// runs. The first call then checks the emulator with few runs. Later calls request as many
+    /// runs as reduce the variances of the predictions by a factor 1 + `turns`, but at most 16.
+    /// @param conditions wet conditions truly imposed on the grains
+    /// @param turns factor by which later calls reduce the variances, minus 1 [1]
     /// @throws dem::SimulationError where no wet run is known and none of the first succeeds
     void improve_wet(double friction, const std::vector<EffectiveCondition>& conditions, int turns);
 
-    /// Whether the new runs of the last call of `improve`, and of later calls of `improve_wet`,
-    /// agreed with the emulator's predictions for them, at the 1 % level. False after the first
-    /// call of `improve`, which checks nothing; always true where no new runs may be requested.
+    /// Whether new runs agreed with the emulator's predictions made before them, at 1 %
+    /// significance: those of the last call of `improve` and of all later calls of `improve_wet`.
+    /// False after the first call of `improve`, which checks nothing; true where no runs may be
+    /// requested.
     bool confirmed() const { return confirmed_ || !orders_more_; }
     /// Whether the planner may request new runs (`KnownRuns::orders_more`).
     bool orders_more() const { return orders_more_; }
-    /// Whether the last runs that the planner chose were not made, since none of them would have
-    /// ended within the budget.
+    /// Whether the time budget has ended: none of the runs that the planner chose last would have
+    /// ended within it, so that none was made.
     bool exhausted() const { return exhausted_; }
-    /// Numbers of runs requested so far, one entry for each reason.
+    /// Numbers of runs carried out so far, an entry for each reason.
     const std::vector<Order>& orders() const { return orders_; }
-    /// Notes for the user: on runs that are not used as training runs, and on new runs that
-    /// differed from the emulator's predictions.
+    /// Sentences for the user on runs that do not train the emulator, such as failed runs, and on
+    /// new runs that disagreed with the emulator's predictions.
     const std::vector<std::string>& notes() const { return notes_; }
 
   private:
-    /// Flow states at which runs may be requested: at a friction and, in the same order, at a lower
-    /// and a higher friction.
+    /// States of steady shear at which runs may be requested: at a friction coefficient and, in the
+    /// same order, at a lower (`below`) and at a higher friction coefficient (`above`).
     struct Candidates {
         std::vector<FlowState> at_friction, below, above;
     };
-    /// Flow states at which runs may be requested for the dry (`wet` false) or the wet conditions,
-    /// at `friction` [1] and on either side of it.
+    /// Returns the states of steady shear at which runs may be requested for the dry (`wet` false)
+    /// or the wet conditions, at `friction` [1] and at friction coefficients on either side.
     Candidates candidates(double friction, const std::vector<EffectiveCondition>& conditions,
                           bool wet) const;
-    /// Dry flow states of the runs that a planner without earlier runs simulates first, on a grid
-    /// of friction and inertial number.
+    /// Returns the dry states of the first runs of a planner without earlier runs: a grid of
+    /// friction and inertial number.
     std::vector<FlowState> first_dry_design() const;
-    /// Wet flow states of the runs to simulate where no wet run is known: they cover the study's
-    /// wet conditions, spread over friction about `friction` [1] and over bridge volume.
+    /// Returns the wet states of the first wet runs: they cover the study's wet conditions and are
+    /// spread over friction about `friction` [1] and over bridge volume.
     std::vector<FlowState> first_wet_design(double friction) const;
-    /// Simulates the states of first_wet_design() if no training run is wet yet and runs may be
-    /// requested, and trains the emulator on them.
+    /// Simulates the states of first_wet_design() and trains the emulator on the runs, unless a
+    /// training run is wet already or no runs may be requested.
     /// @throws dem::SimulationError where none of these runs succeeds
     void begin_wet(double friction);
-    /// Does the work of `improve` for the dry (`wet` false) or the wet conditions alone.
+    /// Improves the predictions (`improve`) of the dry (`wet` false) or of the wet conditions only.
     void learn(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                double excess);
-    /// Requests runs for those states of the dry (`wet` false) or the wet conditions at `friction`
+    /// Requests runs for the states of the dry (`wet` false) or of the wet conditions at `friction`
     /// [1] that lie outside the range of the earlier runs.
     void order_beyond(double friction, const std::vector<EffectiveCondition>& conditions, bool wet);
     /// Requests runs near `friction` [1], the optimum of a fit, for the dry (`wet` false) or the
-    /// wet conditions and tests whether they agree with the emulator; where they do not,
-    /// confirmed() becomes false.
-    /// @param excess factor by which the variance of the predictions is to decrease
+    /// wet conditions, and tests whether they agree with the emulator. If they do not, confirmed()
+    /// becomes false.
+    /// @param excess factor by which the weighted variances of the predictions are to decrease [1]
     void confirm(double friction, const std::vector<EffectiveCondition>& conditions, bool wet,
                  double excess);
-    /// States among `from` at which runs reduce the variance of the stress ratios and solid
-    /// fractions predicted at `targets` most, until this variance has decreased by a factor
-    /// `excess` (pendular::most_informative).
+    /// Returns the states among `from` at which runs reduce the variances of the stress ratios and
+    /// solid fractions predicted at `targets` most, until these have decreased by a factor `excess`
+    /// (pendular::most_informative).
     std::vector<FlowState> most_informative(const std::vector<FlowState>& targets,
                                             const std::vector<FlowState>& from,
                                             double excess) const;
-    /// Parameters of runs at these states with seeds that no earlier run has.
+    /// Returns the parameters of a run at each state, with seeds that no earlier run has.
     std::vector<dem::RunParameters> runs_at(const std::vector<FlowState>& states);
-    /// Simulates runs, records them under the reason `why` and returns those that can serve as
-    /// training runs.
+    /// Simulates runs, counts them under the reason `why` and returns those that can train the
+    /// emulator.
     std::vector<dem::RunResult> simulated(const std::vector<dem::RunParameters>& runs,
                                           const std::string& why);
-    /// Carries out those runs at these states that the budget allows, records them under the reason
-    /// `why` and trains the emulator on them.
-    /// @return p-value of the agreement of these runs with the earlier emulator (`agreement`); 0
+    /// Carries out the first of the runs at `states`, as many as the time budget allows before the
+    /// best states are chosen again (RunBudget::batch), counts them under the reason `why` and
+    /// trains the emulator on them.
+    /// @return p value of the agreement of these runs with the earlier emulator (`agreement`); 0
     ///         where no run succeeded, 1 where the budget allowed none
     double order(const std::vector<FlowState>& states, const std::string& why);
-    /// Adds a number of runs to the entry of orders() with the reason `why`.
+    /// Adds `runs` to the number of runs of the entry of orders() with the reason `why`.
     void add_order(std::size_t runs, const std::string& why);
-    /// Replaces the predictor simulation() by one that uses this emulator.
+    /// Replaces the predictor simulation() by one that uses `emulator`.
     void use(Emulator emulator);
 
     Study study_;
@@ -140,13 +148,13 @@ class RunPlanner {
     double slowest_;  ///< lowest inertial number of the readings [1]
     /// Inertial numbers at which dry runs are requested [1].
     std::vector<double> inertial_numbers_;
-    /// Whether a reading's inertial number is below that of all runs (by more than 5 %), in a
+    /// Whether a reading's inertial number is more than 5 % below that of all runs, in a
     /// calibration that began without earlier runs.
     bool extrapolates_ = false;
     std::vector<WetSetting> wet_settings_;
     std::vector<std::string> notes_;
     std::vector<Order> orders_;
-    std::vector<dem::RunResult> made_;  ///< runs carried out so far
+    std::vector<dem::RunResult> made_;  ///< new runs carried out so far
     bool exhausted_ = false;
     int rounds_ = 0;  ///< number of calls of `improve`
     bool began_wet_ = false;

@@ -12,46 +12,48 @@
 
 namespace pendular {
 
-/// Physical effect that is neither in a study's model nor a candidate (possible addition) for it,
-/// with the reason.
+/// Physical effect that a diagnosis cannot test: it is neither in the study's model nor a candidate
+/// (possible addition) for the model. `why` states the reason for the user.
 struct LeftAside {
     std::string effect, why;
-    /// Whether the effect applies to the study, but no earlier run has it alone.
+    /// Whether the reason is that no earlier run has this effect as its only effect, although the
+    /// effect applies to the study.
     bool without_runs = false;
 };
 
-/// All models of a study: the model with the effects that the study lists, and this model with any
-/// of the candidates added, which are all further effects that apply to the study. One emulator
-/// (Gaussian processes trained on earlier runs) serves all models; no new runs are simulated.
+/// Set of all models of a study: the model with the effects that the study lists, and this model
+/// with any of the candidates added. The candidates are all further effects that apply to the
+/// study. One emulator (Gaussian processes trained on earlier runs) serves all models; no new runs
+/// are simulated.
 class StudyModels : public ModelSpace {
   public:
-    /// Prepares the emulator from earlier runs and finds the candidates for addition to the model.
+    /// Trains the emulator on earlier runs and finds the candidates for addition to the model.
     /// @param conditions conditions of the readings that the models predict
     /// @param known training runs without effects and with effects on grains
     /// @throws InputError where the study lists or directly measures an effect on grains that no
-    ///         earlier run has alone
+    ///         earlier run has as its only effect
     /// @throws std::invalid_argument where no earlier run can serve as a training run
     StudyModels(const ResolvedStudy& study, std::vector<Condition> conditions,
                 const Fidelity& fidelity, KnownRuns known);
 
     const std::vector<Candidate>& candidates() const override { return candidates_; }
     std::shared_ptr<const Model> with(const EffectSet& chosen) const override;
-    /// Returns the study's model with the candidates `chosen` added (indices into candidates()), as
-    /// a predictor for any conditions.
+    /// Returns the study's model with the candidates `chosen` (indices into candidates()) added.
+    /// The returned predictor serves any conditions.
     std::shared_ptr<const EffectModel> predictor(const EffectSet& chosen) const;
-    /// Returns the study's model with exactly these effects instead of those that the study lists,
-    /// as a predictor for any conditions.
+    /// Returns the study's model with the effects named `effects` in place of those that the study
+    /// lists. The returned predictor serves any conditions.
     /// @throws std::invalid_argument where the catalogue has no effect with one of these names, and
-    ///         where no earlier run has an effect on grains alone
+    ///         where no earlier run has one of the effects on grains as its only effect
     std::shared_ptr<const EffectModel> with_only(const std::vector<std::string>& effects) const;
-    /// Returns the study's model with the effects `added` in place of the listed effect `removed`,
-    /// as a predictor for any conditions.
+    /// Returns the study's model with the effects named `added` in place of the listed effect
+    /// `removed`. The returned predictor serves any conditions.
     /// @throws std::invalid_argument where the catalogue has no effect with one of these names, and
-    ///         where no earlier run has an added effect on grains alone
+    ///         where no earlier run has one of the effects on grains as its only effect
     std::shared_ptr<const EffectModel> exchanged(const std::string& removed,
                                                  const std::vector<std::string>& added) const;
-    /// Returns these models with the effects `more` as further candidates, after the existing
-    /// candidates. The effects, which must not act on grains, must outlive the result.
+    /// Returns a copy of these models with the effects `more` as further candidates, after the
+    /// existing ones. The effects must not act on grains and must outlive the copy.
     StudyModels offering(const std::vector<Effect>& more) const;
     int fitted_beforehand() const override;
     ChangeErrors change_errors(const EffectSet& chosen, const Eigen::VectorXd& parameters,
@@ -60,35 +62,39 @@ class StudyModels : public ModelSpace {
     /// Emulated simulation that all models use.
     const EmulatedSimulation& simulation() const { return *simulation_; }
 
-    /// Direct measurements that the study states, each of one effect's parameter; the models
-    /// predict them after the readings.
+    /// Direct measurements of effects' parameters that the study states. The models predict them
+    /// after the readings.
     const std::vector<DirectMeasurement>& direct() const { return study_.direct(); }
 
-    /// Effects that are neither listed by the study nor candidates for addition, with the reasons.
+    /// Effects that are neither listed by the study nor candidates for addition, each with the
+    /// reason.
     const std::vector<LeftAside>& left_aside() const { return left_aside_; }
 
-    /// Reasons why the earlier runs do not allow predictions of the study's readings at a friction
-    /// [1] by the model without effects, as in "reduced pressure 0.3 is below 0.5" (`KnownRange`);
-    /// each reason once.
+    /// Reasons why the earlier runs do not support predictions of the study's readings by the model
+    /// without effects, as in "reduced pressure 0.3 is below 0.5" (`KnownRange`); each reason once.
+    /// @param friction friction coefficient of the grains [1]
     std::vector<std::string> why_unsupported(double friction) const;
-    /// Reason why the earlier runs do not allow a prediction at this friction [1] and condition by
-    /// the model without effects; empty where they do.
+    /// Reason why the earlier runs do not support a prediction at a condition by the model without
+    /// effects; empty where they do.
+    /// @param friction friction coefficient of the grains [1]
     std::string why_unsupported(double friction, const Condition& condition) const;
 
-    /// Returns the study with all effects of its catalogue listed, so that `runs_serving` keeps
-    /// training runs with any effect.
+    /// Returns the study with all effects of its catalogue in its model. With this study,
+    /// `runs_serving` accepts training runs with any effect.
     static Study with_all_effects(const ResolvedStudy& study);
 
   private:
-    /// Whether the emulator can predict an effect: it does not act on grains, or an earlier run has
-    /// it as its only effect.
+    /// Whether the emulator can predict an effect: the effect does not act on grains, or an earlier
+    /// run has it as its only effect.
     bool has_runs(const Effect& effect) const;
-    /// Adds an effect to the candidates or, with the reason, to `left_aside_`.
+    /// Adds an effect to the candidates or, where it cannot be one, to `left_aside_` with the
+    /// reason.
     void add_candidate(const Effect& effect);
 
     ResolvedStudy study_;
     std::vector<Condition> conditions_;
-    std::vector<const Effect*> offered_;  ///< effect of each candidate
+    /// Effect of each candidate, in the order of candidates().
+    std::vector<const Effect*> offered_;
     std::vector<Candidate> candidates_;
     std::vector<LeftAside> left_aside_;
     std::shared_ptr<const EmulatedSimulation> simulation_;

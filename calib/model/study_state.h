@@ -8,25 +8,28 @@
 
 namespace pendular {
 
-/// Inverse reduced pressure 1/P* = F0/(a^2 s22) of a wet condition [1], with the pull-off force F0
-/// of the condition's liquid as effects have changed it or, where none is set, of the study's
-/// liquid.
+/// Inverse reduced pressure 1/P* = F0/(a^2 s22) of a wet condition [1], with the grain diameter a,
+/// the normal stress s22 and the pull-off force F0 of a liquid bridge. F0 is that of the
+/// condition's liquid, which effects may have changed, or else of the study's liquid.
 /// @throws std::bad_optional_access where neither the condition nor the study has a liquid
 double inverse_pressure_of(const EffectiveCondition& condition, const Study& study);
 
-/// Parameters of a DEM run at a flow state of the study's grains, with number of grains, stiffness
-/// number and strain of `fidelity` (set of simulation settings). The seed keeps its default.
+/// Returns the parameters of a simulation run (discrete-element method) of the study's grains at a
+/// state of steady shear. Number of grains, stiffness number and strain are those of the settings
+/// `fidelity`. The seed has its default value.
 dem::RunParameters run_at(const FlowState& state, const Study& study, const Fidelity& fidelity);
 
-/// Stiffness number [1] of the study's `grains` at `condition` or, where the study states no
-/// Young's modulus, of `fidelity` (set of simulation settings).
+/// Stiffness number kappa = (E/((1 - nu^2) s22))^(2/3) of the study's `grains` at the normal stress
+/// s22 of a condition [1]; E: Young's modulus, nu: Poisson ratio. Where the study states no Young's
+/// modulus, that of the simulation settings `fidelity`.
 double stiffness_number_of(const Condition& condition, const GrainProperties& grains,
                            const Fidelity& fidelity);
 
-/// Share of the rigidity shift (change of solid fraction from rigid to soft grains) at stiffness
-/// number `simulated` that grains of stiffness number kappa do not have [1]:
+/// Share [1] of the rigidity shift that is missing in the study's grains. The rigidity shift is the
+/// difference of solid fraction between rigid grains and grains of the stiffness number
+/// `simulated`. With the study's stiffness number kappa (`stiffness_number_of`), the share is
 ///     1 - simulated/kappa,
-/// with the stiffness number kappa that `stiffness_number_of` returns.
+/// negative for grains softer than those simulated.
 double stiffness_share(double simulated, const Condition& condition, const GrainProperties& grains,
                        const Fidelity& fidelity);
 
