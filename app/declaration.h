@@ -38,9 +38,9 @@ inline ValueKind one_of(std::vector<std::string> choices) {
 
 /// Name and texts of one command-line option, as the help text shows them.
 struct OptionDeclaration {
-    std::string name;         ///< without the hyphens before it
+    std::string name;         ///< name of the option, without the leading hyphens
     std::string argument;     ///< placeholder of the value, with the default; empty: no value
-    std::string description;  ///< text on one line
+    std::string description;  ///< meaning of the option, on one line
     ValueKind value;          ///< values that the option accepts
 };
 

@@ -70,7 +70,7 @@ class OpenSession {
 
     std::unique_ptr<InterruptGuard> guard_;
     std::unique_ptr<StudyLock> lock_;
-    StudyInput input_;  ///< moved to the session
+    StudyInput input_;  ///< study as read, until the session takes it
     std::unique_ptr<RunStore> store_;
     Session session_;
 };

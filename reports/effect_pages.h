@@ -38,7 +38,7 @@ std::vector<std::string> effect_page(const EffectEntry& entry);
 std::string manual_page(const EffectEntry& entry, const std::string& figure);
 
 /// First page of the manual of effects, in Markdown: tables with one row per effect and a link to
-/// the effect's page, NAME.md.
+/// the page of the effect, NAME.md.
 std::string manual_index(const std::vector<EffectEntry>& entries);
 
 /// JSON of an entry of the catalogue of effects: name, equation, parameters with their bounds, and

@@ -24,7 +24,8 @@ inline const std::string measured_colour = "#1b1b1b", model_colour = "#0b62a4",
 struct Shown {
     std::array<double, 2> value, error;
 };
-/// Measured stress ratio [1] and solid fraction [1] of a reading, with their standard errors.
+/// Returns the measured stress ratio [1] and solid fraction [1] of a reading, with their standard
+/// errors.
 Shown shown(const Reading& reading);
 
 /// Returns the predicted stress ratio [1] and solid fraction [1] of one reading, with their

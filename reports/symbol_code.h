@@ -34,7 +34,7 @@ inline constexpr std::array<ContentCode, 5> content_code = {
      {0.030, "#111111", Filling::crossed},      // black
      {0.063, "#8e2fb5", Filling::top_half}}};   // purple
 
-/// Colour and filling of symbols for dry readings: grey, filled. Badetti et al. (2018) give none.
+/// Colour and filling of symbols for dry readings: grey, filled. Badetti et al. (2018) state none.
 inline constexpr ContentCode dry_code{0, "#808080", Filling::filled};
 
 /// Returns the shape of symbols for grains with this friction coefficient [1]: that of the nearest
@@ -45,8 +45,8 @@ Shape shape_of(double friction);
 /// liquid content in `content_code`, by the logarithm, or `dry_code` for 0.
 const ContentCode& code_of(double liquid_content);
 
-/// Returns the symbol of a simulated or predicted state: shape by its friction [1], filling by its
-/// liquid content (liquid volume over solid volume) [1].
+/// Returns the symbol of a simulated or predicted state: the shape shows the friction [1], the
+/// filling shows the liquid content (liquid volume over solid volume) [1].
 Symbol simulated_symbol(double friction, double liquid_content);
 
 /// Symbol of measured points: a plus, since the friction of the measured grains is not known. The

@@ -34,8 +34,9 @@ std::vector<std::string> predictions_table(const Comparison& comparison, bool wo
 /// text says so.
 std::string misfit_text(const Misfit& misfit);
 
-/// Table of the misfit chi2 by observable (shear stress, solid fraction), by condition and, where
-/// there are several files, by file. Each division adds up to the chi2 of all readings.
+/// Table of the parts of the misfit chi2: by quantity (shear stress, solid fraction), by condition
+/// and, where there are several files, by file. The parts of each division add up to the chi2 of
+/// all readings.
 std::vector<std::string> misfit_table(const Comparison& comparison);
 
 /// Table of cohesion lines, straight lines of stress ratio against the inverse reduced pressure,

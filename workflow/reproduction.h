@@ -39,8 +39,8 @@ class Reproduction {
     std::vector<ScoreboardRow> rows_;
 };
 
-/// JSON of a reproduction, as `pendular reproduce` prints it: each published number or range with
-/// the simulated number and whether they agree.
+/// JSON of a reproduction, as `pendular reproduce --json` writes it: each number or range that
+/// Badetti et al. (2018) publish, with the simulated number and whether they agree.
 nlohmann::ordered_json to_json(const Reproduction& reproduction);
 
 }  // namespace pendular

@@ -59,10 +59,11 @@ class Session {
     const Measurements& measurements() const { return input_.measurements; }
     const SessionOptions& options() const { return options_; }
 
-    /// Fits the study's parameters, and writes fit.json and fit_runs.csv to the results folder.
+    /// Fits the parameters of the study's model to the readings, and writes fit.json and
+    /// fit_runs.csv to the results folder.
     /// @throws InputError where there is nothing to fit, and where a reading cannot be simulated
     /// @throws std::runtime_error where a file cannot be written
-    /// @throws dem::Interrupted where the user stops the work, with how to continue
+    /// @throws dem::Interrupted where the user stops the work; the message says how to continue
     CalibratedStudy calibrate(const FitOptions& fit = {}) const;
     /// Compares the fit in the results folder with the readings of the study. Writes no file.
     /// @param cohesion options of the cohesion lines (Mohr-Coulomb lines through wet readings);

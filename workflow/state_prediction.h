@@ -89,7 +89,8 @@ class StatePredictor {
     StatePredictor(const StatePredictor&) = delete;
     StatePredictor& operator=(const StatePredictor&) = delete;
 
-    /// Checks that predicted solid fractions can be corrected to this stiffness number [1].
+    /// Checks that solid fractions can be predicted for grains of this stiffness number [1], which
+    /// must be 100 or more.
     /// @throws InputError where the stiffness number is below 100
     static void check_stiffness_number(double stiffness_number);
 
@@ -101,7 +102,8 @@ class StatePredictor {
     /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
     ///         earlier run is dry
     bool supports(const RequestedState& requested) const;
-    /// Predicts all observables at a requested state of steady shear.
+    /// Predicts all observables, such as stress ratio, solid fraction and coordination numbers, at
+    /// a requested state of steady shear.
     /// @throws InputError where the earlier runs (atlas and store) do not cover the state, naming
     ///         the nearest state that they cover, and where the predicted solid fraction is not
     ///         that of a dense flow

@@ -12,7 +12,7 @@
 
 namespace pendular {
 
-/// Kind of change of the effects that a study lists: adding or dropping one effect.
+/// Change of the effects that a study lists: one effect is added or dropped.
 enum class Action { add, drop };
 
 /// Change of the effects that a study lists, checked but not yet written to study.toml.
@@ -39,13 +39,13 @@ struct Fitted {
     Comparison comparison;
     /// Summary of the fit, for the ladder (sequence of the study's models).
     LadderStep ladder_step;
-    /// Judgement whether the fit can be believed; only made after the change.
+    /// Judgement whether the fit can be believed; empty for a fit before the change.
     Belief belief = {};
     /// Number of conditions in the cross-validation, each predicted by a fit to the other
     /// conditions; 0: there are too few conditions for a cross-validation.
     std::size_t left_out = 0;
-    /// Number of these conditions without which the other readings do not determine every parameter
-    /// of the model.
+    /// Number of conditions in the cross-validation without which the other readings do not
+    /// determine every parameter of the model.
     std::size_t undetermined = 0;
 };
 /// Compares a calibration with all readings of the study, and computes its cross-validation errors:

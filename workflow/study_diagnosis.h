@@ -32,9 +32,9 @@ struct RivalModel {
 /// Simulations that tested the verdict of a diagnosis, and whether the verdict is firm.
 struct Confirmation {
     std::size_t runs = 0;  ///< number of runs that were made
-    double seconds = 0;    ///< time that the confirmation took, its diagnoses included [s]
-    /// Whether the verdict is firm: it stayed the same with the last runs, these agreed with the
-    /// emulator, and the noise of the runs is small compared with the other errors.
+    double seconds = 0;    ///< time that the simulations and the diagnoses took together [s]
+    /// Whether the verdict is firm: the last runs did not change the verdict and agreed with the
+    /// emulator, and the noise of all runs is small compared with the other errors.
     bool settled = false;
     std::string open = {};  ///< reason why the verdict is not firm; empty where it is
 };
@@ -50,7 +50,7 @@ struct StudyDiagnosis {
     /// neighbouring readings if there are more than `most_tested`.
     std::vector<Reading> readings;
     std::size_t measured = 0;  ///< number of readings of the study
-    /// The study's model with any set of candidate effects added.
+    /// Models that were tested: the study's model with any set of candidate effects added.
     std::unique_ptr<StudyModels> models;
     /// Tested readings and direct measurements, as one vector of values with its covariance.
     Evidence evidence;
@@ -67,9 +67,9 @@ struct StudyDiagnosis {
     /// Changes of the predictions, without a known cause, that would explain the readings. Only
     /// searched for where no known effect explains all of the misfit.
     std::vector<Proposal> proposals = {};
-    /// Simulations that confirmed the verdict; empty: none were requested.
+    /// Simulations that tested the verdict; empty: none were requested.
     std::optional<Confirmation> confirmed = {};
-    /// How often simulated repetitions of the experiment give the same verdict; empty: not
+    /// Number of simulated repetitions of the experiment that give the same verdict; empty: not
     /// computed, or no model fits the readings.
     std::optional<Repeated> repeated = {};
     /// Judgement whether the fit of the study's model, without further effects, can be believed.
@@ -77,24 +77,19 @@ struct StudyDiagnosis {
 };
 
 /// Tests which physical effect is missing from a study's model, with an emulator trained on the
-/// runs of the atlas and of the store. Nothing is simulated.
-/// @throws InputError where there are too few readings, readings at one condition only or too few
-///         runs, and where a reading is outside the range that can be simulated
+/// runs of the atlas (the runs that come with the program) and of the store (the user's file of
+/// runs). Nothing is simulated.
+/// @throws InputError where there are no more measured values than parameters, readings at one
+///         condition only, or too few runs, where no run has an effect that the study lists, and
+///         where a reading is outside the range that can be simulated
 /// @throws dem::Interrupted where the user stops the work
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
-                              /// Tests which physical effect is missing from a study's model, with
-                              /// an emulator trained on the runs of the atlas (the runs that come
-                              /// with the program) and of the store (the user's file of runs).
-                              /// Nothing is simulated.
-                              /// @throws InputError where there are too few readings, readings at
-                              ///         one condition only or too few runs, and where a reading is
-                              ///         outside the range that can be simulated
-                              /// @throws dem::Interrupted where the user stops the work
                               const SessionOptions& session);
 /// Tests which physical effect is missing from a study's model, with an emulator trained on the
 /// runs `known`. Nothing is simulated.
-/// @throws InputError where there are no readings or readings at one condition only, and where a
-///         reading is outside the range that can be simulated
+/// @throws InputError where there are no more measured values than parameters, or readings at one
+///         condition only, where no run has an effect that the study lists, and where a reading is
+///         outside the range that can be simulated
 /// @throws dem::Interrupted where the user stops the work
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session, KnownRuns known);

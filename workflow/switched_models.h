@@ -37,14 +37,15 @@ struct SwitchedModel {
     Eigen::MatrixXd without_each;
 };
 
-/// Options of `switched_models`.
+/// Options for fitting a study with all combinations of its leading effects.
 struct SwitchOptions {
     std::size_t most = 6;  ///< largest number of switches; 2^most models are fitted
     /// Further conditions to predict, such as points of curves.
     std::vector<Condition> along = {};
 };
 
-/// All combinations of the leading effects of a study, each fitted to its readings.
+/// Models of a study with all combinations of its leading effects, the effects that are most likely
+/// to matter; each is fitted to the readings.
 struct SwitchedModels {
     ResolvedStudy study;                     ///< the study, whose catalogue the models use
     std::vector<std::string> switches = {};  ///< names of the effects to switch on and off

@@ -114,7 +114,7 @@ class LiveStudy {
     StudyStamps made_from_;
     /// State of the files of the last page whose outcome was printed.
     StudyStamps told_;
-    std::stop_source page_stop_;  ///< breaks off the page that is being made
+    std::stop_source page_stop_;  ///< stops the making of the page in progress
     /// Requests that all work ends.
     std::stop_token end_;
     std::deque<Job> jobs_;

@@ -18,9 +18,11 @@ namespace pendular::app {
 struct ServedStudy {
     std::function<std::shared_ptr<const std::string>()> page;  ///< page of the study, HTML
     std::function<std::string()> state;                        ///< state of the study, JSON
-    /// Stores a recording in the study, given the name and the content of its file.
+    /// Stores a recording in the study, given the name and the content of its file, and returns the
+    /// HTTP status and text for the browser.
     std::function<Answer(std::string name, std::string bytes)> receive;
-    /// Adds an effect to the study or drops one.
+    /// Adds an effect to the study or drops one, and returns the HTTP status and text for the
+    /// browser.
     std::function<Answer(Action, const std::string& effect)> change;
 };
 
