@@ -16,9 +16,10 @@ void print_closures(const closures::ClosureValues& values, double stress_ratio, 
 
 /// Computes and prints the values that the closures (analytical formulas) of Badetti et al. (2018)
 /// give for a wet run. They follow from the averages of the run and the stress ratio of dry grains,
-/// which is predicted from the runs in atlas and store. If these do not suffice, prints a line that
+/// which is predicted from earlier simulation runs. If these do not suffice, prints a line that
 /// says so.
-/// @param store user's file of runs; may be null
+/// @param store user's file of runs, which is used besides the runs that come with the program;
+///        null: none
 /// @return the printed values; empty for a dry run and where the stress ratio of dry grains is
 ///         unknown
 std::optional<closures::ClosureValues> print_closures_of(const dem::RunResult& run,

@@ -30,14 +30,17 @@ void set_confirmation(const std::optional<double>& seconds, FitOptions& fit);
 class OpenSession {
   public:
     enum class Access { reads, changes };
-    /// Reads the study `options.study` and opens the store of simulation runs.
+    /// Reads the study `options.study`, and opens the user's store, the SQLite file of simulation
+    /// runs.
     /// @param files paths in the folder for results that the command writes to
     /// @param seed seed of all random numbers, 0 or more
     /// @param access whether the command changes the study or its fit; a command that does waits
     ///        until no other such command is at work on the study
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
-    /// @throws std::runtime_error where a store that the user named cannot be written
+    /// @throws std::runtime_error where a store that the user named cannot be written, and where
+    ///         another command is at work on the study for longer than a minute
+    /// @throws dem::Interrupted where the user stops the command while it waits
     OpenSession(Console& console, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);
@@ -51,7 +54,9 @@ class OpenSession {
     ///        until no other such command is at work on the study
     /// @throws InputError for a mistake in the study's files, for results that would replace an
     ///         input, for a negative seed, and for a store that cannot be read
-    /// @throws std::runtime_error where a store that the user named cannot be written
+    /// @throws std::runtime_error where a store that the user named cannot be written, and where
+    ///         another command is at work on the study for longer than a minute
+    /// @throws dem::Interrupted where a stop is requested while the command waits
     OpenSession(const std::stop_token& stop, const Listener& listener, const CommonOptions& options,
                 std::vector<std::filesystem::path> files, std::int64_t seed = 1,
                 Access access = Access::reads);

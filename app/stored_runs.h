@@ -16,8 +16,8 @@ namespace pendular::app {
 /// @throws std::runtime_error where a store that the user named cannot be written
 std::unique_ptr<RunStore> open_store(const CommonOptions& options);
 
-/// Returns the number of a simulation run in the store, as the user typed it. Does not check that
-/// the store has this run.
+/// Returns the number of a stored simulation run that the user typed. Does not check that a run
+/// with this number exists in the store, the user's file of runs.
 /// @throws InputError where the word is not a whole number
 std::int64_t run_number(const std::string& word);
 

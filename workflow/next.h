@@ -11,7 +11,8 @@ namespace pendular {
 /// Next measurement to make for a study, with the possible measurements that were compared.
 struct NextMeasurement {
     const Study& study;
-    /// Rival models, which all explain the readings. A single one: there is nothing to tell apart.
+    /// Models between which the next measurement should decide; a single one: there is nothing to
+    /// tell apart.
     std::vector<Rival> rivals;
     /// Measurements that the instrument can make (section [rig] of study.toml) and whose result can
     /// be predicted.
@@ -54,9 +55,8 @@ Eigen::VectorXd error_of(const Forecast& forecast);
 /// that determines its parameters most precisely. The instrument is described in section [rig] of
 /// study.toml; without this section, the range of the readings is used. The diagnosis and the study
 /// must outlive the result.
-/// @throws InputError where the runs of atlas and store allow a prediction at none of the
-///         conditions, or where [rig] lists a direct measurement of an effect that does not apply
-///         to the study
+/// @throws InputError where none of the instrument's conditions is near an earlier simulation run,
+///         and where [rig] lists a direct measurement of an effect that does not apply to the study
 NextMeasurement next_measurement(const ResolvedStudy& study, const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

@@ -28,9 +28,9 @@ struct RequestedState {
     /// Returns the requested state in the coordinates of the emulator: friction, inertial number,
     /// 1/P* and bridge volume. A liquid content is converted to a bridge volume by means of the
     /// coordination number that the emulator predicts.
-    /// @param known range of states that the runs of atlas and store cover
-    /// @throws InputError for a wet state where no run of atlas and store is wet, and for a dry
-    ///         state where none is dry
+    /// @param known range of states in which the earlier simulation runs allow predictions
+    /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
+    ///         earlier run is dry
     FlowState state(const Emulator& emulator, const KnownRange& known) const;
     /// Returns a request for another state, `state`. Its amount of liquid is a liquid content if
     /// this request gives a liquid content, else a bridge volume.
@@ -57,9 +57,9 @@ std::string why_impossible(const dem::RunParameters& run);
 /// and strain are those of `fidelity`.
 std::string simulate_command(const dem::RunParameters& run, const Fidelity& fidelity);
 
-/// Error message for a requested state that the runs of atlas and store do not cover. It contains
-/// the reason `why`, the nearest state that they cover with the command that predicts it, and the
-/// command that simulates the requested state instead.
+/// Error message for a requested state outside the range of the earlier simulation runs. It
+/// contains the reason `why`, the nearest state within the range with the command that predicts it,
+/// and the command that simulates the requested state instead.
 /// @param state requested state in the coordinates of the emulator
 std::string unsupported_text(const RequestedState& requested, const FlowState& state,
                              const std::string& why, const Emulator& emulator,

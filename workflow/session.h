@@ -80,22 +80,21 @@ class Session {
     /// Tests which physical effect is missing from the study's model. If other effects could have
     /// replaced an added effect equally well, the models with these other effects are fitted too,
     /// and those that the readings do not rule out are returned as `StudyDiagnosis::rivals`.
-    /// @param confirming_seconds largest time that simulations which test the verdict, and the
-    ///        diagnoses repeated with their results, may take [s]; empty: nothing is simulated
-    /// @param repetitions number of simulated repetitions of the experiment, readings with new
-    ///        random errors, that are diagnosed too, to find how often the verdict would be the
-    ///        same; 0: none
-    /// @throws InputError where there are too few readings, or too few simulations in atlas and
-    ///         store, where a reading is outside the range that can be simulated, and where
-    ///         ladder.json cannot be read
+    /// @param confirming_seconds largest time [s] for new simulations that test the verdict, and
+    ///        for the diagnoses that are repeated with their results; empty: nothing is simulated
+    /// @param repetitions number of repetitions of the experiment that are simulated (readings with
+    ///        new random errors) and diagnosed, to count how often the verdict is the same; 0: none
+    /// @throws InputError where there are too few readings or too few earlier simulation runs,
+    ///         where a reading is outside the range that can be simulated, and where ladder.json
+    ///         cannot be read
     /// @throws dem::Interrupted where the user stops the work
     StudyDiagnosis diagnose(std::optional<double> confirming_seconds = {},
                             std::size_t repetitions = 0) const;
     /// Plans the next measurement of the study from its diagnosis. The measurement tells apart the
     /// models that fit or, if only one fits, determines its parameters most precisely. The session
     /// and the diagnosis must outlive the result.
-    /// @throws InputError where the simulations in atlas and store allow a prediction at none of
-    ///         the conditions that the instrument can measure
+    /// @throws InputError where none of the conditions that the instrument can measure is near an
+    ///         earlier simulation run
     NextMeasurement next(const StudyDiagnosis& diagnosis) const;
     NextMeasurement next(StudyDiagnosis&& diagnosis) const = delete;
     /// Adds an effect to study.toml and fits the study before and after the change. Where the fit

@@ -53,8 +53,8 @@ struct VariedQuantity {
     void set(RequestedState& requested, double value) const;
 };
 
-/// Predictions along a curve of states that differ in one quantity. States that the runs of atlas
-/// and store do not cover are left out.
+/// Predictions along a curve of states that differ in one quantity. States outside the range of the
+/// earlier simulation runs are left out.
 struct PredictionCurve {
     std::string variable;    ///< name of the varied quantity, as in `VariedQuantity`
     std::vector<double> at;  ///< value of the varied quantity at each predicted state [1]
@@ -67,7 +67,8 @@ struct PredictionCurve {
     std::vector<closures::ClosureValues> closures;
     /// Stiffness number of the grains for which predictions hold [1].
     double stiffness_number = 1000;
-    /// Number of states of the curve that the runs of atlas and store do not cover.
+    /// Number of states of the curve that are left out, since no earlier simulation run is near
+    /// them.
     int left_out = 0;
     /// Reason why the first state that was left out is not covered; empty where none was left out.
     std::string why_left_out;
@@ -77,14 +78,13 @@ struct PredictionCurve {
 /// program) and of a store (the user's file of runs), without a study and without new runs.
 class StatePredictor {
   public:
-    /// Trains an emulator on the runs of the atlas (the runs that come with the program) and of a
-    /// store.
-    /// @param fidelity settings of the simulations that are suggested where a state cannot be
-    ///        predicted
+    /// Trains an emulator on earlier simulation runs: those of the atlas (which come with the
+    /// program) and of the user's store.
+    /// @param fidelity settings of the runs that can be simulated where a state cannot be predicted
     /// @param store user's file of runs; null: only the atlas is used
     /// @param stiffness_number stiffness number of the grains to predict [1]
-    /// @throws InputError where atlas and store have too few runs to train an emulator, and where
-    ///         the stiffness number is below 100
+    /// @throws InputError where there are too few earlier runs to train an emulator, and where the
+    ///         stiffness number is below 100
     StatePredictor(const Fidelity& fidelity, const RunStore* store, double stiffness_number);
     StatePredictor(const StatePredictor&) = delete;
     StatePredictor& operator=(const StatePredictor&) = delete;
@@ -97,20 +97,20 @@ class StatePredictor {
     const Emulator& emulator() const { return emulator_; }
     double stiffness_number() const { return stiffness_number_; }
 
-    /// Whether the runs of atlas and store cover a requested state: the state is within their
-    /// convex hull, and the predicted errors are small enough.
+    /// Whether a requested state can be predicted from the earlier simulation runs: it lies within
+    /// the convex hull of their states, and the predicted errors are small enough.
     /// @throws InputError for a wet state where no earlier run is wet, and for a dry state where no
     ///         earlier run is dry
     bool supports(const RequestedState& requested) const;
     /// Predicts all observables, such as stress ratio, solid fraction and coordination numbers, at
     /// a requested state of steady shear.
-    /// @throws InputError where the earlier runs (atlas and store) do not cover the state, naming
-    ///         the nearest state that they cover, and where the predicted solid fraction is not
-    ///         that of a dense flow
+    /// @throws InputError where the state is outside the range of the earlier simulation runs,
+    ///         naming the nearest state within the range, and where the predicted solid fraction is
+    ///         not that of a dense flow
     StatePrediction at(const RequestedState& requested) const;
     /// Predicts all observables along a curve of states: the state `requested`, with the varied
-    /// quantity set to each of its values. States that the earlier runs (atlas and store) do not
-    /// cover are left out.
+    /// quantity set to each of its values. States outside the range of the earlier simulation runs
+    /// are left out.
     /// @throws InputError where fewer than two states of the curve can be predicted, and where a
     ///         predicted solid fraction is not that of a dense flow
     PredictionCurve along(RequestedState requested, const VariedQuantity& varied) const;

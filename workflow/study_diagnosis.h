@@ -94,9 +94,10 @@ StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& me
 StudyDiagnosis diagnose_study(const ResolvedStudy& study, const Measurements& measurements,
                               const SessionOptions& session, KnownRuns known);
 
-/// Returns the runs of atlas and store that can train the emulator for a diagnosis of a study: the
-/// runs that can train it for the study's model with any further effect.
-/// @throws InputError where there are fewer than 20 such runs
+/// Returns the earlier simulation runs on which the emulator for a diagnosis of a study is trained,
+/// from the atlas (the runs that come with the program) and the store (the user's file of runs). A
+/// run may have any effect, listed in the study or not.
+/// @throws InputError where there are fewer than 20 runs that can train the emulator
 KnownRuns runs_for_diagnosis(const ResolvedStudy& study, const SessionOptions& session);
 
 /// Tests the residuals of the study's fitted model, without further effects: where the model

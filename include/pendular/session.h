@@ -135,7 +135,8 @@ struct NextReading {
 /// Suggested next measurements. They tell apart the models that fit the readings or, if only one
 /// model fits, make its parameters more precise.
 struct Suggestion {
-    /// Models that fit the readings; a single one: there is nothing to tell apart.
+    /// Models between which the measurements should decide; a single one: there is nothing to tell
+    /// apart.
     std::vector<std::string> rivals;
     /// Measurements to take; empty: the instrument cannot tell any of the `rivals` apart.
     std::vector<NextReading> readings;
@@ -195,17 +196,18 @@ class Session {
 
     /// Tests which physical effect, if any, is missing from the study's model. Nothing is
     /// simulated.
-    /// @throws InputError where the study has too few readings, where atlas (the runs that come
-    ///         with Pendular) and store have too few runs, where a reading is outside the range
-    ///         that can be simulated, and where ladder.json in the folder for results cannot be
-    ///         read
+    /// @throws InputError where the study has too few readings, where there are too few earlier
+    ///         simulation runs (those that come with Pendular and those in `Options::store`), where
+    ///         a reading is outside the range that can be simulated, and where ladder.json in the
+    ///         folder for results cannot be read
     /// @throws Interrupted where `Options::stop` ended the work
     Verdict diagnose() const;
 
     /// Diagnoses the study and plans its next measurement. The instrument's possible settings are
     /// those of section [rig] of study.toml or, without this section, the range of the readings.
-    /// @throws InputError where `diagnose` throws it, and where the runs in atlas (the runs that
-    ///         come with Pendular) and store allow a prediction at none of these settings
+    /// @throws InputError where the study cannot be diagnosed, as by `diagnose`, and where none of
+    ///         the settings is near an earlier simulation run (those that come with Pendular and
+    ///         those in `Options::store`)
     /// @throws Interrupted where `Options::stop` ended the work
     Suggestion next() const;
 
